@@ -110,7 +110,7 @@ pub struct Interface {
     /// given, else that of a lattice with the stiffness of the joint, the root of kn d / density.
     #[key(planar = "0.2", spatial = "0.1", changes, read_by("joints"))]
     pub damping_ratio: Option<Quantity<NotNegativePlain>>,
-    /// Share of its speed left by a flat impact, less by corners; in place of `damping_ratio`.
+    /// Share of its speed left by a flat impact, less by corners; in place of `damping_ratio`. Without either 0.2 in space.
     #[key(changes)]
     pub restitution: Option<Quantity<Restitution>>,
     /// Points of a joint on which its dashpots and those of `damping.stiffness` act along it; across it on all closed ones.

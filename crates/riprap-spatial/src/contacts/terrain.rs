@@ -17,6 +17,7 @@ use crate::found::{
     Body, ContactLaw, Motion, Pieces, Question, Reached, Shape, Sums, Terrain, Wrench, respond,
     turn,
 };
+use crate::laws::damping::stable_share;
 use crate::setup;
 use crate::state::event::EditKind;
 use crate::state::found::{FacetContact, OnTerrain};
@@ -27,7 +28,9 @@ use crate::world::{Bodies, Turned, World};
 const REACH: f64 = 1.0;
 /// Share of the stable step: the stiffness grows with the area. In the square not much more than half of that of pairs (0.56), since a block may lie
 /// on terrain and on others at once and both limits are found apart.
-pub(crate) const SAFETY: f64 = 0.15;
+const SAFETY: f64 = 0.15;
+/// The same of the step that is stable with strong dashpots.
+const DAMPED: f64 = 0.375;
 /// Share of the time until a block can touch that a step may take.
 const APPROACH: f64 = 0.25;
 
@@ -341,6 +344,11 @@ fn add(exerted: &mut Acting, elastic: &Wrench, spring: &Wrench, drag: &Wrench) {
     exerted.drag.add(drag, true);
 }
 
+/// Share of the undamped stable step on ground with this law: dashpots shorten it where it would come too near to what is stable with them.
+pub(crate) fn share(law: &ContactLaw) -> f64 {
+    SAFETY.min(DAMPED * stable_share(law.damping_ratio))
+}
+
 /// Longest step, s: what is near counts with its largest face flat on the ground, what falls with a share of the time until it can touch.
 fn longest_step(world: &World, desk: &Desk) -> f64 {
     let gravity = world.gravity.length();
@@ -359,8 +367,7 @@ fn longest_step(world: &World, desk: &Desk) -> f64 {
         let mut stable = f64::INFINITY;
         for law in laws {
             let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
-            let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
-            stable = stable.min(SAFETY * 2.0 * loss / (stiffness * area * ease).sqrt());
+            stable = stable.min(share(law) * 2.0 / (stiffness * area * ease).sqrt());
         }
         let meet = if state.clear > 0.0 {
             let speed =

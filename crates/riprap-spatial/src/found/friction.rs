@@ -80,9 +80,18 @@ impl ContactLaw {
         holds.then(|| self.shear_stiffness / (HOLD * self.normal_stiffness))
     }
 
-    /// Dashpot of a contact of an area (m²) between blocks of this reduced mass (kg) along a stiffness (Pa/m), N s/m.
-    fn dashpot(&self, stiffness: f64, area: f64, mass: f64) -> f64 {
-        2.0 * self.damping_ratio * (stiffness * area * mass).sqrt()
+    /// Dashpot of a contact of an area (m²) between blocks of this reduced mass (kg) along a stiffness (Pa/m), N s/m, that acts on the velocity
+    /// half a step of `dt` (s) ago.
+    ///
+    /// With `c` itself that is a dashpot on the velocity of now and a mass less by `c dt/2`: too much damping. `c/(1 + c dt/(4 m))` has the
+    /// share of critical damping asked for, to the second order of the step, and takes no longer steps to be stable.
+    fn dashpot(&self, stiffness: f64, area: f64, mass: f64, dt: f64) -> f64 {
+        let c = 2.0 * self.damping_ratio * (stiffness * area * mass).sqrt();
+        if mass > 0.0 {
+            c / (1.0 + 0.25 * c * dt / mass)
+        } else {
+            c
+        }
     }
 }
 
@@ -204,7 +213,7 @@ struct Contact {
     point: Vec3,
     area: f64,
     polar: f64,
-    /// Second moments of the area about the point, m⁴.
+    /// Second moments of the area about its own centre, m⁴.
     spread: Mat3,
     /// Squared radius of gyration of the pressure, m².
     gyration: f64,
@@ -328,7 +337,7 @@ pub fn respond(
     if let Some(gone) = offset.take_if(|offset| offset.is_gone(c.area)) {
         booked += energy(law, q.sums, &c) - gone.stored;
     }
-    let across = law.dashpot(law.normal_stiffness, c.area, mass);
+    let across = law.dashpot(law.normal_stiffness, c.area, mass, q.last_dt);
     let (normal, rocking) = if let Some(ratio) = q.shared {
         (pressed * (1.0 + ratio), Vec3::ZERO)
     } else {
@@ -352,7 +361,7 @@ pub fn respond(
     work += memory.work(&q.motion, q.dt);
     let (mut shear, mut torsion) = (memory.shear, memory.torsion);
     if !memory.sliding {
-        let along = law.dashpot(law.shear_stiffness, c.hold * c.area, mass);
+        let along = law.dashpot(law.shear_stiffness, c.hold * c.area, mass, q.last_dt);
         shear -= along * v.along;
         torsion -= along * c.polar / c.area * v.twist;
         // Only this answer is cut: the springs are within the limit, and keep what they have.
@@ -391,7 +400,11 @@ pub fn respond(
 /// the long axis of a narrow contact, and unstable.
 fn against_rocking(across: f64, c: &Contact, v: &Relative, normal: f64) -> Vec3 {
     let uneven = (c.spread * c.normal.cross(v.rock)).cross(c.normal);
-    shorten(-(across / c.area) * uneven, normal * c.gyration.sqrt())
+    let couple = -(across / c.area) * uneven;
+    // A pressure that nowhere pulls acts within the contact: on a rectangle half its length off the middle at most.
+    let aside = couple.cross(c.normal).normalize_or_zero();
+    let reach = (3.0 * aside.dot(c.spread * aside).max(0.0) / c.area).sqrt();
+    shorten(couple, normal * reach)
 }
 
 fn meeting(law: &ContactLaw, q: &Question) -> Option<Meeting> {
@@ -507,8 +520,8 @@ fn contact(law: &ContactLaw, q: &Question) -> Option<Contact> {
     // The vector area: no approach is resisted by more than kn times it, also where the surface bends about an edge.
     let area = s.vector_area.length();
     let point = s.weight_first / s.weight;
-    let spread = spread(s, point);
-    let polar = spread.x_axis.x + spread.y_axis.y + spread.z_axis.z;
+    let about = spread(s, point);
+    let polar = about.x_axis.x + about.y_axis.y + about.z_axis.z;
     let gyration = s.weight_second / s.weight - point.length_squared();
     // Written so that a NaN is no contact either.
     if !(area > 0.0 && polar > 0.0 && gyration > 0.0) {
@@ -520,7 +533,7 @@ fn contact(law: &ContactLaw, q: &Question) -> Option<Contact> {
         point,
         area,
         polar,
-        spread,
+        spread: spread(s, s.area_first / s.area),
         gyration,
         hold: hold(law, q.falls / area),
     })

@@ -6,7 +6,7 @@ use riprap_geom::Vec3;
 
 use super::view::View;
 use crate::contacts::limit::Ease;
-use crate::contacts::terrain::SAFETY;
+use crate::contacts::terrain::share;
 use crate::contacts::{constants, joined, make_shapes, roles};
 use crate::deform::contact::between;
 use crate::deform::contact::search::shown;
@@ -108,8 +108,7 @@ fn rigid(world: &World) -> Vec<Meets> {
             let ease = Ease::of(world, &desk.shapes, b).of_area(face);
             let steps = laws.iter().map(|(_, law)| {
                 let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
-                let loss = (1.0 + law.damping_ratio * law.damping_ratio).sqrt() - law.damping_ratio;
-                SAFETY * 2.0 * loss / (stiffness * face * ease).sqrt()
+                share(law) * 2.0 / (stiffness * face * ease).sqrt()
             });
             let spin = world.bodies.spin(b).length() * solid.radius;
             let density =

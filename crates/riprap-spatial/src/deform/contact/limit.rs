@@ -8,6 +8,7 @@ use riprap_geom::Vec3;
 
 use super::search::fastest;
 use crate::found::cells::{CellDesk, Member};
+use crate::laws::damping::stable_share;
 use crate::world::World;
 
 /// Share of the stable step: bonds of the same nodes come on top.
@@ -32,8 +33,7 @@ pub(super) fn longest_step(world: &World, desk: &CellDesk) -> f64 {
             None if world.is_terrain(m.block as usize) => 0.0,
             None => stiffness * area * ease(world, m, area),
         });
-        let xi = law.damping_ratio;
-        let loss = (1.0 + xi * xi).sqrt() - xi;
+        let loss = stable_share(law.damping_ratio);
         let square = squares[0].max(squares[1]);
         longest = longest.min(SAFETY * 2.0 * loss / square.sqrt());
         // v t + g t²/2 = way, in the form without cancellation.

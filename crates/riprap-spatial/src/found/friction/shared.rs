@@ -43,7 +43,7 @@ pub fn pressing(law: &ContactLaw, q: &Question) -> Option<Pressing> {
 pub fn share(law: &ContactLaw, q: &Question, power: f64) -> Option<Shared> {
     let met = meeting(law, q)?;
     let c = &met.contact;
-    let across = law.dashpot(law.normal_stiffness, c.area, met.mass);
+    let across = law.dashpot(law.normal_stiffness, c.area, met.mass, q.last_dt);
     let normal = (c.elastic - across * power / c.elastic).max(0.0);
     let rocking = against_rocking(across, c, &met.velocity, normal);
     Some(Shared {

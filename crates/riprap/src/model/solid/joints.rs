@@ -1,6 +1,6 @@
 //! Laws of joints per pair of materials.
 
-use crate::laws::damping::ratio_of;
+use crate::laws::damping::{FREE_RESTITUTION, ratio_of, restitution};
 use crate::model::behaviour::dilates;
 use crate::model::builder::Builder;
 use crate::model::interfaces::{angle_shown, changed_damping, changed_friction, friction};
@@ -33,6 +33,7 @@ impl Builder<'_> {
 
     fn joint(&mut self, name: &str, said: &language::Interface) -> JointLaw {
         let behaviour = self.behaviour(name, said);
+        let found_contacts = self.spatial.found_contacts;
         let mut read = self.reading(format!("interfaces.{name}"), said);
         let stiffness = stiffness(&mut read);
         let bond = said.brittle_bond.as_ref();
@@ -51,7 +52,15 @@ impl Builder<'_> {
             ),
         };
         let damping = read.damping_ratio();
-        let contact_damping = read.restitution().map_or(damping, ratio_of);
+        let contact_damping = match (&said.restitution, &said.damping_ratio) {
+            (Some(wanted), _) => ratio_of(wanted.si()),
+            (None, Some(_)) => damping,
+            (None, None) => ratio_of(FREE_RESTITUTION),
+        };
+        if found_contacts {
+            read.because(&rebound(contact_damping));
+        }
+        read.restitution();
         JointLaw {
             stiffness,
             strength,
@@ -63,6 +72,12 @@ impl Builder<'_> {
             dashpots,
         }
     }
+}
+
+/// What blocks that meet under this share of critical damping keep of their speed, in words.
+fn rebound(ratio: f64) -> String {
+    let kept = restitution(ratio);
+    format!("a flat impact of free blocks leaves {kept:.2} of their speed (`restitution`)")
 }
 
 fn stiffness(read: &mut Read<'_, language::Interface>) -> Stiffness {

@@ -45,8 +45,36 @@ fn it_sets_the_dashpots_of_found_contacts_alone() {
     // Without it one ratio holds for both.
     let given = format!("{LAW}damping_ratio = 0.2\n");
     assert_eq!(damping(&format!("{SPACE}{given}{BRICK}")), [0.2, 0.2]);
+    // Without either, joints and free blocks have each their own; in the plane there is one.
+    assert_eq!(
+        damping(&format!("{SPACE}{LAW}{BRICK}")),
+        [0.1, ratio_of(0.2)]
+    );
+    assert_eq!(damping(&format!("{PLANE}{LAW}{SQUARE}")), [0.0, 0.2]);
     let elastic = format!("{LAW}restitution = 1\n");
     assert_eq!(damping(&format!("{SPACE}{elastic}{BRICK}")), [0.1, 0.0]);
+}
+
+/// What a flat impact leaves is said of every interface, given or not, and of none where blocks do not meet.
+#[test]
+fn what_an_impact_leaves_is_said() {
+    let says = |text: &str| {
+        let model = built(text).unwrap_or_else(|error| panic!("{error}"));
+        let of = |e: &&Explained| e.key == "interfaces.default.damping_ratio";
+        model.explained.iter().find(of).unwrap().why.clone()
+    };
+    let leaves = |share: &str| {
+        format!("a flat impact of free blocks leaves {share} of their speed (`restitution`)")
+    };
+    for (keys, share) in [
+        ("", "0.20"),
+        ("damping_ratio = 0.2\n", "0.57"),
+        ("restitution = 0.9\n", "0.90"),
+    ] {
+        assert_eq!(says(&format!("{SPACE}{LAW}{keys}{BRICK}")), leaves(share));
+    }
+    let apart = SPACE.replace("found_contacts = true", "found_contacts = false");
+    assert_eq!(says(&format!("{apart}{LAW}{BRICK}")), "");
 }
 
 #[test]
