@@ -17,6 +17,8 @@ const FEW: usize = 10;
 const ALIKE: f64 = 1.01;
 /// CPU time before the first step that is worth a word, s.
 const NOTICED: f64 = 1.0;
+/// Share of a tilting load below which the softness of a toe is not reported.
+const SLIGHT_TOE: f64 = 1e-3;
 
 pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     let work = Work::begin();
@@ -238,6 +240,14 @@ fn expected_text(f: &Forecast, before: f64) -> String {
     }
     if let Some(found) = &f.found {
         text.push_str(&found_text(found));
+    }
+    if let Some(toe) = f.toe.as_ref().filter(|toe| toe.share > SLIGHT_TOE) {
+        text.push_str(&format!(
+            "  tilting    softness takes {} % of the load that tilts block {} and what stands with it; a thousand times `{}` leave a tenth of that\n",
+            ratio(100.0 * toe.share),
+            toe.block,
+            toe.key
+        ));
     }
     text.push_str(&format!(
         "  expected   {} at {} steps/s of CPU time (one thread, no records){}\n",

@@ -22,5 +22,6 @@ mod stress;
 mod supports;
 pub mod survey;
 pub mod tetrahedra;
+pub mod toes;
 pub mod view;
 mod water;

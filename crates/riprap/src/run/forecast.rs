@@ -8,7 +8,7 @@ use thiserror::Error;
 use super::cpu::Work;
 use super::engine::{BuildError, Kind, View};
 use super::given_step::{self, TooLong};
-use super::meeting::{self, Outlook};
+use super::meeting::{self, Outlook, Toe};
 use super::overruled;
 use super::simulation::{RunError, Simulation, Stage};
 use crate::dynamics::TimeFunction;
@@ -86,6 +86,8 @@ pub struct Forecast {
     pub memory: f64,
     /// Blocks in space that can meet.
     pub found: Option<Outlook>,
+    /// Where in space free blocks lose most of a tilting load to the softness of the joint on which they stand; absent where none stand so.
+    pub toe: Option<Toe>,
     /// What is probably not meant, in words.
     pub warnings: Vec<String>,
 }
@@ -154,6 +156,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let (blocks, contacts) = (view.blocks(), view.contacts());
     let gives_way = view.spatial().is_some_and(|of| can_give_way(of.world));
     let found = meeting::outlook(&view);
+    let toe = meeting::toe(&view, simulation.cursor().gravity_after);
     // Blocks that are apart have no stable step: what steps become once they touch is a better guess than none.
     let touching = found.as_ref().and_then(|found| found.steps);
     let touching = touching.map_or(f64::INFINITY, |[step, _]| step);
@@ -208,6 +211,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         build_time,
         memory,
         found,
+        toe,
         warnings,
     })
 }

@@ -41,6 +41,32 @@ pub struct Outlook {
     pub pressed: [f64; 2],
 }
 
+/// Where free blocks lose most of a tilting load to the softness of the joint on which they stand.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Toe {
+    /// A block at the edge.
+    pub block: String,
+    /// Key of the stiffness of its joint.
+    pub key: String,
+    /// That stiffness, Pa/m.
+    pub stiffness: f64,
+    /// Share of the load with which these blocks would tilt about the edge of hard ground.
+    pub share: f64,
+}
+
+/// What `check` says of blocks that can tilt.
+pub(super) fn toe(view: &View<'_>, gravity: [f64; 3]) -> Option<Toe> {
+    let of = view.spatial()?;
+    let toe = of.softest_toe(gravity.into())?;
+    let interface = &of.world.setup.interfaces[usize::from(toe.row)].name;
+    Some(Toe {
+        block: view.name(toe.block),
+        key: format!("interfaces.{interface}.normal_stiffness"),
+        stiffness: toe.stiffness,
+        share: toe.share,
+    })
+}
+
 /// That found contact is off, where there are blocks that no joint holds together.
 pub(super) fn off(view: &View<'_>) -> Option<String> {
     let view = view.spatial()?;
@@ -338,6 +364,37 @@ mod tests {
         assert!(!told.tried_to_end);
         assert!(told.least_steps.unwrap() >= 100, "{:?}", told.least_steps);
         assert!(told.steps.unwrap() > 1_000_000, "{:?}", told.steps);
+    }
+
+    /// A block of 0.5 m x 0.5 m x 2 m, in one piece and in four: with their sum W = 12.25 kN, 13 % of the load at 1 GPa/m and 1.3 % at 1000,
+    /// as in `soft_toe.toml`.
+    #[test]
+    fn the_softness_of_a_toe_is_told() {
+        let told = |stiffness: &str, height: f64, count: u32, lift: &str| {
+            told(format!(
+                "riprap = 1\ntitle = \"t\"\n[space.spatial]\ngravity = \"9.8 m/s2\"\n\
+                 [materials.rock]\ndensity = \"2500 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.2\n\
+                 [interfaces.default]\nnormal_stiffness = \"{stiffness}\"\nfriction_angle = \"45 deg\"\n\
+                 [[blocks]]\nname = \"floor\"\nmaterial = \"rock\"\nbrick = {{ size = [\"6 m\", \"4 m\", \"1 m\"], corner = [\"-3 m\", \"-2 m\", \"-1 m\"] }}\n\
+                 [[blocks]]\nname = \"stone\"\nmaterial = \"rock\"\nbrick = {{ size = [\"0.5 m\", \"0.5 m\", \"{height} m\"], corner = [\"-0.25 m\", \"-0.25 m\", \"{lift}\"] }}\n\
+                 copies = {{ count = {count}, step = [\"0 m\", \"0 m\", \"{height} m\"] }}\n\
+                 [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"stand\"\nuntil.steps = 2\n"
+            ))
+            .toe
+        };
+        let exact = |stiffness: f64| 12.0 * (12_250.0 / (18.0 * stiffness * 0.5)).cbrt();
+        for (stiffness, of, count) in [
+            ("1 GPa/m", 1e9, 1),
+            ("1000 GPa/m", 1e12, 1),
+            ("1 GPa/m", 1e9, 4),
+        ] {
+            let toe = told(stiffness, 2.0 / f64::from(count), count, "0 m").expect("it stands");
+            assert!((toe.share / exact(of) - 1.0).abs() < 1e-9, "{toe:?}");
+            assert_eq!(toe.key, "interfaces.default.normal_stiffness");
+            assert!(toe.block.starts_with("stone"), "{toe:?}");
+        }
+        // What does not stand yet has no toe.
+        assert_eq!(told("1 GPa/m", 2.0, 1, "0.1 m"), None);
     }
 
     #[test]
