@@ -165,3 +165,84 @@ fn every_page_is_in_the_summary() {
         );
     }
 }
+
+/// Source files with the path of their module: the crate with and without `riprap_`, then the folders.
+fn modules() -> Vec<(Vec<String>, String)> {
+    let mut found = Vec::new();
+    let crates = std::fs::read_dir(repository().join("crates")).expect("list the crates");
+    for entry in crates {
+        let root = entry.expect("list the crates").path();
+        let name = root.file_name().expect("a name").to_string_lossy();
+        let short = name.trim_start_matches("riprap-").to_owned();
+        let mut folders = vec![(root.join("src"), vec![short])];
+        while let Some((folder, path)) = folders.pop() {
+            let Ok(list) = std::fs::read_dir(&folder) else {
+                continue;
+            };
+            for entry in list {
+                let file = entry.expect("list a folder").path();
+                let stem = file.file_stem().expect("a name").to_string_lossy();
+                let mut own = path.clone();
+                if !["lib", "mod"].contains(&stem.as_ref()) {
+                    own.push(stem.into_owned());
+                }
+                if file.is_dir() {
+                    folders.push((file, own));
+                } else if file.extension().is_some_and(|e| e == "rs") {
+                    found.push((own, read(&file)));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Whether a source says that it has an item of this name.
+fn defines(text: &str, item: &str) -> bool {
+    let kinds = [
+        "fn", "struct", "enum", "trait", "type", "const", "static", "mod",
+    ];
+    text.match_indices(item).any(|(at, _)| {
+        let before = text[..at].trim_end();
+        let after = text[at + item.len()..].chars().next();
+        let whole = after.is_none_or(|c| !c.is_alphanumeric() && c != '_');
+        whole && kinds.iter().any(|kind| before.ends_with(kind))
+    })
+}
+
+/// Whether `module::item`, `module::Type::function` or a module of this name is there.
+fn exists(modules: &[(Vec<String>, String)], name: &str) -> bool {
+    let parts: Vec<&str> = name.trim_start_matches("riprap_").split("::").collect();
+    let ends = |path: &[String], with: &[&str]| {
+        path.len() >= with.len() && path[path.len() - with.len()..] == *with
+    };
+    modules.iter().any(|(path, text)| {
+        let items = |count: usize| {
+            let (module, items) = parts.split_at(parts.len() - count);
+            ends(path, module) && items.iter().all(|item| defines(text, item))
+        };
+        (0..parts.len().min(3)).any(items)
+    })
+}
+
+#[test]
+fn code_that_pages_name_is_there() {
+    let modules = modules();
+    let mut missing = Vec::new();
+    for page in all_pages() {
+        for name in read(&page).split('`').skip(1).step_by(2) {
+            let word = |part: &str| {
+                let mut letters = part.chars();
+                letters.next().is_some_and(|c| c.is_ascii_lowercase())
+                    && letters.all(|c| c.is_ascii_alphanumeric() || c == '_')
+            };
+            let code = name.contains("::") && name.split("::").next().is_some_and(word);
+            if code && !name.contains(' ') && !exists(&modules, name) {
+                missing.push(format!("{}: {name}", page.display()));
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{}", missing.join("\n"));
+    assert!(!exists(&modules, "limits::stable_step"));
+    assert!(exists(&modules, "limits::judge"));
+}
