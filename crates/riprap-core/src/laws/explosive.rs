@@ -185,12 +185,6 @@ impl Adiabat {
                 + stage(self.pk, self.vk, volume, self.gamma_low)
         }
     }
-
-    /// Work of an infinite expansion, J: mass times heat of explosion.
-    #[must_use]
-    pub fn work_to_infinity(&self) -> f64 {
-        self.work(self.vk) + self.pk * self.vk / (self.gamma_low - 1.0)
-    }
 }
 
 #[cfg(test)]
@@ -251,7 +245,6 @@ mod tests {
             near(gas.pressure(ratio * gas.v0), pressure, 3.2e-6);
         }
         near(gas.pressure(100.0 * gas.v0), 2_955_136.81, 1e-8);
-        near(gas.work_to_infinity(), 125_400.0, 1e-14);
         near(gas.work(1e15 * gas.v0), 125_400.0, 1.1e-5);
         near(gas.work(10.0 * gas.v0), 0.543 * 125_400.0, 1e-3);
         near(gas.work(100.0 * gas.v0), 0.788 * 125_400.0, 1e-3);

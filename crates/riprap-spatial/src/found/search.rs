@@ -32,8 +32,6 @@ const FAST_MARGIN: f64 = 0.4;
 const REACH: f64 = 1.5;
 /// Faces that are parallel within this (difference of the normals) at least are looked at for ties.
 const PARALLEL: f64 = 1e-2;
-/// What rounding may add to a way travelled.
-const ROUNDING: f64 = 1e-9;
 
 /// Blocks as the search sees them.
 #[derive(Clone, Copy, Debug)]
@@ -153,10 +151,6 @@ pub struct Candidates {
     pub held: Vec<[u32; 2]>,
     /// The smallest inradius of each block and of those that it can touch, m.
     pub reach: Vec<f64>,
-    /// Way that the points of each block have gone at most since the list was made, m.
-    pub travelled: Vec<f64>,
-    /// Per pair: while the ways of both together are not above this, it cannot touch, m.
-    pub asleep_until: Vec<f64>,
     grid: Grid,
     boxes: Vec<Box3>,
     workspaces: Vec<Workspace>,
@@ -224,19 +218,6 @@ impl Candidates {
                 self.reach[b] = self.reach[b].min(reach[0]).min(reach[1]);
             }
         }
-        self.travelled.clear();
-        self.travelled.resize(blocks.roles.len(), 0.0);
-        // Nobody sleeps: how far apart they are is not known of any.
-        self.asleep_until.clear();
-        self.asleep_until
-            .resize(self.pairs.len(), f64::NEG_INFINITY);
-    }
-
-    /// The common part of the boxes of a pair, each grown by its margin: all that they can share before the list is made
-    /// anew lies there. `None` if there is none, by round-off.
-    #[must_use]
-    pub fn common_box(&self, pair: &Candidate) -> Option<Box3> {
-        common(&self.boxes[pair.i as usize], &self.boxes[pair.j as usize])
     }
 
     /// Whether a block has left its margin or will in the coming step, so that poses must be taken over and the list made
@@ -262,20 +243,6 @@ impl Candidates {
             });
         });
         self.outside.contains(&true)
-    }
-
-    /// Whether pair `k` has been found apart and has not gone far enough since to touch.
-    #[must_use]
-    pub fn asleep(&self, k: usize) -> bool {
-        let pair = &self.pairs[k];
-        self.travelled[pair.i as usize] + self.travelled[pair.j as usize] <= self.asleep_until[k]
-    }
-
-    /// Up to which sum of ways a pair that is apart by `gap` (m) now cannot touch, for `asleep_until`.
-    #[must_use]
-    pub fn sleep(&self, pair: &Candidate, gap: f64) -> f64 {
-        let way = self.travelled[pair.i as usize] + self.travelled[pair.j as usize];
-        way + gap - ROUNDING * (way + gap)
     }
 
     /// The states of the pairs in `self`, in their order, from those of the last list (sorted by pair). Pairs that are new

@@ -128,16 +128,6 @@ impl Cohesive {
         }
     }
 
-    /// Least fracture energies (opening, shear, J/m²) that these springs resolve, `strength²/(2 k)`: with less the point
-    /// breaks at once and takes this much.
-    #[must_use]
-    pub fn least_energy(&self, [kn, ks]: Springs) -> [f64; 2] {
-        let Strength {
-            tension, cohesion, ..
-        } = self.strength;
-        [0.5 * tension * tension / kn, 0.5 * cohesion * cohesion / ks]
-    }
-
     /// Damage at `kappa`, where the whole curve has the area `area` (in units of the peak).
     #[inline]
     fn damage(&self, kappa: f64, area: f64) -> f64 {

@@ -204,8 +204,6 @@ fn work_to_full_separation_is_the_fracture_energy() {
                 softening,
                 curve,
             };
-            let least = law.least_energy(k);
-            assert!(least[0] < law.energy[0] && least[1] < law.energy[1]);
             for (mode, direction) in [[1.0, 0.0, 0.0], [0.0, 0.6, -0.8]].iter().enumerate() {
                 let path = reload(2e-4).map(|s| direction.map(|d| s * d));
                 let (sum, state) = work(k, &law, path);

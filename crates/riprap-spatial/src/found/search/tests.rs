@@ -345,22 +345,6 @@ fn the_order_of_the_blocks_changes_nothing_but_their_numbers() {
 }
 
 #[test]
-fn a_pair_apart_sleeps_until_it_has_gone_the_gap() {
-    let mut chance = Chance::new(5);
-    let heap = Heap::new(&mut chance, 40, 1.0);
-    let mut candidates = heap.candidates(&heap.search(), 1);
-    let pair = candidates.pairs[0];
-    assert!(!candidates.asleep(0), "nothing is known at first");
-    candidates.travelled[pair.i as usize] = 3.0;
-    candidates.asleep_until[0] = candidates.sleep(&pair, 0.25);
-    assert!(candidates.asleep(0));
-    candidates.travelled[pair.j as usize] = 0.2;
-    assert!(candidates.asleep(0));
-    candidates.travelled[pair.i as usize] = 3.05;
-    assert!(!candidates.asleep(0));
-}
-
-#[test]
 fn states_follow_their_pairs() {
     let mut chance = Chance::new(5);
     let heap = Heap::new(&mut chance, 60, 1.0);
