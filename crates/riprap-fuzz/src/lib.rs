@@ -74,7 +74,7 @@ pub const TARGETS: &[Target] = &[
     bytes("msh", "meshes", readers::msh, 850_000),
     text(
         "network",
-        "fractures of FracMan and dfnWorks, records of PEER, solids in OBJ",
+        "fractures of FracMan, dfnWorks and Itasca, records of PEER, solids in OBJ",
         readers::network,
         400_000,
     ),

@@ -8,7 +8,7 @@ use riprap::record::table::Table;
 use riprap::record::vtu;
 use riprap::run::recorder::KIND;
 use riprap::run::simulation::{Simulation, Snapshot};
-use riprap::scenario::foreign::{asc, at2, dfn, dxf, obj, stl, tess};
+use riprap::scenario::foreign::{asc, at2, dfn, dfnworks, dxf, itasca, obj, stl, tess};
 use riprap::scenario::{csv_columns, msh, units};
 
 fn as_text(bytes: &[u8]) -> Option<&str> {
@@ -77,6 +77,9 @@ pub fn network(bytes: &[u8]) -> bool {
     let read = [
         dfn::parse_fab(bytes).is_ok(),
         dfn::parse_polygons(bytes).is_ok(),
+        itasca::parse_itasca(bytes).is_ok(),
+        dfnworks::parse_rows(bytes).is_ok_and(|rows| !rows.is_empty()),
+        dfnworks::parse_families(bytes).is_ok_and(|families| !families.is_empty()),
         at2::parse_at2(bytes).is_ok(),
         obj::parse_obj(bytes).is_ok_and(|obj| obj.solids().is_ok()),
     ];

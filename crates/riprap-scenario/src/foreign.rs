@@ -7,8 +7,10 @@
 pub mod asc;
 pub mod at2;
 pub mod dfn;
+pub mod dfnworks;
 pub mod dxf;
 mod dxf_pairs;
+pub mod itasca;
 pub mod obj;
 pub mod stl;
 pub mod tess;

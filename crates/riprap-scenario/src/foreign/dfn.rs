@@ -1,29 +1,88 @@
-//! Networks of fractures as the programs that make them write them: FracMan (`.fab`) and dfnWorks.
+//! Networks of fractures as the programs that make them write them: FracMan (`.fab`) and dfnWorks. Its lists of centres, normals
+//! and radii are read by [`super::dfnworks`], files of Itasca by [`super::itasca`].
 //!
 //! Sources: the sections and rows of `.fab` as public readers of the format take them (a row `number, corners, set, properties`, a
 //! row with each corner, a row `0` with the normal); dfnWorks, "dfnGen: output files" (`polygons.dat`).
+
+use riprap_geom::Vec3;
 
 use super::{FileError, at_line, shown};
 
 /// What a file of fractures holds.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Network {
-    /// Polygons and where they begin: corners in their order, in the length unit of the file; and the line.
-    pub fractures: Vec<(Vec<[f64; 3]>, usize)>,
+    /// Fractures and the lines in which they begin.
+    pub fractures: Vec<(Shape, usize)>,
     /// Length of a unit of the file, m, if it says so.
     pub unit: Option<f64>,
-    /// Fractures that are not read because they are surfaces of triangles.
-    pub tessellated: usize,
+    /// Fractures that are not read, and why.
+    pub left: Vec<(usize, &'static str)>,
+    /// The files it was read from if they were found beside the one that was named; lines are those of the first.
+    pub files: Vec<String>,
+    /// What else the reader should know: what was assumed.
+    pub remarks: Vec<String>,
+}
+
+/// A fracture, in the length unit of its file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A polygon: its corners in their order.
+    Corners(Vec<Vec3>),
+    /// A disk.
+    Disk {
+        /// Its centre.
+        at: Vec3,
+        /// Its unit normal.
+        normal: Vec3,
+        /// Its radius.
+        radius: f64,
+    },
+    /// An ellipse, as a polygon inscribed into it.
+    Ellipse {
+        /// Its centre.
+        at: Vec3,
+        /// From the centre to the ends of its axes.
+        arms: [Vec3; 2],
+        /// Corners of the polygon, the first at the end of the first axis.
+        corners: u32,
+    },
+}
+
+impl Network {
+    /// Notes that `count` fractures are not read, if there are any.
+    pub(super) fn leave(&mut self, count: usize, why: &'static str) {
+        if count > 0 {
+            self.left.push((count, why));
+        }
+    }
+
+    /// How much was read, and what was left out and why.
+    #[must_use]
+    pub fn note(&self) -> String {
+        let read = self.fractures.len();
+        let all = read + self.left.iter().map(|(count, _)| count).sum::<usize>();
+        let mut note = format!("read {read} of {all} fractures");
+        if !self.files.is_empty() {
+            note.push_str(&format!(" from {}", self.files.join(", ")));
+        }
+        for (count, why) in &self.left {
+            note.push_str(&format!("; left out {count} because {why}"));
+        }
+        for remark in &self.remarks {
+            note.push_str(&format!("; {remark}"));
+        }
+        note
+    }
 }
 
 /// Words of a line with its number, without a comment behind `#` or `;`.
-fn words(line: &str) -> impl Iterator<Item = &str> {
+pub(super) fn words(line: &str) -> impl Iterator<Item = &str> {
     let text = line.split(['#', ';']).next().unwrap_or_default();
     text.split(|c: char| c.is_whitespace() || c == ',')
         .filter(|word| !word.is_empty())
 }
 
-fn numbers(line: usize, found: &[&str]) -> Result<Vec<f64>, FileError> {
+pub(super) fn numbers(line: usize, found: &[&str]) -> Result<Vec<f64>, FileError> {
     let number = |word: &&str| {
         let number = word.parse::<f64>().ok().filter(|x| x.is_finite());
         number.ok_or_else(|| at_line(line, format!("`{}` is no finite number", shown(word))))
@@ -39,7 +98,7 @@ pub fn parse_fab(bytes: &[u8]) -> Result<Network, FileError> {
     let text = String::from_utf8_lossy(super::without_mark(bytes));
     let mut network = Network::default();
     let mut lines = (1..).zip(text.lines());
-    let (mut sections, mut last) = (0, 1);
+    let (mut sections, mut last, mut tessellated) = (0, 1, 0);
     while let Some((line, text)) = lines.next() {
         last = line;
         let mut first = text.split_whitespace();
@@ -53,7 +112,7 @@ pub fn parse_fab(bytes: &[u8]) -> Result<Network, FileError> {
         match first.next().unwrap_or_default().to_uppercase().as_str() {
             "FORMAT" => format_section(&mut lines, &mut network)?,
             "FRACTURE" => fracture_section(&mut lines, line, &mut network)?,
-            "TESSFRACTURE" => tessellated_section(&mut lines, line, &mut network)?,
+            "TESSFRACTURE" => tessellated += tessellated_section(&mut lines, line)?,
             // Names of properties and sets, blocks of rock.
             _ => {}
         }
@@ -64,7 +123,8 @@ pub fn parse_fab(bytes: &[u8]) -> Result<Network, FileError> {
             "there is no section `BEGIN FRACTURE`: this is no file of FracMan",
         ));
     }
-    if network.fractures.is_empty() && network.tessellated == 0 {
+    network.leave(tessellated, "they are surfaces of triangles");
+    if network.fractures.is_empty() && network.left.is_empty() {
         return Err(at_line(last, "there are no fractures"));
     }
     Ok(network)
@@ -139,14 +199,14 @@ fn fracture_section<'a>(
             let [_, x, y, z] = numbers(line, &row)?[..] else {
                 return Err(at_line(line, "a corner has its number and x, y, z"));
             };
-            corners.push([x, y, z]);
+            corners.push(Vec3::new(x, y, z));
         }
         let (_, normal) = lines.next().ok_or_else(|| cut_off(begin))?;
         if words(normal).next() != Some("0") {
             let text = "a row `0` with the normal is expected behind the corners of a fracture";
             return Err(at_line(line + count + 1, text));
         }
-        network.fractures.push((corners, line));
+        network.fractures.push((Shape::Corners(corners), line));
     }
     Err(cut_off(begin))
 }
@@ -155,11 +215,11 @@ fn fracture_section<'a>(
 fn tessellated_section<'a>(
     lines: &mut impl Iterator<Item = (usize, &'a str)>,
     begin: usize,
-    network: &mut Network,
-) -> Result<(), FileError> {
+) -> Result<usize, FileError> {
+    let mut count = 0;
     while let Some((_, text)) = lines.next() {
         if is_end(text) {
-            return Ok(());
+            return Ok(count);
         }
         let mut head = words(text)
             .skip(1)
@@ -167,11 +227,11 @@ fn tessellated_section<'a>(
         let (Some(corners), Some(triangles)) = (head.next(), head.next()) else {
             continue;
         };
-        network.tessellated += 1;
+        count += 1;
         for _ in 0..corners.saturating_add(triangles) {
             let row = lines.next().ok_or_else(|| cut_off(begin))?;
             if is_end(row.1) {
-                return Ok(());
+                return Ok(count);
             }
         }
     }
@@ -202,7 +262,8 @@ pub fn parse_polygons(bytes: &[u8]) -> Result<Network, FileError> {
     let claimed = claimed.ok_or_else(|| {
         at_line(
             line,
-            "`nPolygons:` and a number are expected: this is no polygons.dat of dfnWorks",
+            "`nPolygons:` and a number are expected: this is no polygons.dat of dfnWorks; its lists are known by their names, \
+             radii_Final.dat, normal_vectors.dat and translations.dat",
         )
     })?;
     let mut network = Network::default();
@@ -210,15 +271,14 @@ pub fn parse_polygons(bytes: &[u8]) -> Result<Network, FileError> {
         let row = text.replace(['{', '}', '(', ')'], " ");
         let row: Vec<&str> = words(&row).collect();
         let row = numbers(line, &row)?;
-        let places: Vec<[f64; 3]> = row[1..]
-            .chunks_exact(3)
-            .map(|p| [p[0], p[1], p[2]])
-            .collect();
+        // Braces alone make a line without a number.
+        let places = row.get(1..).unwrap_or_default().chunks_exact(3);
+        let places: Vec<Vec3> = places.map(Vec3::from_slice).collect();
         if row.len() % 3 != 1 || row[0] != places.len() as f64 || places.len() < 3 {
             let text = "a polygon has its number of corners, three at least, and x, y, z of each";
             return Err(at_line(line, text));
         }
-        network.fractures.push((places, line));
+        network.fractures.push((Shape::Corners(places), line));
     }
     if network.fractures.len() != claimed {
         let text = format!(
@@ -244,14 +304,13 @@ mod tests {
     #[test]
     fn both_programs_write_the_same_fractures() {
         let fab = parse_fab(FAB.as_bytes()).unwrap();
-        assert_eq!((fab.unit, fab.tessellated), (Some(1.0), 1));
+        assert_eq!(fab.unit, Some(1.0));
+        let note = "read 2 of 3 fractures; left out 1 because they are surfaces of triangles";
+        assert_eq!(fab.note(), note);
         let polygons = parse_polygons(POLYGONS.as_bytes()).unwrap();
-        let corners = |network: &Network| -> Vec<Vec<[f64; 3]>> {
-            network
-                .fractures
-                .iter()
-                .map(|(corners, _)| corners.clone())
-                .collect()
+        let corners = |network: &Network| -> Vec<Shape> {
+            let shapes = network.fractures.iter().map(|(shape, _)| shape);
+            shapes.cloned().collect()
         };
         assert_eq!(corners(&fab), corners(&polygons));
         assert_eq!(fab.fractures[1].1, 16);
@@ -294,5 +353,6 @@ mod tests {
         assert!(polygons("2\n4", "3\n4").contains("3 polygons are announced, and 2 are there"));
         assert!(polygons("3 {", "4 {").contains("line 3: a polygon has its number of corners"));
         assert!(polygons("0, 0, 0}", "0, 0, a}").contains("line 3: `a`"));
+        assert!(polygons("\n3 {", "\n{}\n3 {").contains("line 3: a polygon has its number"));
     }
 }

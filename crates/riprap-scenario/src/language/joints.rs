@@ -43,7 +43,7 @@ pub struct JointSet {
     pub offset: Option<Quantity<Length>>,
 }
 
-/// Joints in space. Exactly one of `csv`, `fab` and `dfnworks`.
+/// Joints in space. Exactly one of `csv`, `fab`, `dfnworks` and `itasca`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct JointPlanes {
@@ -53,9 +53,12 @@ pub struct JointPlanes {
     pub csv: Option<Name>,
     /// Path of a network of FracMan (`.fab`): its polygons; surfaces of triangles are left out.
     pub fab: Option<Name>,
-    /// Path of `polygons.dat` of dfnWorks.
+    /// Path of `polygons.dat` of dfnWorks; or of its `radii_Final.dat`, `radii.dat`, `normal_vectors.dat` or `translations.dat`,
+    /// which are then read together, as ellipses and rectangles; or of their folder, whose `polygons.dat` goes first.
     pub dfnworks: Option<Name>,
-    /// What the length 1 in `fab` or `dfnworks` stands for, m. Default as the file says (`Length_Unit`), else 1 m.
+    /// Path of a network in space as 3DEC and PFC3D write it with `fracture export` (`.dat`): disks and polygons.
+    pub itasca: Option<Name>,
+    /// What the length 1 in `fab`, `dfnworks` or `itasca` stands for, m. Default as the file says (`Length_Unit`), else 1 m.
     pub unit: Option<Quantity<PositiveLength>>,
     /// Interface of rock bridges, the parts of cuts beyond disks and polygons.
     pub bridges: Option<Name>,

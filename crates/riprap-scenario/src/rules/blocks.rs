@@ -419,6 +419,7 @@ impl Rules {
                 ("csv", joints.csv.is_some()),
                 ("fab", joints.fab.is_some()),
                 ("dfnworks", joints.dfnworks.is_some()),
+                ("itasca", joints.itasca.is_some()),
             ];
             self.one_of(span, &format!("the joints of {of}"), &given);
             if let (Some(unit), Some(_)) = (&joints.unit, &joints.csv) {

@@ -168,7 +168,18 @@ impl Builder<'_> {
         parse: impl FnOnce(&[u8]) -> Result<T, foreign::FileError>,
         help: &str,
     ) -> Option<T> {
-        match foreign::read(&self.parsed.folder.join(file.as_str()), parse) {
+        let read = foreign::read(&self.parsed.folder.join(file.as_str()), parse);
+        self.as_read(file, read, help)
+    }
+
+    /// What was read for a file of another tool; `None` after an error.
+    pub(super) fn as_read<T>(
+        &mut self,
+        file: &Name,
+        read: Result<T, foreign::Refused>,
+        help: &str,
+    ) -> Option<T> {
+        match read {
             Ok(read) => Some(read),
             Err(refused) => {
                 let help = refused.help.unwrap_or_else(|| help.to_owned());

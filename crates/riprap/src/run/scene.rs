@@ -10,6 +10,7 @@ use crate::run::engine::{BuildError, Kind};
 use crate::run::given_step::{self, TooLong};
 use crate::run::job::Job;
 use crate::run::simulation::{RunError, Simulation};
+use crate::scenario::foreign::dfnworks::companions;
 use crate::scenario::language::Space;
 use crate::scenario::{self, Case, Diagnostic, Diagnostics, Parsed, Source};
 use crate::setup::Setup;
@@ -133,7 +134,7 @@ impl Scene {
             title: parsed.scenario.title.clone(),
             scenario: self.path.display().to_string(),
             input_hash: input_hash(&resolved, &parsed.folder),
-            files: named_files(&resolved)
+            files: named_files(&resolved, &parsed.folder)
                 .iter()
                 .filter_map(|name| InputFile::read(&parsed.folder, name))
                 .collect(),
@@ -292,7 +293,7 @@ pub fn input_hash(text: &str, folder: &Path) -> String {
         hasher.update(bytes);
     };
     add(text.as_bytes());
-    for name in &named_files(text) {
+    for name in &named_files(text, folder) {
         add(name.as_bytes());
         // A file that cannot be read stops the model before this.
         add(&crate::record::read_plain(&folder.join(name)).unwrap_or_default());
@@ -306,15 +307,29 @@ const ENDS: [&str; 14] = [
     ".dt2", ".fab", ".dfn",
 ];
 
-/// Texts of a scene that end as the files do which scenes read.
-fn named_files(text: &str) -> Vec<String> {
+/// Texts of a scene that end as the files do which scenes read, and files that are read with those.
+fn named_files(text: &str, folder: &Path) -> Vec<String> {
     let root: toml::Value = toml::from_str(text).unwrap_or(toml::Value::Boolean(false));
-    let mut names = Vec::new();
-    strings(&root, &mut names);
-    names.retain(|name| {
-        let name = name.to_lowercase();
-        ENDS.iter().any(|end| name.ends_with(end))
-    });
+    let mut texts = Vec::new();
+    strings(&root, &mut texts);
+    let mut names: Vec<String> = Vec::new();
+    for name in texts.into_iter().filter(|name| !name.is_empty()) {
+        let beside = companions(&folder.join(&name));
+        let beside: Vec<String> = beside
+            .iter()
+            .map(|file| file.strip_prefix(folder).unwrap_or(file))
+            .map(|file| file.to_string_lossy().into_owned())
+            .collect();
+        let lower = name.to_lowercase();
+        if ENDS.iter().any(|end| lower.ends_with(end)) {
+            names.push(name);
+        }
+        for file in beside {
+            if !names.contains(&file) {
+                names.push(file);
+            }
+        }
+    }
     names
 }
 

@@ -5,7 +5,7 @@ use riprap_geom::polyhedron::joints::{
 };
 use riprap_geom::{GeomError, Vec3};
 use std::collections::BTreeMap;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::boundaries::has_face;
 use super::global;
@@ -14,7 +14,9 @@ use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
 use crate::scenario::csv_columns::Column;
 use crate::scenario::diagnostic::suggest;
-use crate::scenario::foreign::dfn::{parse_fab, parse_polygons};
+use crate::scenario::foreign::dfn::{Network, Shape, parse_fab};
+use crate::scenario::foreign::dfnworks::read_dfnworks;
+use crate::scenario::foreign::itasca::parse_itasca;
 use crate::scenario::language::{Block, Cut, JointPlanes};
 use crate::scenario::read::Provenance;
 use crate::scenario::units::Dim;
@@ -202,14 +204,7 @@ impl Builder<'_> {
         if let Some(csv) = &said.csv {
             return self.joints_of_csv(csv, shift);
         }
-        let (file, network) = if let Some(fab) = &said.fab {
-            let help = "FracMan saves such a file as ASCII `.fab`";
-            (fab, self.foreign_file(fab, parse_fab, help)?)
-        } else {
-            let file = said.dfnworks.as_ref()?;
-            let help = "dfnWorks writes it as polygons.dat";
-            (file, self.foreign_file(file, parse_polygons, help)?)
-        };
+        let (file, network) = self.network(said)?;
         let (own, from, why) = match network.unit {
             Some(unit) => (unit, Provenance::Derived, "Length_Unit of the file"),
             None => (1.0, Provenance::Default, "the file names no unit"),
@@ -217,27 +212,19 @@ impl Builder<'_> {
         let key = format!("{key}.joints");
         let unit = self.reading(key, said).unit_or(own, from, why);
         let count = network.fractures.len();
-        let left = match network.tessellated {
-            0 => String::new(),
-            some => format!("; left out {some} because they are surfaces of triangles"),
-        };
-        let all = count + network.tessellated;
-        self.note_import(file, &format!("read {count} of {all} fractures{left}"));
+        self.note_import(file, &network.note());
         if self.too_many(file, count) {
             return None;
         }
         let mut joints = Vec::with_capacity(count);
-        for (corners, line) in network.fractures {
-            let place = |p: &[f64; 3]| unit * Vec3::from_array(*p) + shift;
-            let mut corners: Vec<Vec3> = corners.iter().map(place).collect();
-            if corners.len() > 3 && corners.first() == corners.last() {
-                corners.pop();
-            }
-            match Joint::polygon(&corners) {
+        for (shape, line) in network.fractures {
+            match joint(shape, unit, shift) {
                 Ok(joint) => joints.push(joint),
                 Err(what) => {
                     let number = joints.len() + 1;
-                    let message = format!("`{file}`, line {line}: fracture {number} {what}");
+                    let part = network.files.first().map(|part| format!(" ({part})"));
+                    let part = part.unwrap_or_default();
+                    let message = format!("`{file}`{part}, line {line}: fracture {number} {what}");
                     let help = "a fracture is a flat convex polygon: its corners in their order";
                     self.error_at("file.shape", file, message, help);
                     return None;
@@ -245,6 +232,22 @@ impl Builder<'_> {
             }
         }
         Some(joints)
+    }
+
+    /// The file of a network that another program wrote, and what is in it; `None` after an error.
+    fn network<'s>(&mut self, said: &'s JointPlanes) -> Option<(&'s Name, Network)> {
+        if let Some(fab) = &said.fab {
+            let help = "FracMan saves such a file as ASCII `.fab`";
+            return Some((fab, self.foreign_file(fab, parse_fab, help)?));
+        }
+        if let Some(itasca) = &said.itasca {
+            let help = "3DEC and PFC3D write such a file with `fracture export`";
+            return Some((itasca, self.foreign_file(itasca, parse_itasca, help)?));
+        }
+        let file = said.dfnworks.as_ref()?;
+        let help = "give polygons.dat of dfnWorks, or its radii_Final.dat with normal_vectors.dat and translations.dat beside it";
+        let read = read_dfnworks(&self.parsed.folder.join(file.as_str()));
+        Some((file, self.as_read(file, read, help)?))
     }
 
     fn joints_of_csv(&mut self, file: &Name, shift: Vec3) -> Option<Vec<Joint>> {
@@ -396,6 +399,35 @@ impl Builder<'_> {
         }
         most
     }
+}
+
+/// A fracture of another program as a joint, its lengths times `unit`.
+fn joint(shape: Shape, unit: f64, shift: Vec3) -> Result<Joint, &'static str> {
+    let mut corners = match shape {
+        Shape::Corners(corners) => corners,
+        Shape::Ellipse { at, arms, corners } => {
+            let corner = |k: u32| {
+                let angle = TAU * f64::from(k) / f64::from(corners);
+                at + libm::cos(angle) * arms[0] + libm::sin(angle) * arms[1]
+            };
+            (0..corners).map(corner).collect()
+        }
+        Shape::Disk { at, normal, radius } => {
+            let (at, radius) = (unit * at + shift, unit * radius);
+            if !at.is_finite() || at.abs().max_element().max(radius) > 1e150 {
+                return Err("has a centre or a radius that is not finite");
+            }
+            let extent = Extent::Disk(radius);
+            return Ok(Joint { normal, at, extent });
+        }
+    };
+    for corner in &mut corners {
+        *corner = unit * *corner + shift;
+    }
+    if corners.len() > 3 && corners.first() == corners.last() {
+        corners.pop();
+    }
+    Joint::polygon(&corners)
 }
 
 /// The parts with the groups and surfaces of the blocks they come from.

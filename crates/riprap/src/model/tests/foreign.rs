@@ -213,6 +213,90 @@ fn joints_cut_blocks_in_space() {
     refused(of(fine), "planes of a joint set");
 }
 
+#[test]
+fn networks_of_other_programs_cut_blocks() {
+    let brick =
+        "brick = { size = [\"4 m\", \"4 m\", \"4 m\"], corner = [\"0 m\", \"0 m\", \"0 m\"] }\n";
+    let fields = crate::run::engine::Kind::Spatial.fields();
+    let of = |joints: &str| {
+        let text = format!("{SPACE}{GRAIN}{brick}cut.joints = {{ {joints} }}\n{TAIL}");
+        built(text, fields)
+    };
+    let data = "../../../../scenes/verify/engineering/data";
+    for (joints, says) in [
+        (
+            "itasca = \"DATA/network_itasca.dat\"",
+            "network_itasca.dat: read 2 of 2 fractures",
+        ),
+        (
+            "dfnworks = \"DATA/dfnworks\"",
+            "dfnworks: read 2 of 3 fractures from radii_Final.dat, normal_vectors.dat, translations.dat, families.dat; left out 1 \
+             because dfnGen removed them as isolated (R); how 1 are turned",
+        ),
+        (
+            "dfnworks = \"DATA/dfnworks/translations.dat\"",
+            "translations.dat: read 2 of 3 fractures",
+        ),
+        (
+            "dfnworks = \"DATA/polygons.dat\"",
+            "polygons.dat: read 2 of 2 fractures",
+        ),
+    ] {
+        let model = of(&joints.replace("DATA", data)).unwrap_or_else(|error| panic!("{error}"));
+        let imports = &model.summary.imports;
+        assert!(imports.iter().any(|i| i.contains(says)), "{imports:?}");
+        let Setup::Spatial(setup) = model.setup else {
+            panic!("a model in space is expected");
+        };
+        // The planes z = 2 m and x = 1 m.
+        let mut volumes: Vec<f64> = setup.blocks.iter().map(|b| volume_of(&b.shape)).collect();
+        volumes.sort_by(f64::total_cmp);
+        assert_eq!(volumes.len(), 4, "{joints}");
+        for (volume, expected) in volumes.iter().zip([8.0, 8.0, 24.0, 24.0]) {
+            assert!((volume - expected).abs() < 1e-9, "{joints}: {volumes:?}");
+        }
+    }
+    // A thousandth of the size: they still touch the corner of the block, and cut all through what they touch.
+    let small = format!("itasca = \"{data}/network_itasca.dat\", unit = \"1 mm\"");
+    let model = of(&small).unwrap_or_else(|error| panic!("{error}"));
+    let Setup::Spatial(setup) = model.setup else {
+        panic!("a model in space is expected");
+    };
+    let least = setup.blocks.iter().map(|b| volume_of(&b.shape));
+    assert!((least.fold(f64::INFINITY, f64::min) - 0.002 * 0.001 * 4.0).abs() < 1e-9);
+    refused(
+        of("itasca = \"shapes/joints.csv\""),
+        "no DFN file of Itasca",
+    );
+    refused(
+        of("dfnworks = \"shapes/joints.csv\""),
+        "known by their names, radii_Final.dat",
+    );
+    refused(of("dfnworks = \"shapes\""), "radii_Final.dat");
+    refused(
+        of("itasca = \"a.dat\", dfnworks = \"b.dat\""),
+        "only one is possible",
+    );
+}
+
+/// What is read beside the file that a scene names is part of its input.
+#[test]
+fn lists_beside_a_named_list_count_in_the_hash() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    for name in ["radii_Final.dat", "normal_vectors.dat", "translations.dat"] {
+        write(name, "1 2 3\n");
+    }
+    for scene in ["joints = \"radii_Final.dat\"", "joints = \".\""] {
+        let hash = || crate::run::scene::input_hash(scene, folder.path());
+        write("translations.dat", "1 2 3\n");
+        let before = hash();
+        assert_eq!(before, hash());
+        write("translations.dat", "1 2 4\n");
+        assert_ne!(before, hash(), "{scene}");
+    }
+}
+
 fn world_of(setup: Spatial) -> World {
     World::new(setup, Exec::serial()).unwrap().0
 }
