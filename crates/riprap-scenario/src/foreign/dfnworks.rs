@@ -314,7 +314,7 @@ impl Lists {
         }
         if turned > 0 {
             network.remarks.push(format!(
-                "how {turned} are turned in their plane is not in these files, taken as not at all: {POLYGONS} has it"
+                "the angle in its plane is not in these files for {turned}, taken as 0 ({POLYGONS} has it)"
             ));
         }
         Ok(network)

@@ -231,7 +231,7 @@ fn networks_of_other_programs_cut_blocks() {
         (
             "dfnworks = \"DATA/dfnworks\"",
             "dfnworks: read 2 of 3 fractures from radii_Final.dat, normal_vectors.dat, translations.dat, families.dat; left out 1 \
-             because dfnGen removed them as isolated (R); how 1 are turned",
+             because dfnGen removed them as isolated (R); ",
         ),
         (
             "dfnworks = \"DATA/dfnworks/translations.dat\"",
