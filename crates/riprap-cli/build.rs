@@ -59,11 +59,7 @@ fn index(root: &Path) -> String {
                 continue;
             };
             let heading = text.lines().find_map(|line| line.strip_prefix("# "));
-            let about = if ending == "md" {
-                heading.map(str::to_owned)
-            } else {
-                title(&text)
-            };
+            let about = if ending == "md" { heading.map(str::to_owned) } else { title(&text) };
             let (Some(about), Ok(short)) = (about, path.strip_prefix(root)) else {
                 continue;
             };
@@ -87,10 +83,7 @@ fn counted(text: &str) -> String {
             *words.entry(word.to_lowercase()).or_insert(0_u32) += 1;
         }
     }
-    let each: Vec<String> = words
-        .iter()
-        .map(|(word, n)| format!("{word} {n}"))
-        .collect();
+    let each: Vec<String> = words.iter().map(|(word, n)| format!("{word} {n}")).collect();
     each.join(" ")
 }
 
@@ -120,9 +113,7 @@ fn commit(git: &Path) -> Option<String> {
 fn checked_out(git: &Path) -> Option<String> {
     // In a work tree `.git` is a file that names the folder.
     let folder = match std::fs::read_to_string(git) {
-        Ok(text) => git
-            .parent()?
-            .join(text.trim().strip_prefix("gitdir:")?.trim()),
+        Ok(text) => git.parent()?.join(text.trim().strip_prefix("gitdir:")?.trim()),
         Err(_) => git.to_owned(),
     };
     let head = std::fs::read_to_string(folder.join("HEAD")).ok()?;
@@ -144,9 +135,7 @@ fn checked_out(git: &Path) -> Option<String> {
     std::fs::read_to_string(shared.join(name)).ok().or_else(|| {
         let packed = std::fs::read_to_string(shared.join("packed-refs")).ok()?;
         let line = packed.lines().find(|line| line.ends_with(name))?;
-        line.split_once(' ')
-            .filter(|(_, of)| *of == name)
-            .map(|(hash, _)| hash.to_owned())
+        line.split_once(' ').filter(|(_, of)| *of == name).map(|(hash, _)| hash.to_owned())
     })
 }
 
@@ -164,10 +153,7 @@ fn add_templates(scenes: &Path, space: &str, table: &mut String) {
         let Some((blocks, time)) =
             size.and_then(|s| s.trim_end_matches('.').split_once(" blocks, "))
         else {
-            println!(
-                "cargo::error={} has no line `# Size: N blocks, T s.`",
-                path.display()
-            );
+            println!("cargo::error={} has no line `# Size: N blocks, T s.`", path.display());
             continue;
         };
         // Writing to a String cannot fail.
@@ -188,10 +174,8 @@ fn add_templates(scenes: &Path, space: &str, table: &mut String) {
 
 fn toml_files(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut paths: Vec<PathBuf> = entries
-        .map(|e| e.path())
-        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
-        .collect();
+    let mut paths: Vec<PathBuf> =
+        entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == "toml")).collect();
     paths.sort();
     paths
 }

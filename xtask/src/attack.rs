@@ -172,15 +172,9 @@ fn all(root: &Path, words: &[&str]) -> Result<bool, String> {
             name => chosen.push(name),
         }
     }
-    if let Some(wrong) = chosen
-        .iter()
-        .find(|c| ATTACKS.iter().all(|a| a.name != **c))
-    {
+    if let Some(wrong) = chosen.iter().find(|c| ATTACKS.iter().all(|a| a.name != **c)) {
         let names: Vec<&str> = ATTACKS.iter().map(|a| a.name).collect();
-        return Err(format!(
-            "there is no attack {wrong:?}; there are: {}",
-            names.join(", ")
-        ));
+        return Err(format!("there is no attack {wrong:?}; there are: {}", names.join(", ")));
     }
     let binary = match binary {
         Some(binary) => root.join(binary),
@@ -196,10 +190,7 @@ fn all(root: &Path, words: &[&str]) -> Result<bool, String> {
         println!("wrote {PAGE}");
     }
     let done: usize = rows.iter().map(|(_, found, _)| found.tries).sum();
-    println!(
-        "{done} tries: {} passed, {failures} failed, 0 skipped",
-        done - failures.min(done)
-    );
+    println!("{done} tries: {} passed, {failures} failed, 0 skipped", done - failures.min(done));
     Ok(failures == 0)
 }
 
@@ -221,12 +212,7 @@ fn attack(
         let folder = kept.join(attack.name.replace(' ', "_"));
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-        let field = Field {
-            root,
-            program,
-            folder,
-            tries,
-        };
+        let field = Field { root, program, folder, tries };
         let begun = Instant::now();
         let found = (attack.run)(&field, &mut Chance::new(k as u64 + 1))?;
         let seconds = begun.elapsed().as_secs_f64();

@@ -46,10 +46,9 @@ fn measure(root: &Path) -> Result<(), String> {
     std::fs::write(&path, kept.join("\n") + "\n")
         .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
     println!("kept in {}", path.display());
-    for (name, file) in [
-        ("bench_spatial", "bench-spatial.csv"),
-        ("bench_deform", "bench-deform.csv"),
-    ] {
+    for (name, file) in
+        [("bench_spatial", "bench-spatial.csv"), ("bench_deform", "bench-deform.csv")]
+    {
         let table = example(root, name, &[])?;
         print!("{table}");
         let path = root.join("target").join(file);
@@ -104,11 +103,7 @@ fn command(root: &Path, scene: &str, case: &str, steps: u64) -> Result<String, S
     let begun = Instant::now();
     let output = Command::new(target.join("release").join("riprap"))
         .arg("run")
-        .arg(
-            root.join("scenes")
-                .join("bench")
-                .join(format!("{scene}.toml")),
-        )
+        .arg(root.join("scenes").join("bench").join(format!("{scene}.toml")))
         .args(["-q", "--force", "--case", case, "--set"])
         .arg(format!("phases.timed.until.steps={steps}"))
         .arg("--out")

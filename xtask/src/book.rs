@@ -33,9 +33,7 @@ pub fn build(root: &Path) -> Result<(), String> {
     }
     for page in pages {
         let text = fs::read_to_string(&page).map_err(|e| format!("{}: {e}", page.display()))?;
-        let depth = page
-            .strip_prefix(&book)
-            .map_or(0, |p| p.components().count() - 1);
+        let depth = page.strip_prefix(&book).map_or(0, |p| p.components().count() - 1);
         let text = brought_along(&text, depth);
         fs::write(&page, &text).map_err(|e| format!("{}: {e}", page.display()))?;
         let folder = page.parent().unwrap_or(&book);
@@ -45,10 +43,7 @@ pub fn build(root: &Path) -> Result<(), String> {
     if broken.is_empty() {
         return Ok(());
     }
-    Err(format!(
-        "links of the book lead nowhere:\n{}",
-        broken.join("\n")
-    ))
+    Err(format!("links of the book lead nowhere:\n{}", broken.join("\n")))
 }
 
 fn copy(from: &Path, to: &Path) -> Result<(), String> {
@@ -60,10 +55,7 @@ fn copy(from: &Path, to: &Path) -> Result<(), String> {
 /// Leads links to scenes of the repository, two folders above the book, into the book. `depth`: folders of the page within it.
 fn brought_along(text: &str, depth: usize) -> String {
     let up = "../".repeat(depth);
-    text.replace(
-        &format!("href=\"{up}../../scenes/"),
-        &format!("href=\"{up}scenes/"),
-    )
+    text.replace(&format!("href=\"{up}../../scenes/"), &format!("href=\"{up}scenes/"))
 }
 
 /// Links and pictures of a page that are relative, without their heads.
@@ -78,9 +70,7 @@ fn links(text: &str) -> impl Iterator<Item = &str> {
 /// Whether a link leads to a file of the book.
 fn leads(book: &Path, folder: &Path, link: &str) -> bool {
     let target: PathBuf = folder.join(link);
-    target
-        .canonicalize()
-        .is_ok_and(|t| book.canonicalize().is_ok_and(|b| t.starts_with(b)))
+    target.canonicalize().is_ok_and(|t| book.canonicalize().is_ok_and(|b| t.starts_with(b)))
 }
 
 #[cfg(test)]
@@ -91,10 +81,7 @@ mod tests {
     fn scenes_are_linked_inside_the_book() {
         let page = "<a href=\"../../../scenes/a.toml\">a</a> <a href=\"../x.html#y\">b</a> <a href=\"https://c.d\">c</a>";
         let inside = brought_along(page, 1);
-        assert_eq!(
-            links(&inside).collect::<Vec<_>>(),
-            ["../scenes/a.toml", "../x.html"]
-        );
+        assert_eq!(links(&inside).collect::<Vec<_>>(), ["../scenes/a.toml", "../x.html"]);
         assert_eq!(brought_along(page, 0), page);
     }
 

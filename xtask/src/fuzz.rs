@@ -61,12 +61,7 @@ pub fn run(root: &Path, words: &[&str]) -> ExitCode {
 
 fn asked(root: &Path, words: &[&str]) -> Result<Asked, String> {
     let known = names(root)?;
-    let mut asked = Asked {
-        targets: Vec::new(),
-        seconds: 600,
-        seed: 1,
-        keep: false,
-    };
+    let mut asked = Asked { targets: Vec::new(), seconds: 600, seed: 1, keep: false };
     let mut words = words.iter();
     while let Some(word) = words.next() {
         let mut number = || {
@@ -117,11 +112,7 @@ fn fuzz(root: &Path, words: &[&str]) -> Result<bool, String> {
         "| target | inputs | edges | features | kept | failures |\n|---|---|---|---|---|---|\n"
             .to_owned();
     for name in &asked.targets {
-        let target = Guided {
-            name,
-            program: programs.join(name),
-            results: root.join(RESULTS),
-        };
+        let target = Guided { name, program: programs.join(name), results: root.join(RESULTS) };
         let (said, failed) = target.look(root, &asked)?;
         let _ = writeln!(
             table,
@@ -149,15 +140,11 @@ fn build(root: &Path) -> Result<PathBuf, String> {
     command.args(["build", "--release", "--locked", "--manifest-path"]);
     command.arg(root.join(PACKAGE).join("Cargo.toml"));
     // With a target named, what runs while building (macros) is not instrumented.
-    command
-        .args(["--target", &host, "--target-dir"])
-        .arg(&folder);
+    command.args(["--target", &host, "--target-dir"]).arg(&folder);
     command.env("RUSTFLAGS", INSTRUMENTED);
     if !shell::run(root, &mut command)?.success {
-        return Err(
-            "the targets were not built; libFuzzer needs a C++ compiler (g++ or clang++)"
-                .to_owned(),
-        );
+        return Err("the targets were not built; libFuzzer needs a C++ compiler (g++ or clang++)"
+            .to_owned());
     }
     Ok(folder.join(host).join("release"))
 }
@@ -209,9 +196,7 @@ impl Guided<'_> {
         if self.name == "scene" {
             let quick = |path: &PathBuf| !path.iter().any(|part| SLOW.iter().any(|s| part == *s));
             files.extend(
-                source_tree::files(&root.join("scenes"), &["toml"])
-                    .into_iter()
-                    .filter(quick),
+                source_tree::files(&root.join("scenes"), &["toml"]).into_iter().filter(quick),
             );
         }
         fill(&seeds, &small(files))?;
@@ -231,11 +216,7 @@ impl Guided<'_> {
             let last: Vec<&str> = text.lines().rev().take(40).collect();
             last.iter().rev().for_each(|line| eprintln!("{line}"));
             let place = self.folder("failures")?;
-            eprintln!(
-                "{}: failed; the input lies in {}",
-                self.name,
-                place.display()
-            );
+            eprintln!("{}: failed; the input lies in {}", self.name, place.display());
         }
         Ok((read(&text), !sound))
     }
@@ -268,12 +249,7 @@ impl Guided<'_> {
         let found = corpus::folder().join(corpus::FOUND).join(self.name);
         fs::create_dir_all(&found).map_err(at(&found))?;
         fill(&found, &new)?;
-        println!(
-            "{}: {} of {reached} inputs in {}",
-            self.name,
-            new.len(),
-            found.display()
-        );
+        println!("{}: {} of {reached} inputs in {}", self.name, new.len(), found.display());
         Ok(())
     }
 }
@@ -281,10 +257,7 @@ impl Guided<'_> {
 /// Those of the files that are small enough to be kept.
 fn small(files: Vec<PathBuf>) -> Vec<PathBuf> {
     let size = |path: &PathBuf| fs::metadata(path).map_or(u64::MAX, |about| about.len());
-    files
-        .into_iter()
-        .filter(|path| size(path) <= KEPT.0)
-        .collect()
+    files.into_iter().filter(|path| size(path) <= KEPT.0).collect()
 }
 
 /// Leaves those that bring most, which are written first when corpora are merged, up to the number and bytes that are committed.
@@ -359,21 +332,14 @@ mod tests {
     }
 
     /// What only libFuzzer brings.
-    const OWN: [&str; 4] = [
-        "riprap-fuzz-guided",
-        "libfuzzer-sys",
-        "arbitrary",
-        "jobserver",
-    ];
+    const OWN: [&str; 4] = ["riprap-fuzz-guided", "libfuzzer-sys", "arbitrary", "jobserver"];
 
     #[test]
     fn the_guided_targets_are_built_of_the_same_versions() {
         let root = source_tree::root();
         let all = locked(&root.join("Cargo.lock"));
         for package in locked(&root.join(PACKAGE).join("Cargo.lock")) {
-            let own = OWN
-                .iter()
-                .any(|name| package.contains(&format!("\"{name}\"")));
+            let own = OWN.iter().any(|name| package.contains(&format!("\"{name}\"")));
             assert!(
                 own || all.contains(&package),
                 "fuzz/Cargo.lock has {package}, Cargo.lock another: copy Cargo.lock over it, `cargo metadata --manifest-path fuzz/Cargo.toml` does the rest"
@@ -387,12 +353,7 @@ mod tests {
             #1024\tpulse  cov: 30 ft: 40 corp: 5/66b lim: 4 exec/s: 512 rss: 33Mb\n\
             #3000\tDONE   cov: 31 ft: 42 corp: 6/70b lim: 4 exec/s: 512 rss: 33Mb\n\
             stat::number_of_executed_units: 3000\n";
-        let said = Said {
-            inputs: 3000,
-            edges: 31,
-            features: 42,
-            kept: 6,
-        };
+        let said = Said { inputs: 3000, edges: 31, features: 42, kept: 6 };
         assert_eq!(read(log), said);
         let times = "Executed /a/b in 12 ms\nExecuted /a/c in 900 ms\n";
         assert!(!slow(times, Path::new("/a/b")));

@@ -27,76 +27,46 @@ pub fn check_metadata(root: &Path, folder: &Path) -> Result<u64, String> {
     let allowed = allowed_licences(root)?;
     let host = host()?;
     let output = Command::new(shell::cargo())
-        .args([
-            "metadata",
-            "--format-version",
-            "1",
-            "--locked",
-            "--filter-platform",
-            &host,
-        ])
+        .args(["metadata", "--format-version", "1", "--locked", "--filter-platform", &host])
         .current_dir(folder)
         .stderr(Stdio::inherit())
         .output()
         .map_err(|e| format!("cargo metadata: {e}"))?;
     let tree: serde_json::Value =
         serde_json::from_slice(&output.stdout).map_err(|e| format!("cargo metadata: {e}"))?;
-    let packages = tree["packages"]
-        .as_array()
-        .ok_or("cargo metadata lists no packages")?;
+    let packages = tree["packages"].as_array().ok_or("cargo metadata lists no packages")?;
     let mut refused = 0;
     for package in packages {
         let licence = package["license"].as_str().unwrap_or("");
         if !is_allowed(licence, &allowed) {
-            println!(
-                "{} {}: licence {licence:?}",
-                package["name"], package["version"]
-            );
+            println!("{} {}: licence {licence:?}", package["name"], package["version"]);
             refused += 1;
         }
     }
-    println!(
-        "{} crates, {refused} with a licence outside deny.toml",
-        packages.len()
-    );
+    println!("{} crates, {refused} with a licence outside deny.toml", packages.len());
     Ok(refused)
 }
 
 /// The machine for which the compiler compiles.
 pub fn host() -> Result<String, String> {
-    let output = Command::new("rustc")
-        .arg("-vV")
-        .output()
-        .map_err(|e| format!("rustc: {e}"))?;
+    let output = Command::new("rustc").arg("-vV").output().map_err(|e| format!("rustc: {e}"))?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let host = text.lines().find_map(|l| l.strip_prefix("host: "));
-    host.map(str::to_owned)
-        .ok_or_else(|| "rustc -vV names no host".to_owned())
+    host.map(str::to_owned).ok_or_else(|| "rustc -vV names no host".to_owned())
 }
 
 /// The strings of `allow = [...]` under `[licenses]` in `deny.toml`.
 fn allowed_licences(root: &Path) -> Result<Vec<String>, String> {
     let text =
         std::fs::read_to_string(root.join("deny.toml")).map_err(|e| format!("deny.toml: {e}"))?;
-    let list = text
-        .split("allow = [")
-        .nth(1)
-        .and_then(|rest| rest.split(']').next());
+    let list = text.split("allow = [").nth(1).and_then(|rest| rest.split(']').next());
     let list = list.ok_or("deny.toml has no `allow = [` list")?;
-    Ok(list
-        .split('"')
-        .skip(1)
-        .step_by(2)
-        .map(str::to_owned)
-        .collect())
+    Ok(list.split('"').skip(1).step_by(2).map(str::to_owned).collect())
 }
 
 /// Whether an SPDX expression (`/` read as OR) can be met with `allowed` licences alone.
 fn is_allowed(expression: &str, allowed: &[String]) -> bool {
-    let spaced = expression
-        .replace('/', " OR ")
-        .replace('(', " ( ")
-        .replace(')', " ) ");
+    let spaced = expression.replace('/', " OR ").replace('(', " ( ").replace(')', " ) ");
     let words: Vec<&str> = spaced.split_whitespace().collect();
     let mut at = 0;
     let result = any_of(&words, &mut at, allowed);
@@ -147,27 +117,15 @@ mod tests {
 
     #[test]
     fn spdx_expressions() {
-        let allowed: Vec<String> = ["MIT", "Apache-2.0 WITH LLVM-exception", "Unicode-3.0"]
-            .map(str::to_owned)
-            .to_vec();
-        for good in [
-            "MIT",
-            "MIT/Apache-2.0",
-            "GPL-3.0 OR MIT",
-            "(MIT OR Apache-2.0) AND Unicode-3.0",
-        ] {
+        let allowed: Vec<String> =
+            ["MIT", "Apache-2.0 WITH LLVM-exception", "Unicode-3.0"].map(str::to_owned).to_vec();
+        for good in
+            ["MIT", "MIT/Apache-2.0", "GPL-3.0 OR MIT", "(MIT OR Apache-2.0) AND Unicode-3.0"]
+        {
             assert!(is_allowed(good, &allowed), "{good}");
         }
-        assert!(is_allowed(
-            "Apache-2.0 WITH LLVM-exception OR GPL-2.0",
-            &allowed
-        ));
-        for bad in [
-            "",
-            "GPL-3.0",
-            "MIT AND GPL-3.0",
-            "(MIT OR Apache-2.0) AND MPL-2.0",
-        ] {
+        assert!(is_allowed("Apache-2.0 WITH LLVM-exception OR GPL-2.0", &allowed));
+        for bad in ["", "GPL-3.0", "MIT AND GPL-3.0", "(MIT OR Apache-2.0) AND MPL-2.0"] {
             assert!(!is_allowed(bad, &allowed), "{bad}");
         }
     }

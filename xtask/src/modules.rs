@@ -14,11 +14,7 @@ use source::{Crate, Words};
 
 /// Crate of the library, the crates of the library it may use, and why not more.
 const ARROWS: [(&str, &[&str], &str); 12] = [
-    (
-        "riprap-keys-derive",
-        &[],
-        "a macro sees the struct it stands at and nothing else",
-    ),
+    ("riprap-keys-derive", &[], "a macro sees the struct it stands at and nothing else"),
     (
         "riprap-keys",
         &["riprap-keys-derive"],
@@ -45,11 +41,7 @@ const ARROWS: [(&str, &[&str], &str); 12] = [
         &["riprap-core", "riprap-geom", "riprap-keys"],
         "the scenario is what the user said; it knows no engine",
     ),
-    (
-        "riprap-record",
-        &["riprap-core"],
-        "records are plain tables, never the inside of an engine",
-    ),
+    ("riprap-record", &["riprap-core"], "records are plain tables, never the inside of an engine"),
     (
         "riprap-plot",
         &["riprap-record", "riprap-core", "riprap-geom", "riprap-keys"],
@@ -60,25 +52,12 @@ const ARROWS: [(&str, &[&str], &str); 12] = [
         &["riprap-record", "riprap-core", "riprap-geom"],
         "the viewer reads the run folder and nothing else",
     ),
-    (
-        "riprap-testkit",
-        &["riprap-core"],
-        "samples for tests of all",
-    ),
-    (
-        "riprap-fuzz",
-        &["riprap"],
-        "targets go in by the doors that everybody has",
-    ),
+    ("riprap-testkit", &["riprap-core"], "samples for tests of all"),
+    ("riprap-fuzz", &["riprap"], "targets go in by the doors that everybody has"),
 ];
 
 /// Crates in which the order of every sum matters.
-const ENGINES: &[&str] = &[
-    "riprap-geom",
-    "riprap-core",
-    "riprap-planar",
-    "riprap-spatial",
-];
+const ENGINES: &[&str] = &["riprap-geom", "riprap-core", "riprap-planar", "riprap-spatial"];
 
 /// The one file that names the thread pool.
 const POOL: &str = "crates/riprap-core/src/exec.rs";
@@ -88,32 +67,16 @@ const ONE_POOL: &str = "only exec.rs names threads";
 /// End of a path, crates in which it is forbidden (empty: all of the library), and why. What clippy can know stands in
 /// `clippy.toml`; here it is also found in macros.
 const FORBIDDEN: [(&[&str], &[&str], &str); 10] = [
-    (
-        &["mul_add"],
-        &[],
-        "rounds differently on machines with and without the instruction",
-    ),
+    (&["mul_add"], &[], "rounds differently on machines with and without the instruction"),
     (&["HashMap"], ENGINES, "its order differs from run to run"),
     (&["HashSet"], ENGINES, "its order differs from run to run"),
     (&["rayon"], &[], ONE_POOL),
     (&["thread", "spawn"], ENGINES, ONE_POOL),
     (&["thread", "scope"], ENGINES, ONE_POOL),
     (&["thread", "Builder"], ENGINES, ONE_POOL),
-    (
-        &["AtomicF32"],
-        &[],
-        "sums of atomic floats depend on the threads",
-    ),
-    (
-        &["AtomicF64"],
-        &[],
-        "sums of atomic floats depend on the threads",
-    ),
-    (
-        &["thread_rng"],
-        &[],
-        "every random number comes from a seed in the scene",
-    ),
+    (&["AtomicF32"], &[], "sums of atomic floats depend on the threads"),
+    (&["AtomicF64"], &[], "sums of atomic floats depend on the threads"),
+    (&["thread_rng"], &[], "every random number comes from a seed in the scene"),
 ];
 
 /// Largest circle of modules that a crate may have.
@@ -126,11 +89,7 @@ pub fn check(root: &Path) -> Result<u64, String> {
     let mut breaches = 0;
     let mut count = 0;
     for folder in crates(root)? {
-        let name = folder
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
+        let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let manifest = std::fs::read_to_string(folder.join("Cargo.toml"))
             .map_err(|e| format!("{}/Cargo.toml: {e}", folder.display()))?;
         for message in forbidden_arrows(&name, &manifest) {
@@ -240,16 +199,9 @@ fn too_large(name: &str, modules: &Crate) -> u64 {
     let Some(largest) = circles.first() else {
         return 0;
     };
-    let bound = NOT_YET
-        .iter()
-        .find(|(n, _)| *n == name)
-        .map_or(LARGEST_CIRCLE, |(_, size)| *size);
+    let bound = NOT_YET.iter().find(|(n, _)| *n == name).map_or(LARGEST_CIRCLE, |(_, size)| *size);
     let sizes: Vec<String> = circles.iter().map(|c| c.len().to_string()).collect();
-    println!(
-        "{name}: {} modules, circles of {} (bound {bound})",
-        modules.len(),
-        sizes.join(", ")
-    );
+    println!("{name}: {} modules, circles of {} (bound {bound})", modules.len(), sizes.join(", "));
     if largest.len() <= bound {
         return 0;
     }

@@ -18,72 +18,25 @@ use riprap_fuzz::damage::numbers;
 /// What is changed: a name, the keys, and the factor on the numbers behind them.
 const CHANGES: [(&str, &[&str], f64); 15] = [
     ("gravity", &["gravity", "acceleration"], 1.1),
-    (
-        "stiffness",
-        &["normal_stiffness", "shear_stiffness", "young"],
-        2.0,
-    ),
-    (
-        "friction",
-        &[
-            "friction_angle",
-            "friction_coefficient",
-            "residual_friction_angle",
-        ],
-        0.8,
-    ),
-    (
-        "hardly any friction",
-        &["friction_angle", "friction_coefficient"],
-        0.05,
-    ),
+    ("stiffness", &["normal_stiffness", "shear_stiffness", "young"], 2.0),
+    ("friction", &["friction_angle", "friction_coefficient", "residual_friction_angle"], 0.8),
+    ("hardly any friction", &["friction_angle", "friction_coefficient"], 0.05),
     (
         "strength",
-        &[
-            "cohesion",
-            "tension",
-            "tensile_strength",
-            "fracture_energy",
-            "yield_force",
-        ],
+        &["cohesion", "tension", "tensile_strength", "fracture_energy", "yield_force"],
         0.5,
     ),
     ("density", &["density"], 1.2),
-    (
-        "loads",
-        &["force", "pressure", "traction", "moment", "mass"],
-        1.2,
-    ),
+    ("loads", &["force", "pressure", "traction", "moment", "mass"], 1.2),
     ("speed", &["velocity", "spin"], 1.1),
-    (
-        "damping",
-        &["damping_ratio", "restitution", "local", "mass_damping"],
-        0.5,
-    ),
+    ("damping", &["damping_ratio", "restitution", "local", "mass_damping"], 0.5),
     ("half the time", &["time", "steps"], 0.5),
-    (
-        "stress at the start",
-        &["vertical", "in_situ.x", "in_situ.y", "k0", "stress"],
-        1.2,
-    ),
-    (
-        "bolts",
-        &[
-            "diameter",
-            "bolts.stiffness",
-            "bolts.strength",
-            "pretension",
-        ],
-        0.5,
-    ),
+    ("stress at the start", &["vertical", "in_situ.x", "in_situ.y", "k0", "stress"], 1.2),
+    ("bolts", &["diameter", "bolts.stiffness", "bolts.strength", "pretension"], 0.5),
     ("water", &["level", "points", "head"], 0.8),
     // What drives over time: motions and loads in tables of their own.
     ("what drives", &["value", "constant", "to", "formula"], 1.2),
-    (
-        "sizes",
-        &["size", "cell", "radius", "thickness", "spacing"],
-        1.1,
-    ),
+    ("sizes", &["size", "cell", "radius", "thickness", "spacing"], 1.1),
 ];
 
 /// Slowest scene that is broken, s, when nothing else is asked for.
@@ -189,11 +142,7 @@ fn broken(
 fn name(check: &Value) -> String {
     let word = |key: &str| check[key].as_str().unwrap_or_default();
     let (case, name) = (word("case"), word("check"));
-    if case.is_empty() || case == "default" {
-        name.to_owned()
-    } else {
-        format!("{case}: {name}")
-    }
+    if case.is_empty() || case == "default" { name.to_owned() } else { format!("{case}: {name}") }
 }
 
 /// A scene in a folder of its own, with the data beside it.
@@ -214,9 +163,7 @@ impl Copy {
             std::fs::copy(&file, to).map_err(|e| format!("{}: {e}", file.display()))?;
         }
         let file = original.file_name().unwrap_or_default();
-        Ok(Self {
-            path: folder.join(file),
-        })
+        Ok(Self { path: folder.join(file) })
     }
 
     /// Its checks with that text; none where it cannot be run, or not in that time.
@@ -242,10 +189,7 @@ impl Copy {
             std::thread::sleep(std::time::Duration::from_millis(5));
         }
         let text = std::fs::read_to_string(&said).map_err(|e| e.to_string())?;
-        Ok(text
-            .lines()
-            .filter_map(|line| serde_json::from_str(line).ok())
-            .collect())
+        Ok(text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect())
     }
 }
 
@@ -280,23 +224,15 @@ fn scaled_line(line: &str, keys: &[&str], factor: f64) -> String {
     let mut done = line.to_owned();
     // From the back, so that places stay.
     for (begin, end) in numbers(line).into_iter().rev() {
-        let key = line[..begin]
-            .rfind('=')
-            .map(|at| line[..at].trim_end_matches([' ', '"']));
-        let last = key.and_then(|key| {
-            key.rsplit(|c: char| !(c.is_alphanumeric() || c == '_'))
-                .next()
-        });
+        let key = line[..begin].rfind('=').map(|at| line[..at].trim_end_matches([' ', '"']));
+        let last =
+            key.and_then(|key| key.rsplit(|c: char| !(c.is_alphanumeric() || c == '_')).next());
         let counts = keys.contains(&"steps") && last == Some("steps");
         let Ok(number) = line[begin..end].replace('_', "").parse::<f64>() else {
             continue;
         };
         if last.is_some_and(|last| keys.contains(&last)) {
-            let new = if counts {
-                (number * factor).floor().max(1.0)
-            } else {
-                number * factor
-            };
+            let new = if counts { (number * factor).floor().max(1.0) } else { number * factor };
             done.replace_range(begin..end, &new.to_string());
         }
     }
@@ -312,10 +248,7 @@ mod tests {
         let text = "[a]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\na = { density = \"2e3 kg/m3\", steps = 7 }\n\"a.density\" = [\"2e3 kg/m3\"]\n[[checks]]\ngravity = 1\n";
         let gravity = scaled(text, &["gravity"], 1.5);
         assert_eq!(gravity, text.replace("-10 m", "-15 m"));
-        assert_eq!(
-            scaled(text, &["steps"], 0.5),
-            text.replace("steps = 7", "steps = 3")
-        );
+        assert_eq!(scaled(text, &["steps"], 0.5), text.replace("steps = 7", "steps = 3"));
         assert_eq!(scaled(text, &["density"], 2.0), text.replace("2e3", "4000"));
         let text = "[[bolts]]\ngrout = { stiffness = \"4 MPa\" }\n[b]\nstiffness = 4\n[[checks]]\nstiffness = 4\n";
         let bolts = scaled(text, &["bolts.stiffness"], 2.0);

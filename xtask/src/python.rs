@@ -83,11 +83,8 @@ fn tested(root: &Path) -> Result<Outcome, Failed> {
     let folder = root.join("target/python");
     let wheel = build(root, &python, &folder.join("wheels"), How::Tests)?;
     clean_install(root, &wheel, &folder.join("clean"))?;
-    pip(
-        &python,
-        &["--no-deps", "--force-reinstall", &wheel.to_string_lossy()],
-    )
-    .map_err(Failed::Broken)?;
+    pip(&python, &["--no-deps", "--force-reinstall", &wheel.to_string_lossy()])
+        .map_err(Failed::Broken)?;
     let tests = root.join(CRATE).join("tests");
     // An older binary would differ: the one of the other steps, built if need be.
     let binary = root.join(verify::ci_binary(root).map_err(Failed::Broken)?);
@@ -118,22 +115,14 @@ fn tested(root: &Path) -> Result<Outcome, Failed> {
 /// `target/venv` with what building and testing needs; pyvista and ezdxf are used where they can be had.
 fn tools(root: &Path) -> Result<PathBuf, Failed> {
     let python = venv::python(root).map_err(Failed::NoPython)?;
-    let list = |name: &str| {
-        root.join(CRATE)
-            .join("tests")
-            .join(name)
-            .to_string_lossy()
-            .into_owned()
-    };
+    let list =
+        |name: &str| root.join(CRATE).join("tests").join(name).to_string_lossy().into_owned();
     pip(&python, &["-r", &list("requirements.txt")]).map_err(|why| {
         Failed::NoPython(format!(
             "{why} (is there a network? Python 3.11 or newer is needed for the pinned versions)"
         ))
     })?;
-    if let Err(why) = pip(
-        &python,
-        &["--no-deps", "-r", &list("requirements-tools.txt")],
-    ) {
+    if let Err(why) = pip(&python, &["--no-deps", "-r", &list("requirements-tools.txt")]) {
         println!("{why}; the tests with pyvista and ezdxf are left out");
     }
     Ok(python)
@@ -141,15 +130,7 @@ fn tools(root: &Path) -> Result<PathBuf, Failed> {
 
 fn pip(python: &Path, words: &[&str]) -> Result<(), String> {
     let mut command = Command::new(python);
-    command
-        .args([
-            "-m",
-            "pip",
-            "install",
-            "--quiet",
-            "--disable-pip-version-check",
-        ])
-        .args(words);
+    command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]).args(words);
     match command.status() {
         Ok(status) if status.success() => Ok(()),
         Ok(_) | Err(_) => Err(format!("pip could not install {}", words.join(" "))),
@@ -202,21 +183,12 @@ fn build(root: &Path, python: &Path, out: &Path, how: How) -> Result<PathBuf, Fa
         How::Tests => maturin.args(["--profile", "ci"]),
         How::Release => maturin.args(["--release", "--strip"]),
         // maturin refuses a wheel that wants more of the system than its name says.
-        How::Portable => maturin.args([
-            "--release",
-            "--strip",
-            "--zig",
-            "--compatibility",
-            OLD_LINUX,
-        ]),
+        How::Portable => {
+            maturin.args(["--release", "--strip", "--zig", "--compatibility", OLD_LINUX])
+        }
     };
-    if !shell::run(root, &mut maturin)
-        .map_err(Failed::Broken)?
-        .success
-    {
-        return Err(Failed::Broken(
-            "maturin could not build the wheel".to_owned(),
-        ));
+    if !shell::run(root, &mut maturin).map_err(Failed::Broken)?.success {
+        return Err(Failed::Broken("maturin could not build the wheel".to_owned()));
     }
     let wheels =
         std::fs::read_dir(out).map_err(|e| Failed::Broken(format!("{}: {e}", out.display())))?;
@@ -232,16 +204,12 @@ fn clean_install(root: &Path, wheel: &Path, folder: &Path) -> Result<(), Failed>
     let python = venv::make(folder).map_err(Failed::NoPython)?;
     pip(&python, &[&wheel.to_string_lossy()]).map_err(Failed::Broken)?;
     let mut smoke = Command::new(&python);
-    smoke
-        .arg(root.join(CRATE).join("tests/smoke.py"))
-        .arg(folder.join("smoke.run"));
+    smoke.arg(root.join(CRATE).join("tests/smoke.py")).arg(folder.join("smoke.run"));
     let done = shell::run(root, &mut smoke).map_err(Failed::Broken)?;
     if done.success {
         Ok(())
     } else {
-        Err(Failed::Broken(
-            "the wheel does not work in a fresh environment".to_owned(),
-        ))
+        Err(Failed::Broken("the wheel does not work in a fresh environment".to_owned()))
     }
 }
 
@@ -253,11 +221,7 @@ fn read_junit(text: &str) -> Option<Counts> {
         rest[..rest.find('"')?].parse().ok()
     };
     let (failed, skipped) = (number("failures")? + number("errors")?, number("skipped")?);
-    Some(Counts {
-        passed: number("tests")?.saturating_sub(failed + skipped),
-        failed,
-        skipped,
-    })
+    Some(Counts { passed: number("tests")?.saturating_sub(failed + skipped), failed, skipped })
 }
 
 #[cfg(test)]
@@ -267,11 +231,7 @@ mod tests {
     #[test]
     fn counts_are_read_from_pytest() {
         let text = r#"<testsuites><testsuite name="pytest" errors="1" failures="2" skipped="3" tests="10" time="1.5">"#;
-        let expected = Counts {
-            passed: 4,
-            failed: 3,
-            skipped: 3,
-        };
+        let expected = Counts { passed: 4, failed: 3, skipped: 3 };
         assert_eq!(read_junit(text), Some(expected));
         assert_eq!(read_junit("nothing"), None);
     }

@@ -77,25 +77,14 @@ pub fn run(root: &Path, command: &mut Command) -> Result<Finished, String> {
             }
         }
     }
-    let status = child
-        .wait()
-        .map_err(|e| format!("waiting for {name}: {e}"))?;
-    Ok(Finished {
-        success: status.success(),
-        counts,
-    })
+    let status = child.wait().map_err(|e| format!("waiting for {name}: {e}"))?;
+    Ok(Finished { success: status.success(), counts })
 }
 
 /// The command as a person would type it.
 fn spoken(command: &Command) -> String {
     let program = Path::new(command.get_program());
-    let mut words = vec![
-        program
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned(),
-    ];
+    let mut words = vec![program.file_name().unwrap_or_default().to_string_lossy().into_owned()];
     words.extend(command.get_args().map(|a| a.to_string_lossy().into_owned()));
     if words.len() > 14 {
         let hidden = words.len() - 12;
@@ -130,23 +119,9 @@ mod tests {
     #[test]
     fn counts_are_read_from_cargo_and_from_riprap() {
         let cargo = "test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured; 3 filtered out";
-        assert_eq!(
-            read_counts(cargo),
-            Some(Counts {
-                passed: 12,
-                failed: 0,
-                skipped: 1
-            })
-        );
+        assert_eq!(read_counts(cargo), Some(Counts { passed: 12, failed: 0, skipped: 1 }));
         let riprap = "7 passed, 2 failed, 0 skipped";
-        assert_eq!(
-            read_counts(riprap),
-            Some(Counts {
-                passed: 7,
-                failed: 2,
-                skipped: 0
-            })
-        );
+        assert_eq!(read_counts(riprap), Some(Counts { passed: 7, failed: 2, skipped: 0 }));
         assert_eq!(read_counts("test a::b ... ok"), None);
         assert_eq!(read_counts("3 warnings"), None);
     }

@@ -78,14 +78,10 @@ fn soak(root: &Path, words: &[&str]) -> Result<Vec<String>, String> {
     let (mut minutes, mut binary) = (60.0, None);
     let mut words = words.iter();
     while let Some(word) = words.next() {
-        let value = words
-            .next()
-            .ok_or_else(|| format!("{word} needs a value"))?;
+        let value = words.next().ok_or_else(|| format!("{word} needs a value"))?;
         match *word {
             "--minutes" => {
-                minutes = value
-                    .parse()
-                    .map_err(|_| "--minutes needs a number".to_owned())?;
+                minutes = value.parse().map_err(|_| "--minutes needs a number".to_owned())?;
             }
             "--binary" => binary = Some(root.join(value)),
             other => return Err(format!("there is no option {other}")),
@@ -110,13 +106,9 @@ fn soak(root: &Path, words: &[&str]) -> Result<Vec<String>, String> {
             failures.push(format!("the run ended by itself: {code}"));
             break;
         }
-        for question in [
-            "summary",
-            "frame/0",
-            "field/0?name=velocity",
-            "table/histories",
-            "table/energy",
-        ] {
+        for question in
+            ["summary", "frame/0", "field/0?name=velocity", "table/histories", "table/energy"]
+        {
             if let Err(why) = ask(&address, question) {
                 failures.push(format!("the viewer did not answer {question}: {why}"));
             }
@@ -167,11 +159,7 @@ fn start(
         }
         std::thread::sleep(Duration::from_millis(100));
     }
-    let view = command()
-        .args(["view", "--no-open"])
-        .arg(results)
-        .stdout(Stdio::piped())
-        .spawn();
+    let view = command().args(["view", "--no-open"]).arg(results).stdout(Stdio::piped()).spawn();
     let mut view = view.map_err(|e| format!("{}: {e}", binary.display()))?;
     let said = view.stdout.take().ok_or("the viewer says nothing")?;
     let mut address = None;
@@ -191,9 +179,7 @@ fn ask(address: &str, question: &str) -> Result<usize, String> {
     let rest = address.strip_prefix("http://").unwrap_or(address);
     let (host, path) = rest.split_once('/').unwrap_or((rest, ""));
     let mut stream = TcpStream::connect(host).map_err(|e| e.to_string())?;
-    stream
-        .set_read_timeout(Some(PATIENCE))
-        .map_err(|e| e.to_string())?;
+    stream.set_read_timeout(Some(PATIENCE)).map_err(|e| e.to_string())?;
     let path = path.trim_end_matches('/');
     write!(
         stream,
@@ -214,9 +200,7 @@ fn memory(id: u32) -> Result<f64, String> {
     let text = std::fs::read_to_string(format!("/proc/{id}/status")).map_err(|e| e.to_string())?;
     let line = text.lines().find_map(|l| l.strip_prefix("VmRSS:"));
     let kilobytes = line.and_then(|l| l.split_whitespace().next()?.parse::<f64>().ok());
-    kilobytes
-        .map(|k| k / 1000.0)
-        .ok_or_else(|| "no VmRSS".to_owned())
+    kilobytes.map(|k| k / 1000.0).ok_or_else(|| "no VmRSS".to_owned())
 }
 
 fn descriptors(id: u32) -> Result<usize, String> {
@@ -228,12 +212,8 @@ fn descriptors(id: u32) -> Result<usize, String> {
 fn processor(id: u32) -> Result<f64, String> {
     let text = std::fs::read_to_string(format!("/proc/{id}/stat")).map_err(|e| e.to_string())?;
     let (_, rest) = text.rsplit_once(')').ok_or("no stat")?;
-    let fields: Vec<f64> = rest
-        .split_whitespace()
-        .skip(11)
-        .take(2)
-        .filter_map(|f| f.parse().ok())
-        .collect();
+    let fields: Vec<f64> =
+        rest.split_whitespace().skip(11).take(2).filter_map(|f| f.parse().ok()).collect();
     Ok(fields.iter().sum::<f64>() / 100.0)
 }
 
@@ -241,8 +221,7 @@ fn processor(id: u32) -> Result<f64, String> {
 fn steps(results: &Path) -> f64 {
     let text = std::fs::read_to_string(results.join("histories.csv")).unwrap_or_default();
     let last = text.lines().rev().find(|l| !l.is_empty());
-    last.and_then(|l| l.split(',').next()?.parse().ok())
-        .unwrap_or(0.0)
+    last.and_then(|l| l.split(',').next()?.parse().ok()).unwrap_or(0.0)
 }
 
 /// The looks of the table that is there.
@@ -250,17 +229,12 @@ fn read(root: &Path) -> Result<Vec<Look>, String> {
     let path = root.join(TABLE);
     let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
     let look = |line: &str| {
-        let cells: Vec<f64> = line
-            .split(',')
-            .map(|cell| cell.parse().unwrap_or(f64::NAN))
-            .collect();
+        let cells: Vec<f64> =
+            line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
         match cells[..] {
-            [seconds, m, n, d, e, speed] => Ok(Look {
-                seconds,
-                memory: [m, n],
-                descriptors: [d as usize, e as usize],
-                speed,
-            }),
+            [seconds, m, n, d, e, speed] => {
+                Ok(Look { seconds, memory: [m, n], descriptors: [d as usize, e as usize], speed })
+            }
             _ => Err(format!("{}: {line:?} is no look", path.display())),
         }
     };
@@ -290,9 +264,7 @@ fn grown(looks: &[Look]) -> Vec<String> {
         let fewest = |part: &[Look]| part.iter().map(|l| l.descriptors[k]).min().unwrap_or(0);
         let (before, after) = (fewest(&looks[third..last]), fewest(&looks[last..]));
         if after > before {
-            out.push(format!(
-                "descriptors of {who} grew from {before} to {after}"
-            ));
+            out.push(format!("descriptors of {who} grew from {before} to {after}"));
         }
     }
     out
@@ -309,11 +281,7 @@ fn write(root: &Path, looks: &[Look], failures: &[String]) -> Result<(), String>
             table,
             "{:.0},{m:.2},{n:.2},{d},{e},{}",
             l.seconds,
-            if l.speed > 0.0 {
-                format!("{:.0}", l.speed)
-            } else {
-                String::new()
-            }
+            if l.speed > 0.0 { format!("{:.0}", l.speed) } else { String::new() }
         );
     }
     put(&root.join(TABLE), &table)?;
@@ -321,24 +289,13 @@ fn write(root: &Path, looks: &[Look], failures: &[String]) -> Result<(), String>
         looks.iter().map(|l| [l.seconds, get(l)]).collect()
     };
     let pictures = [
-        (
-            "memory",
-            "memory, MB",
-            vec![of(&|l| l.memory[0]), of(&|l| l.memory[1])],
-        ),
+        ("memory", "memory, MB", vec![of(&|l| l.memory[0]), of(&|l| l.memory[1])]),
         (
             "descriptors",
             "open descriptors",
-            vec![
-                of(&|l| l.descriptors[0] as f64),
-                of(&|l| l.descriptors[1] as f64),
-            ],
+            vec![of(&|l| l.descriptors[0] as f64), of(&|l| l.descriptors[1] as f64)],
         ),
-        (
-            "speed",
-            "steps for a second of processor time",
-            vec![of(&|l| l.speed)],
-        ),
+        ("speed", "steps for a second of processor time", vec![of(&|l| l.speed)]),
     ];
     for (name, label, curves) in &pictures {
         put(&picture(root, name), &drawn(label, curves))?;
@@ -423,27 +380,17 @@ mod tests {
     use super::*;
 
     fn look(seconds: f64, memory: f64, descriptors: usize) -> Look {
-        Look {
-            seconds,
-            memory: [memory, 10.0],
-            descriptors: [descriptors, 8],
-            speed: 100.0,
-        }
+        Look { seconds, memory: [memory, 10.0], descriptors: [descriptors, 8], speed: 100.0 }
     }
 
     #[test]
     fn growth_of_the_last_quarter_is_told() {
-        let steady: Vec<Look> = (0..40)
-            .map(|k| look(f64::from(k), 20.0 - 5.0 / f64::from(k + 1), 9))
-            .collect();
+        let steady: Vec<Look> =
+            (0..40).map(|k| look(f64::from(k), 20.0 - 5.0 / f64::from(k + 1), 9)).collect();
         assert!(grown(&steady).is_empty(), "{:?}", grown(&steady));
-        let leak: Vec<Look> = (0..40)
-            .map(|k| look(f64::from(k), 20.0 + f64::from(k), 9))
-            .collect();
+        let leak: Vec<Look> = (0..40).map(|k| look(f64::from(k), 20.0 + f64::from(k), 9)).collect();
         assert!(grown(&leak)[0].contains("memory of the run grew from 49.0 to 59.0"));
-        let open: Vec<Look> = (0..40)
-            .map(|k| look(f64::from(k), 20.0, k as usize))
-            .collect();
+        let open: Vec<Look> = (0..40).map(|k| look(f64::from(k), 20.0, k as usize)).collect();
         assert_eq!(grown(&open), ["descriptors of the run grew from 20 to 30"]);
         assert_eq!(grown(&[]), ["it was looked at too seldom"]);
     }

@@ -31,9 +31,7 @@ fn collect(folder: &Path, extensions: &[&str], found: &mut Vec<PathBuf>) {
                 collect(&path, extensions, found);
             }
         } else if extensions.is_empty()
-            || path
-                .extension()
-                .is_some_and(|e| extensions.iter().any(|x| e == *x))
+            || path.extension().is_some_and(|e| extensions.iter().any(|x| e == *x))
         {
             found.push(path);
         }
@@ -42,8 +40,5 @@ fn collect(folder: &Path, extensions: &[&str], found: &mut Vec<PathBuf>) {
 
 /// `path` as it is written in messages: relative to the root.
 pub fn shown(root: &Path, path: &Path) -> String {
-    path.strip_prefix(root)
-        .unwrap_or(path)
-        .display()
-        .to_string()
+    path.strip_prefix(root).unwrap_or(path).display().to_string()
 }

@@ -35,13 +35,7 @@ const fn step(
     about: &'static str,
     run: fn(&Path) -> Result<Outcome, String>,
 ) -> Step {
-    Step {
-        name,
-        about,
-        after: &[],
-        uses: None,
-        run,
-    }
+    Step { name, about, after: &[], uses: None, run }
 }
 
 /// A step that runs what `build` has compiled.
@@ -51,13 +45,7 @@ const fn built(
     uses: Option<&'static str>,
     run: fn(&Path) -> Result<Outcome, String>,
 ) -> Step {
-    Step {
-        name,
-        about,
-        after: &["build"],
-        uses,
-        run,
-    }
+    Step { name, about, after: &["build"], uses, run }
 }
 
 /// All steps, in the order in which they begin.
@@ -67,82 +55,43 @@ pub const STEPS: &[Step] = &[
         "compiles tests, scenes' binary and examples once, with debug assertions",
         build_step,
     ),
-    step(
-        "modules",
-        "which crate uses which, circles of modules, forbidden words",
-        modules_step,
-    ),
-    step(
-        "tidy",
-        "file lengths, trailing blanks, paths outside",
-        tidy_step,
-    ),
-    step(
-        "table",
-        "the verification table shows which of its rows are stale",
-        verify::table_step,
-    ),
+    step("modules", "which crate uses which, circles of modules, forbidden words", modules_step),
+    step("tidy", "file lengths, trailing blanks, paths outside", tidy_step),
+    step("table", "the verification table shows which of its rows are stale", verify::table_step),
     step("fmt", "rustfmt --check", fmt_step),
     step("licences", "licences of all dependencies", licences_step),
-    step(
-        "clippy",
-        "clippy on all targets, warnings denied",
-        clippy_step,
-    ),
+    step("clippy", "clippy on all targets, warnings denied", clippy_step),
     step("docs", "cargo doc, warnings denied; the book", docs_step),
     // The browser begins first and the tests last of the long ones: it keeps one core busy, they use both.
-    built(
-        "browser",
-        "the viewer in Chromium, over real runs",
-        VENV,
-        browser::step,
-    ),
+    built("browser", "the viewer in Chromium, over real runs", VENV, browser::step),
     built(
         "scenes",
         "riprap verify on the fast scenes; the first steps of the long ones",
         None,
         verify::fast,
     ),
-    built(
-        "tests",
-        "unit, property, CLI and doc tests",
-        None,
-        tests_step,
-    ),
+    built("tests", "unit, property, CLI and doc tests", None, tests_step),
     built(
         "attack",
         "damaged input, kills, threads and speed, a few tries each",
         None,
         attack::step,
     ),
-    built(
-        "python",
-        "the wheel, installed and tested with pytest",
-        VENV,
-        python::step,
-    ),
+    built("python", "the wheel, installed and tested with pytest", VENV, python::step),
     built("vtk", "VTK opens the frames of a run", VENV, vtk::step),
 ];
 
 /// Runs the steps named in `only` (all when empty), two at a time where cores allow. All run even if one fails, but for
 /// those that need its result.
 pub fn run(root: &Path, only: &[&str]) -> ExitCode {
-    if let Some(unknown) = only
-        .iter()
-        .find(|name| STEPS.iter().all(|s| s.name != **name))
-    {
+    if let Some(unknown) = only.iter().find(|name| STEPS.iter().all(|s| s.name != **name)) {
         let names: Vec<&str> = STEPS.iter().map(|s| s.name).collect();
-        eprintln!(
-            "there is no step {unknown:?}; the steps are {}",
-            names.join(", ")
-        );
+        eprintln!("there is no step {unknown:?}; the steps are {}", names.join(", "));
         return ExitCode::from(2);
     }
     let begun = Instant::now();
-    let chosen: Vec<&Step> = STEPS
-        .iter()
-        .filter(|s| only.is_empty() || only.contains(&s.name))
-        .collect();
+    let chosen: Vec<&Step> =
+        STEPS.iter().filter(|s| only.is_empty() || only.contains(&s.name)).collect();
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let reports = side_by_side(root, &chosen, cores.min(2));
     let mut total = Counts::default();
@@ -152,15 +101,8 @@ pub fn run(root: &Path, only: &[&str]) -> ExitCode {
         total.add(report.counts);
         println!("{:<9} {:>9.1}  {}", step.name, report.seconds, report.said);
     }
-    println!(
-        "{} passed, {} failed, {} skipped",
-        total.passed, total.failed, total.skipped
-    );
-    if total.failed == 0 {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    }
+    println!("{} passed, {} failed, {} skipped", total.passed, total.failed, total.skipped);
+    if total.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 /// How a step ended.
@@ -246,15 +188,8 @@ fn lost(steps: &[&Step], states: &[State], k: usize) -> Option<&'static str> {
 }
 
 fn failed(why: &str) -> Report {
-    let counts = Counts {
-        failed: 1,
-        ..Counts::default()
-    };
-    Report {
-        counts,
-        seconds: 0.0,
-        said: format!("FAILED  {why}"),
-    }
+    let counts = Counts { failed: 1, ..Counts::default() };
+    Report { counts, seconds: 0.0, said: format!("FAILED  {why}") }
 }
 
 fn perform(root: &Path, step: &Step) -> Report {
@@ -265,28 +200,15 @@ fn perform(root: &Path, step: &Step) -> Report {
     let report = match result {
         Ok(Outcome::Counted(counts)) => {
             let word = if counts.failed == 0 { "ok" } else { "FAILED" };
-            let said = format!(
-                "{word:<7} {} passed, {} failed",
-                counts.passed, counts.failed
-            );
-            Report {
-                counts,
-                seconds,
-                said,
-            }
+            let said = format!("{word:<7} {} passed, {} failed", counts.passed, counts.failed);
+            Report { counts, seconds, said }
         }
         Ok(Outcome::Skipped(why)) => Report {
-            counts: Counts {
-                skipped: 1,
-                ..Counts::default()
-            },
+            counts: Counts { skipped: 1, ..Counts::default() },
             seconds,
             said: format!("skipped {why}"),
         },
-        Err(why) => Report {
-            seconds,
-            ..failed(&why)
-        },
+        Err(why) => Report { seconds, ..failed(&why) },
     };
     println!("-- {}: {} ({seconds:.1} s)", step.name, report.said);
     report
@@ -309,11 +231,7 @@ pub fn docs_only(root: &Path) -> ExitCode {
 
 /// One check, or as many failures as were found.
 fn one_check(failures: u64) -> Outcome {
-    Outcome::Counted(Counts {
-        passed: u64::from(failures == 0),
-        failed: failures,
-        skipped: 0,
-    })
+    Outcome::Counted(Counts { passed: u64::from(failures == 0), failed: failures, skipped: 0 })
 }
 
 fn modules_step(root: &Path) -> Result<Outcome, String> {
@@ -339,23 +257,14 @@ fn cargo_check(root: &Path, words: &[&str], env: &[(&str, &str)]) -> Result<Outc
 /// Whether `cargo <tool>` exists; if not, rustup is asked for it once.
 fn component(tool: &str, component: &str) -> Result<(), String> {
     let there = || {
-        Command::new(cargo())
-            .args([tool, "--version"])
-            .output()
-            .is_ok_and(|o| o.status.success())
+        Command::new(cargo()).args([tool, "--version"]).output().is_ok_and(|o| o.status.success())
     };
     if there() {
         return Ok(());
     }
     println!("{tool} is missing; asking rustup for it");
-    let _ = Command::new("rustup")
-        .args(["component", "add", component])
-        .status();
-    if there() {
-        Ok(())
-    } else {
-        Err(format!("install it: rustup component add {component}"))
-    }
+    let _ = Command::new("rustup").args(["component", "add", component]).status();
+    if there() { Ok(()) } else { Err(format!("install it: rustup component add {component}")) }
 }
 
 fn fmt_step(root: &Path) -> Result<Outcome, String> {
@@ -365,29 +274,14 @@ fn fmt_step(root: &Path) -> Result<Outcome, String> {
 
 fn clippy_step(root: &Path) -> Result<Outcome, String> {
     component("clippy", "clippy")?;
-    let words = [
-        "clippy",
-        "--workspace",
-        "--all-targets",
-        "--locked",
-        "--",
-        "-D",
-        "warnings",
-    ];
+    let words = ["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"];
     cargo_check(root, &words, &[])
 }
 
 /// Compiles with the one profile that tests, scenes, wheel and browser share. Always the same command: another choice of
 /// packages would have other features and compile dependencies anew.
 fn build_step(root: &Path) -> Result<Outcome, String> {
-    let words = [
-        "test",
-        "--workspace",
-        "--locked",
-        "--profile",
-        "ci",
-        "--no-run",
-    ];
+    let words = ["test", "--workspace", "--locked", "--profile", "ci", "--no-run"];
     cargo_check(root, &words, &[])
 }
 
@@ -412,13 +306,7 @@ fn tests_step(root: &Path) -> Result<Outcome, String> {
 }
 
 fn docs_step(root: &Path) -> Result<Outcome, String> {
-    let words = [
-        "doc",
-        "--workspace",
-        "--no-deps",
-        "--locked",
-        "--document-private-items",
-    ];
+    let words = ["doc", "--workspace", "--no-deps", "--locked", "--document-private-items"];
     let api = cargo_check(root, &words, &[("RUSTDOCFLAGS", "-D warnings")])?;
     book::build(root)?;
     Ok(api)

@@ -7,9 +7,8 @@ use crate::source_tree::{files, shown};
 /// Longer files are listed (not refused): they are hard to read in one sitting.
 const LONG_FILE: usize = 500;
 
-const TEXT: [&str; 12] = [
-    "rs", "toml", "md", "py", "sh", "yml", "yaml", "json", "csv", "txt", "html", "ts",
-];
+const TEXT: [&str; 12] =
+    ["rs", "toml", "md", "py", "sh", "yml", "yaml", "json", "csv", "txt", "html", "ts"];
 
 /// Prints every finding; returns how many of them are errors.
 pub fn check(root: &Path) -> Result<u64, String> {

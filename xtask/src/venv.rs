@@ -7,14 +7,8 @@ use std::process::Command;
 pub fn python(root: &Path) -> Result<PathBuf, String> {
     let folder = root.join("target/venv");
     let python = folder.join("bin/python");
-    let works = Command::new(&python)
-        .args(["-m", "pip", "--version"])
-        .output();
-    if works.is_ok_and(|o| o.status.success()) {
-        Ok(python)
-    } else {
-        make(&folder)
-    }
+    let works = Command::new(&python).args(["-m", "pip", "--version"]).output();
+    if works.is_ok_and(|o| o.status.success()) { Ok(python) } else { make(&folder) }
 }
 
 /// Makes an environment; installs Python through apt-get where it is missing and this user may.
@@ -23,7 +17,7 @@ pub fn make(folder: &Path) -> Result<PathBuf, String> {
         install()?;
         if !makes(folder) {
             return Err(
-                "python3 -m venv does not work here: install python3 and python3-venv".to_owned(),
+                "python3 -m venv does not work here: install python3 and python3-venv".to_owned()
             );
         }
     }
@@ -31,10 +25,7 @@ pub fn make(folder: &Path) -> Result<PathBuf, String> {
 }
 
 fn makes(folder: &Path) -> bool {
-    let done = Command::new("python3")
-        .args(["-m", "venv"])
-        .arg(folder)
-        .output();
+    let done = Command::new("python3").args(["-m", "venv"]).arg(folder).output();
     done.is_ok_and(|o| o.status.success()) && folder.join("bin/python").exists()
 }
 
@@ -47,9 +38,5 @@ fn install() -> Result<(), String> {
         "if [ $(id -u) = 0 ]; then S=; else S='sudo -n'; fi; $S apt-get update -qq && $S {install}"
     );
     let done = Command::new("sh").args(["-c", &script]).status();
-    if done.is_ok_and(|s| s.success()) {
-        Ok(())
-    } else {
-        Err(hint)
-    }
+    if done.is_ok_and(|s| s.success()) { Ok(()) } else { Err(hint) }
 }

@@ -41,10 +41,7 @@ fn binary(root: &Path, build: &mut Command, profile: &str) -> Result<PathBuf, St
     }
     let target =
         std::env::var("CARGO_TARGET_DIR").map_or_else(|_| root.join("target"), PathBuf::from);
-    Ok(root
-        .join(target)
-        .join(profile)
-        .join(format!("riprap{}", std::env::consts::EXE_SUFFIX)))
+    Ok(root.join(target).join(profile).join(format!("riprap{}", std::env::consts::EXE_SUFFIX)))
 }
 
 /// Scenes that CI runs, as the table names them.
@@ -56,9 +53,7 @@ pub fn fast_scenes(root: &Path) -> Vec<String> {
 pub fn fast(root: &Path) -> Result<Outcome, String> {
     let (fast, long) = table::scenes(root);
     if fast.is_empty() {
-        return Ok(Outcome::Skipped(
-            "there are no scenes with checks yet".to_owned(),
-        ));
+        return Ok(Outcome::Skipped("there are no scenes with checks yet".to_owned()));
     }
     println!(
         "{} fast scenes; {} long ones run under `cargo xtask verify-all`",
@@ -70,11 +65,8 @@ pub fn fast(root: &Path) -> Result<Outcome, String> {
     let (checks, success) = run(root, &binary, &fast)?;
     write(&root.join(LAST), &lines(&checks))?;
     let count = |what: &str| checks.iter().filter(|c| c["status"] == what).count() as u64;
-    let mut counts = Counts {
-        passed: count("passed"),
-        failed: count("failed"),
-        skipped: count("skipped"),
-    };
+    let mut counts =
+        Counts { passed: count("passed"), failed: count("failed"), skipped: count("skipped") };
     if !success && counts.failed == 0 {
         counts.failed = 1;
     }
@@ -144,9 +136,7 @@ fn run(root: &Path, binary: &Path, scenes: &[&str]) -> Result<(Vec<Value>, bool)
 
 fn parse(text: &str) -> Result<Vec<Value>, String> {
     let checks = text.lines().filter(|l| !l.trim().is_empty());
-    checks
-        .map(|line| serde_json::from_str(line).map_err(|e| format!("{line}: {e}")))
-        .collect()
+    checks.map(|line| serde_json::from_str(line).map_err(|e| format!("{line}: {e}"))).collect()
 }
 
 fn lines(checks: &[Value]) -> String {
@@ -163,10 +153,7 @@ fn write(path: &Path, text: &str) -> Result<(), String> {
 /// The step `table`: the page shows which of its rows are stale.
 pub fn table_step(root: &Path) -> Result<Outcome, String> {
     println!("{}", table::judge(root)?);
-    Ok(Outcome::Counted(Counts {
-        passed: 1,
-        ..Counts::default()
-    }))
+    Ok(Outcome::Counted(Counts { passed: 1, ..Counts::default() }))
 }
 
 /// `cargo xtask verify-all [SCENE]...`: runs every scene, or those named, and writes the table; `--from FILE`: takes what has been
@@ -204,14 +191,10 @@ fn rewrite(root: &Path, checks: &[Value], binary: Option<&Path>) -> Result<(), S
         return Err(format!("it stands there twice: {check}"));
     }
     let now = Now::of(root);
-    let stranger = checks
-        .iter()
-        .filter_map(|c| c["scene"].as_str())
-        .find(|scene| !now.known(scene));
+    let stranger =
+        checks.iter().filter_map(|c| c["scene"].as_str()).find(|scene| !now.known(scene));
     if let Some(scene) = stranger {
-        return Err(format!(
-            "`{scene}` is no scene with checks of this repository"
-        ));
+        return Err(format!("`{scene}` is no scene with checks of this repository"));
     }
     let [date, commit] = table::this_run(root);
     let rows = table::merge(&table::read(root)?, checks, &now, [&date, &commit]);
@@ -229,13 +212,7 @@ fn rewrite(root: &Path, checks: &[Value], binary: Option<&Path>) -> Result<(), S
         probes.make((root, binary), &rows, chosen)?;
     }
     write(&root.join(probe::DATA), &probes.text()?)?;
-    println!(
-        "wrote {}, {}, {} and {}",
-        table::DATA,
-        probe::DATA,
-        table::PAGE,
-        table::INDEX
-    );
+    println!("wrote {}, {}, {} and {}", table::DATA, probe::DATA, table::PAGE, table::INDEX);
     println!("{}", table::totals(&rows, &now));
     Ok(())
 }

@@ -29,8 +29,7 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
     };
     let out = root.join("target/xtask/vtk.run");
     let mut run = Command::new(ci_binary(root)?);
-    run.args(["run", SCENE, "--quiet", "--force", "--out"])
-        .arg(&out);
+    run.args(["run", SCENE, "--quiet", "--force", "--out"]).arg(&out);
     // Checks of the scene that fail are the business of the step `scenes`.
     if !shell::run(root, &mut run)?.success && !out.join("checks.jsonl").exists() {
         return Err(format!("{SCENE} did not run"));
@@ -57,29 +56,17 @@ fn python_with_vtk(root: &Path) -> Result<PathBuf, String> {
     }
     println!("installing {VTK} into target/venv");
     // --no-deps: VTK asks for matplotlib, which reading files does not need.
-    let words = [
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-        "--no-deps",
-        VTK,
-    ];
+    let words =
+        ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-deps", VTK];
     let done = Command::new(&python).args(words).status();
     if done.is_ok_and(|s| s.success()) && imports_vtk(&python) {
         Ok(python)
     } else {
-        Err(format!(
-            "pip could not install {VTK} (network? Python version?)"
-        ))
+        Err(format!("pip could not install {VTK} (network? Python version?)"))
     }
 }
 
 fn imports_vtk(python: &Path) -> bool {
     let words = ["-c", "import vtkmodules.vtkIOXML"];
-    Command::new(python)
-        .args(words)
-        .output()
-        .is_ok_and(|o| o.status.success())
+    Command::new(python).args(words).output().is_ok_and(|o| o.status.success())
 }

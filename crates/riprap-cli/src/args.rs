@@ -282,28 +282,13 @@ pub struct Safety {
     #[arg(long, value_name = "F")]
     pub width: Option<String>,
     /// Interfaces whose strength is reduced, with commas between [default: all]
-    #[arg(
-        long,
-        value_name = "NAMES",
-        value_delimiter = ',',
-        conflicts_with = "quantity"
-    )]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "quantity")]
     pub interfaces: Vec<String>,
     /// Materials: only strengths between a block of one of them and any other are reduced [default: all]
-    #[arg(
-        long,
-        value_name = "NAMES",
-        value_delimiter = ',',
-        conflicts_with = "quantity"
-    )]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "quantity")]
     pub materials: Vec<String>,
     /// Groups of blocks: only strengths between a block of one of them and any other are reduced [default: all]
-    #[arg(
-        long,
-        value_name = "NAMES",
-        value_delimiter = ',',
-        conflicts_with = "quantity"
-    )]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "quantity")]
     pub groups: Vec<String>,
     /// Search for the limit of this key, in place of the factor of safety
     #[arg(long, value_name = "KEY", requires = "range")]
@@ -492,13 +477,8 @@ mod tests {
     #[test]
     fn set_is_split_at_the_first_equals_sign() {
         let cli = Cli::try_parse_from(["riprap", "run", "a.toml", "--set", "a.b=\"x=1\""]).unwrap();
-        let Verb::Run(run) = cli.verb else {
-            panic!("not run")
-        };
-        assert_eq!(
-            run.scene.change.set,
-            [("a.b".to_owned(), "\"x=1\"".to_owned())]
-        );
+        let Verb::Run(run) = cli.verb else { panic!("not run") };
+        assert_eq!(run.scene.change.set, [("a.b".to_owned(), "\"x=1\"".to_owned())]);
         assert!(Cli::try_parse_from(["riprap", "run", "a.toml", "--set", "a.b"]).is_err());
         assert!(Cli::try_parse_from(["riprap", "run", "a.toml", "--threads", "0"]).is_err());
     }
@@ -508,12 +488,7 @@ mod tests {
         for verb in Cli::command().get_subcommands() {
             assert!(verb.get_about().is_some(), "{}", verb.get_name());
             for argument in verb.get_arguments() {
-                assert!(
-                    argument.get_help().is_some(),
-                    "{} {}",
-                    verb.get_name(),
-                    argument.get_id()
-                );
+                assert!(argument.get_help().is_some(), "{} {}", verb.get_name(), argument.get_id());
             }
         }
     }

@@ -47,12 +47,10 @@ pub fn find(query: &str) -> Option<String> {
         .split_whitespace()
         .map(str::to_lowercase)
         .filter(|word| !SMALL.contains(&word.as_str()))
-        .flat_map(
-            |word| match CALLED.iter().find(|(there, _)| *there == word) {
-                Some((_, here)) => here.iter().map(|word| meanings(word)).collect(),
-                None => vec![meanings(&word)],
-            },
-        )
+        .flat_map(|word| match CALLED.iter().find(|(there, _)| *there == word) {
+            Some((_, here)) => here.iter().map(|word| meanings(word)).collect(),
+            None => vec![meanings(&word)],
+        })
         .collect();
     if wanted.is_empty() {
         return None;
@@ -84,26 +82,15 @@ fn meanings(word: &str) -> Vec<String> {
 fn count<'a>(words: impl Iterator<Item = (&'a str, u32)> + Clone, wanted: &[Vec<String>]) -> u32 {
     let of = |meanings: &[String]| {
         let fits = |word: &str| meanings.iter().any(|stem| word.starts_with(stem.as_str()));
-        words
-            .clone()
-            .filter(|(word, _)| fits(word))
-            .map(|(_, n)| n)
-            .sum::<u32>()
+        words.clone().filter(|(word, _)| fits(word)).map(|(_, n)| n).sum::<u32>()
     };
-    wanted
-        .iter()
-        .map(|meanings| of(meanings))
-        .min()
-        .unwrap_or(0)
+    wanted.iter().map(|meanings| of(meanings)).min().unwrap_or(0)
 }
 
 /// The words of a short text, each once.
 fn split(text: &str) -> Vec<(String, u32)> {
     let words = text.split(|c: char| !c.is_alphanumeric());
-    words
-        .filter(|w| !w.is_empty())
-        .map(|w| (w.to_lowercase(), 1))
-        .collect()
+    words.filter(|w| !w.is_empty()).map(|w| (w.to_lowercase(), 1)).collect()
 }
 
 fn count_in(text: &str, wanted: &[Vec<String>]) -> u32 {
@@ -118,10 +105,7 @@ type Rows = (Vec<[String; 2]>, usize);
 fn best(mut rows: Vec<(u32, [String; 2])>) -> Rows {
     rows.sort_by_key(|(mark, _)| std::cmp::Reverse(*mark));
     let all = rows.len();
-    (
-        rows.into_iter().take(MOST).map(|(_, row)| row).collect(),
-        all,
-    )
+    (rows.into_iter().take(MOST).map(|(_, row)| row).collect(), all)
 }
 
 fn keys(wanted: &[Vec<String>]) -> Rows {
@@ -174,9 +158,7 @@ pub fn field(name: &str) -> Option<String> {
 fn verbs(wanted: &[Vec<String>]) -> Rows {
     let mut rows: Vec<(u32, [String; 2])> = Vec::new();
     for verb in Cli::command().get_subcommands() {
-        let about = verb
-            .get_about()
-            .map_or_else(String::new, ToString::to_string);
+        let about = verb.get_about().map_or_else(String::new, ToString::to_string);
         let mark = count_in(&format!("{} {about}", verb.get_name()), wanted);
         if mark > 0 {
             rows.push((mark, [format!("riprap {}", verb.get_name()), about]));
@@ -236,12 +218,7 @@ fn section(text: &mut String, head: &str, (rows, all): Rows) {
         text.push('\n');
     }
     text.push_str(&format!("{head}{more}:\n"));
-    let width = rows
-        .iter()
-        .map(|[name, _]| name.len())
-        .max()
-        .unwrap_or(0)
-        .min(60);
+    let width = rows.iter().map(|[name, _]| name.len()).max().unwrap_or(0).min(60);
     for [name, about] in rows {
         text.push_str(&format!("  {name:<width$}  {about}\n"));
     }
@@ -291,10 +268,7 @@ mod tests {
     #[test]
     fn a_field_is_shown_in_both_spaces() {
         let said = field("block.velocity.x").expect("field");
-        assert!(
-            said.contains("space.planar") && said.contains(".z, .magnitude"),
-            "{said}"
-        );
+        assert!(said.contains("space.planar") && said.contains(".z, .magnitude"), "{said}");
         assert!(field("block.velocit").is_none());
     }
 

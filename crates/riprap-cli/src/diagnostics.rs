@@ -61,11 +61,7 @@ pub fn print(diagnostics: &Diagnostics, style: Style) {
             0 => String::new(),
             n => format!("; {n} of them not shown"),
         };
-        say(&format!(
-            "\n{}: {}{rest}",
-            diagnostics.source.name,
-            counted(errors, warnings)
-        ));
+        say(&format!("\n{}: {}{rest}", diagnostics.source.name, counted(errors, warnings)));
     }
 }
 
@@ -142,11 +138,7 @@ fn report(diagnostic: &Diagnostic, all: &Diagnostics) -> Report {
     let length = all.source.text.len();
     let start = span.start.min(length);
     let end = span.end.clamp(start, length);
-    report = report.with_label(LabeledSpan::new(
-        diagnostic.label.clone(),
-        start,
-        end - start,
-    ));
+    report = report.with_label(LabeledSpan::new(diagnostic.label.clone(), start, end - start));
     Report::new(report)
         .with_source_code(NamedSource::new(&all.source.name, all.source.text.clone()))
 }
@@ -168,10 +160,7 @@ mod tests {
     #[test]
     fn drawn_messages_show_the_source_without_colours() {
         let text = rendered(&dimension_error(), Style::Drawn);
-        assert!(
-            text.contains("slope.toml:2:11") && text.contains("an angle"),
-            "{text}"
-        );
+        assert!(text.contains("slope.toml:2:11") && text.contains("an angle"), "{text}");
         assert!(!text.contains('\u{1b}'), "{text:?}");
         assert!(rendered(&dimension_error(), Style::Coloured).contains('\u{1b}'));
     }
@@ -179,10 +168,7 @@ mod tests {
     #[test]
     fn plain_messages_begin_like_a_compiler() {
         let text = rendered(&dimension_error(), Style::Plain);
-        assert!(
-            text.starts_with("error[unit.dimension]: a density is expected"),
-            "{text}"
-        );
+        assert!(text.starts_with("error[unit.dimension]: a density is expected"), "{text}");
         assert!(text.contains("--> slope.toml:2:11"), "{text}");
     }
 
@@ -196,10 +182,7 @@ mod tests {
                 let odd = Diagnostics::new(source, list);
                 for style in [Style::Plain, Style::Drawn] {
                     let shown = rendered(&odd, style);
-                    assert!(
-                        shown.contains("wrong here") && shown.len() < 2000,
-                        "{shown}"
-                    );
+                    assert!(shown.contains("wrong here") && shown.len() < 2000, "{shown}");
                 }
             }
         }

@@ -94,10 +94,6 @@ impl From<JobError> for Failure {
             JobError::Folder(_) if !error.is_output() => format!("{error} (--out, --force)"),
             _ => error.to_string(),
         };
-        if error.is_output() {
-            Failure::Output(text)
-        } else {
-            Failure::Input(text)
-        }
+        if error.is_output() { Failure::Output(text) } else { Failure::Input(text) }
     }
 }

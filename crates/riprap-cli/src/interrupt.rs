@@ -41,10 +41,7 @@ impl Interrupt {
 
     /// The same for work that takes long to build: until [`Interrupt::begin`] the first Ctrl-C quits at once, with these words.
     pub fn listen_from_begin(early: impl Fn() -> String + Send + 'static) -> Result<Self, Failure> {
-        let interrupt = Self {
-            asked: Arc::default(),
-            begun: Arc::default(),
-        };
+        let interrupt = Self { asked: Arc::default(), begun: Arc::default() };
         let shared = interrupt.clone();
         ctrlc::set_handler(move || {
             if !shared.begun.load(Ordering::SeqCst) {

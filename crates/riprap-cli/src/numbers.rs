@@ -43,11 +43,8 @@ fn digits(value: f64) -> String {
 /// At most so many decimals, without trailing zeros.
 fn decimal(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &text
-    };
+    let text =
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if text == "-0" { "0" } else { text }.to_owned()
 }
 

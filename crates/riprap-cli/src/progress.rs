@@ -45,12 +45,7 @@ impl Display {
         } else {
             Form::Lines
         };
-        Display {
-            form,
-            label: String::new(),
-            last: None,
-            shown_phase: 0,
-        }
+        Display { form, label: String::new(), last: None, shown_phase: 0 }
     }
 
     /// Puts `label` in front of what follows.
@@ -114,11 +109,8 @@ impl Display {
 }
 
 fn head(p: &Progress) -> String {
-    let rate = if p.steps_per_second > 0.0 {
-        grouped(p.steps_per_second as u64)
-    } else {
-        "?".to_owned()
-    };
+    let rate =
+        if p.steps_per_second > 0.0 { grouped(p.steps_per_second as u64) } else { "?".to_owned() };
     format!(
         "phase {}/{} {:?}  step {}  t = {}  dt = {}  {rate} steps/s",
         p.phase_number.min(p.phases),
@@ -131,9 +123,7 @@ fn head(p: &Progress) -> String {
 }
 
 fn state(m: &Measured, energy_unit: &str) -> String {
-    let residual = m
-        .residual
-        .map_or("?".to_owned(), |share| ratio(100.0 * share));
+    let residual = m.residual.map_or("?".to_owned(), |share| ratio(100.0 * share));
     format!(
         "contacts {}  kinetic {}  unbalanced {}  energy residual {residual} %  worst overlap {} %",
         grouped(m.contacts as u64),
@@ -144,9 +134,7 @@ fn state(m: &Measured, energy_unit: &str) -> String {
 }
 
 fn percent(p: &Progress) -> String {
-    let share = p
-        .share
-        .map_or("  ? %".to_owned(), |s| format!("{:3.0} %", 100.0 * s));
+    let share = p.share.map_or("  ? %".to_owned(), |s| format!("{:3.0} %", 100.0 * s));
     let eta = p.remaining.map_or("?".to_owned(), duration);
     format!("{share}  ETA {eta}")
 }

@@ -82,10 +82,7 @@ pub fn prepare_file(
 pub fn warn(prepared: &Prepared, style: Style) {
     let warnings = prepared.model.warnings.clone();
     if !warnings.is_empty() {
-        diagnostics::print(
-            &Diagnostics::new(prepared.parsed.source.clone(), warnings),
-            style,
-        );
+        diagnostics::print(&Diagnostics::new(prepared.parsed.source.clone(), warnings), style);
     }
 }
 

@@ -37,17 +37,9 @@ pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String 
     let heads: Vec<String> = heads.iter().map(|head| (*head).to_owned()).collect();
     let mut text = String::new();
     for row in std::iter::once(&heads).chain(&rows) {
-        let cells = row
-            .iter()
-            .zip(&widths)
-            .enumerate()
-            .map(|(i, (cell, width))| {
-                if i == 0 {
-                    format!("{cell:<width$}")
-                } else {
-                    format!("{cell:>width$}")
-                }
-            });
+        let cells = row.iter().zip(&widths).enumerate().map(|(i, (cell, width))| {
+            if i == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+        });
         text.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
         text.push('\n');
     }
@@ -58,13 +50,7 @@ pub fn table(heads: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String 
 mod tests {
     #[test]
     fn columns_are_aligned() {
-        let rows = [
-            vec!["a".to_owned(), "1".to_owned()],
-            vec!["long".to_owned(), "20".to_owned()],
-        ];
-        assert_eq!(
-            super::table(&["x", "n"], rows.into_iter()),
-            "x      n\na      1\nlong  20\n"
-        );
+        let rows = [vec!["a".to_owned(), "1".to_owned()], vec!["long".to_owned(), "20".to_owned()]];
+        assert_eq!(super::table(&["x", "n"], rows.into_iter()), "x      n\na      1\nlong  20\n");
     }
 }

@@ -65,10 +65,7 @@ fn unknown(word: &str) -> String {
         Some(verb) => format!(
             "there is no verb {word:?}; did you mean `riprap {verb}`? `riprap --help` lists all"
         ),
-        None => format!(
-            "there is no verb {word:?}; the verbs are {}",
-            verbs.join(", ")
-        ),
+        None => format!("there is no verb {word:?}; the verbs are {}", verbs.join(", ")),
     }
 }
 
@@ -79,10 +76,7 @@ fn turned<'a>(word: &str, verbs: &[&'a str]) -> Option<&'a str> {
         letters.sort_unstable();
         letters
     };
-    verbs
-        .iter()
-        .copied()
-        .find(|verb| sorted(verb) == sorted(word))
+    verbs.iter().copied().find(|verb| sorted(verb) == sorted(word))
 }
 
 #[cfg(test)]

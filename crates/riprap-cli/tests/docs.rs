@@ -15,10 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// The root of the repository.
 fn repository() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .parent()
-        .and_then(Path::parent)
-        .expect("two levels up")
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().and_then(Path::parent).expect("two levels up")
 }
 
 /// `docs/src`.

@@ -41,9 +41,7 @@ pub struct Exec {
 
 impl std::fmt::Debug for Exec {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Exec")
-            .field("threads", &self.threads)
-            .finish_non_exhaustive()
+        f.debug_struct("Exec").field("threads", &self.threads).finish_non_exhaustive()
     }
 }
 
@@ -59,10 +57,7 @@ impl Exec {
     /// Runs everything on the calling thread.
     #[must_use]
     pub fn serial() -> Self {
-        Self {
-            pool: None,
-            threads: 1,
-        }
+        Self { pool: None, threads: 1 }
     }
 
     /// A pool of `threads` threads; 0 and 1 run on the calling thread.
@@ -76,14 +71,8 @@ impl Exec {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
-            .map_err(|e| ExecError {
-                threads,
-                reason: e.to_string(),
-            })?;
-        Ok(Self {
-            pool: Some(pool),
-            threads,
-        })
+            .map_err(|e| ExecError { threads, reason: e.to_string() })?;
+        Ok(Self { pool: Some(pool), threads })
     }
 
     /// Number of threads.
@@ -183,15 +172,9 @@ impl Exec {
     pub fn chunks<A: Send>(&self, items: &mut [A], f: impl Fn(usize, &mut [A]) + Sync) {
         match &self.pool {
             Some(pool) if items.len() > CHUNK => pool.install(|| {
-                items
-                    .par_chunks_mut(CHUNK)
-                    .enumerate()
-                    .for_each(|(k, chunk)| f(k * CHUNK, chunk));
+                items.par_chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| f(k * CHUNK, chunk));
             }),
-            _ => items
-                .chunks_mut(CHUNK)
-                .enumerate()
-                .for_each(|(k, chunk)| f(k * CHUNK, chunk)),
+            _ => items.chunks_mut(CHUNK).enumerate().for_each(|(k, chunk)| f(k * CHUNK, chunk)),
         }
     }
 
@@ -209,15 +192,9 @@ impl Exec {
         let range = |k: usize| k * CHUNK..count.min((k + 1) * CHUNK);
         match &self.pool {
             Some(pool) if count > CHUNK => pool.install(|| {
-                partials
-                    .par_iter_mut()
-                    .enumerate()
-                    .for_each(|(k, p)| f(range(k), p));
+                partials.par_iter_mut().enumerate().for_each(|(k, p)| f(range(k), p));
             }),
-            _ => partials
-                .iter_mut()
-                .enumerate()
-                .for_each(|(k, p)| f(range(k), p)),
+            _ => partials.iter_mut().enumerate().for_each(|(k, p)| f(range(k), p)),
         }
     }
 
@@ -276,10 +253,7 @@ impl Exec {
             groups.map(one).fold(Tree::default(), tree).sum()
         };
         match self.pool {
-            Some(_) => self
-                .chunked(n, chunk)
-                .into_iter()
-                .fold(Tree::default(), tree),
+            Some(_) => self.chunked(n, chunk).into_iter().fold(Tree::default(), tree),
             // Without a list: a look on one thread allocates nothing.
             None => chunks_of(n).map(chunk).fold(Tree::default(), tree),
         }
@@ -344,10 +318,7 @@ fn halve<W: Divide>(work: W, at: usize, chunks: usize, f: &(impl Fn(usize, W) + 
     }
     let middle = chunks / 2;
     let (first, others) = work.divide(middle);
-    rayon::join(
-        || halve(first, at, middle, f),
-        || halve(others, at + middle, chunks - middle, f),
-    );
+    rayon::join(|| halve(first, at, middle, f), || halve(others, at + middle, chunks - middle, f));
 }
 
 /// Works on whole items side by side on `threads` threads and hands the results to `done` in the

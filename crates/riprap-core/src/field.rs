@@ -146,10 +146,7 @@ pub fn first(of: &[u32]) -> usize {
 /// The two blocks that a field is asked of.
 #[must_use]
 pub fn pair(of: &[u32]) -> (u32, u32) {
-    (
-        of.first().copied().unwrap_or(0),
-        of.get(1).copied().unwrap_or(0),
-    )
+    (of.first().copied().unwrap_or(0), of.get(1).copied().unwrap_or(0))
 }
 
 /// The part of a field that a name asks for.
@@ -282,22 +279,14 @@ pub fn place(table: &[FieldInfo], name: &str) -> Result<(usize, Part), FieldErro
     let (stem, part) = Part::split(name);
     match of(stem) {
         Some(k) if table[k].shape.has(part) => Ok((k, part)),
-        Some(k) if table[k].shape != Shape::Scalar => Err(FieldError::NoSuchComponent {
-            name: name.to_owned(),
-            field: stem.to_owned(),
-        }),
-        Some(_) => Err(FieldError::NoComponents {
-            name: name.to_owned(),
-            field: stem.to_owned(),
-        }),
+        Some(k) if table[k].shape != Shape::Scalar => {
+            Err(FieldError::NoSuchComponent { name: name.to_owned(), field: stem.to_owned() })
+        }
+        Some(_) => Err(FieldError::NoComponents { name: name.to_owned(), field: stem.to_owned() }),
         None => {
             let known: Vec<String> = table.iter().map(|f| f.name.to_owned()).collect();
             let suggestion = nearest(stem, known.iter().map(String::as_str)).map(str::to_owned);
-            Err(FieldError::Unknown {
-                name: name.to_owned(),
-                suggestion,
-                known,
-            })
+            Err(FieldError::Unknown { name: name.to_owned(), suggestion, known })
         }
     }
 }
@@ -322,11 +311,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
 
 /// Written in a column head: `slip [m]`, or `ratio` when the unit is `-` or empty.
 pub fn with_unit(name: &str, unit: &str) -> String {
-    if unit.is_empty() || unit == "-" {
-        name.to_owned()
-    } else {
-        format!("{name} [{unit}]")
-    }
+    if unit.is_empty() || unit == "-" { name.to_owned() } else { format!("{name} [{unit}]") }
 }
 
 /// Takes a column head apart: `slip [m]` gives `("slip", "m")`, `step` gives `("step", "-")`.
@@ -376,10 +361,7 @@ mod tests {
     fn components_are_found() {
         assert_eq!(find(TABLE, "block.velocity").unwrap().1, Part::Whole);
         assert_eq!(find(TABLE, "block.velocity.y").unwrap().1, Part::Y);
-        assert_eq!(
-            find(TABLE, "block.velocity.magnitude").unwrap().1,
-            Part::Magnitude
-        );
+        assert_eq!(find(TABLE, "block.velocity.magnitude").unwrap().1, Part::Magnitude);
         assert_eq!(Part::Magnitude.of(&[3.0, -4.0]), Some(5.0));
         assert_eq!(Part::Whole.of(&[3.0, -4.0]), None);
     }
@@ -401,17 +383,11 @@ mod tests {
     #[test]
     fn wrong_names_are_explained() {
         let message = find(TABLE, "block.velocty.x").unwrap_err().to_string();
-        assert!(
-            message.contains("did you mean `block.velocity`"),
-            "{message}"
-        );
+        assert!(message.contains("did you mean `block.velocity`"), "{message}");
         assert!(message.contains("block.rotation"), "{message}");
         let message = find(TABLE, "block.rotation.x").unwrap_err().to_string();
         assert!(message.contains("write `block.rotation`"), "{message}");
-        assert_eq!(
-            nearest("rotation", TABLE.iter().map(|f| f.name)),
-            Some("block.rotation")
-        );
+        assert_eq!(nearest("rotation", TABLE.iter().map(|f| f.name)), Some("block.rotation"));
         assert_eq!(nearest("qqqq", TABLE.iter().map(|f| f.name)), None);
     }
 

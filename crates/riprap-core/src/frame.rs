@@ -28,12 +28,7 @@ pub struct Column {
 impl Column {
     /// One number per item.
     pub fn scalar(name: &str, unit: &str, data: Vec<f64>) -> Self {
-        Column {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            components: 1,
-            data,
-        }
+        Column { name: name.to_owned(), unit: unit.to_owned(), components: 1, data }
     }
 
     /// One vector per item.
@@ -71,15 +66,8 @@ impl Column {
         if self.components == 1 {
             return self.data.clone();
         }
-        let part = if part == Part::Whole {
-            Part::Magnitude
-        } else {
-            part
-        };
-        self.data
-            .chunks(self.components)
-            .map(|v| part.of(v).unwrap_or(f64::NAN))
-            .collect()
+        let part = if part == Part::Whole { Part::Magnitude } else { part };
+        self.data.chunks(self.components).map(|v| part.of(v).unwrap_or(f64::NAN)).collect()
     }
 }
 
@@ -102,11 +90,7 @@ pub fn usual(sizes: &[f64]) -> f64 {
     }
     let left_out = (STRAY * finite.len() as f64).ceil() as usize;
     let most = finite[finite.len() - 1 - left_out];
-    if most > 0.0 && largest > 2.0 * most {
-        most
-    } else {
-        largest
-    }
+    if most > 0.0 && largest > 2.0 * most { most } else { largest }
 }
 
 /// Faces of solid blocks.
@@ -134,14 +118,8 @@ pub const BRICK: [[f64; 3]; 8] = [
 ];
 
 /// Faces of a brick with corners as in [`BRICK`], anticlockwise seen from outside: -z, +z, -y, +y, -x, +x.
-pub const BRICK_FACES: [[u32; 4]; 6] = [
-    [0, 3, 2, 1],
-    [4, 5, 6, 7],
-    [0, 1, 5, 4],
-    [3, 7, 6, 2],
-    [0, 4, 7, 3],
-    [1, 2, 6, 5],
-];
+pub const BRICK_FACES: [[u32; 4]; 6] =
+    [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [3, 7, 6, 2], [0, 4, 7, 3], [1, 2, 6, 5]];
 
 impl Solids {
     /// Faces of block `i`, which has `points` corners; corners counted from its first point.

@@ -214,11 +214,7 @@ pub fn scaled<T: Number>(factor: T, v: &[T; 3]) -> [T; 3] {
 #[inline(always)]
 #[must_use]
 pub fn cross<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Sum.

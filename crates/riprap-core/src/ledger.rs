@@ -88,10 +88,7 @@ impl Works {
     /// Books what friction and fracture have taken in a step. Where the ledger of a law says that it has *made* energy, the step was too
     /// long for it: that is an error of the law, and dissipation never shrinks.
     pub fn dissipate(&mut self, friction: f64, fracture: f64) {
-        for (line, lost) in [
-            (&mut self.friction, friction),
-            (&mut self.fracture, fracture),
-        ] {
+        for (line, lost) in [(&mut self.friction, friction), (&mut self.fracture, fracture)] {
             if lost < 0.0 {
                 self.law_defect -= lost;
             } else {
@@ -282,11 +279,7 @@ impl Balance {
     #[must_use]
     pub fn share(&self, what: Unexplained) -> f64 {
         let scale = self.scale();
-        if scale > 0.0 {
-            what.of(self) / scale
-        } else {
-            0.0
-        }
+        if scale > 0.0 { what.of(self) / scale } else { 0.0 }
     }
 }
 
@@ -374,11 +367,7 @@ mod tests {
 
     #[test]
     fn local_damping_may_give_back_and_a_dashpot_may_not() {
-        let mut works = Works {
-            damping: 5.0,
-            local: 5.0,
-            ..Works::default()
-        };
+        let mut works = Works { damping: 5.0, local: 5.0, ..Works::default() };
         works.settle();
         (works.damping, works.local) = (4.0, 4.0);
         works.settle();
@@ -393,17 +382,8 @@ mod tests {
 
     #[test]
     fn the_columns_leave_the_residual() {
-        let works = Works {
-            loads: 3.0,
-            friction: 1.0,
-            step_change: -0.5,
-            ..Works::default()
-        };
-        let balance = Balance {
-            kinetic: 1.0,
-            works,
-            ..Balance::default()
-        };
+        let works = Works { loads: 3.0, friction: 1.0, step_change: -0.5, ..Works::default() };
+        let balance = Balance { kinetic: 1.0, works, ..Balance::default() };
         assert_eq!(balance.residual(), 1.0 - (3.0 - 1.0 - 0.5));
     }
 }

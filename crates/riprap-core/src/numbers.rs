@@ -20,9 +20,5 @@ pub fn below(
 /// # Errors
 /// A list of another length.
 pub fn one_each(what: &str, length: usize, count: usize) -> Result<(), String> {
-    if length == count {
-        Ok(())
-    } else {
-        Err(format!("there are {length} {what} of {count}"))
-    }
+    if length == count { Ok(()) } else { Err(format!("there are {length} {what} of {count}")) }
 }

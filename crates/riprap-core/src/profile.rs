@@ -20,9 +20,6 @@ impl Profile {
     /// Stages in the order of first use, with seconds spent.
     #[must_use]
     pub fn seconds(&self) -> Vec<(String, f64)> {
-        self.stages
-            .iter()
-            .map(|(name, time)| ((*name).to_owned(), time.as_secs_f64()))
-            .collect()
+        self.stages.iter().map(|(name, time)| ((*name).to_owned(), time.as_secs_f64())).collect()
     }
 }

@@ -66,10 +66,7 @@ mod tests {
         sets.join([4, 5]);
         sets.join([1, 4]);
         sets.join([0, 2]);
-        assert_eq!(
-            [0, 1, 2, 3, 4, 5].map(|k| sets.leader(k)),
-            [0, 1, 0, 3, 1, 1]
-        );
+        assert_eq!([0, 1, 2, 3, 4, 5].map(|k| sets.leader(k)), [0, 1, 0, 3, 1, 1]);
         assert_eq!(sets.largest(|_| true), Some((1, 3)));
         // Without one of its members the larger set is no larger than the first.
         assert_eq!(sets.largest(|k| k != 5), Some((0, 2)));

@@ -27,10 +27,7 @@ pub struct Tree<const N: usize> {
 
 impl<const N: usize> Default for Tree<N> {
     fn default() -> Self {
-        Self {
-            levels: [[0.0; N]; 48],
-            count: 0,
-        }
+        Self { levels: [[0.0; N]; 48], count: 0 }
     }
 }
 

@@ -8,10 +8,8 @@ const BY_HAND: &str = "corpus";
 /// What `cargo xtask fuzz --keep` found: the fewest inputs that reach all the code that it reached.
 pub const FOUND: &str = "found";
 /// Files that the tests of the readers have: those with the name of a target as their extension belong to its corpus too.
-const DATA: [&str; 2] = [
-    "../riprap-scenario/tests/data/msh",
-    "../riprap-scenario/tests/data/shapes",
-];
+const DATA: [&str; 2] =
+    ["../riprap-scenario/tests/data/msh", "../riprap-scenario/tests/data/shapes"];
 
 /// The folder of this crate.
 #[must_use]

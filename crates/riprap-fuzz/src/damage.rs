@@ -16,10 +16,8 @@ impl Chance {
 
     /// A whole number below `limit`, or 0.
     pub fn below(&mut self, limit: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         // The low bits of such a generator repeat soon.
         usize::try_from(self.0 >> 33).unwrap_or(0) % limit.max(1)
     }

@@ -134,9 +134,7 @@ pub fn campaign_after(
             Outcome::Refused => {}
             Outcome::Taken if target.sealed && !pool.contains(&input) => {
                 let place = keep(target, tally.failures.len(), &input);
-                tally
-                    .failures
-                    .push((place, "a damaged one was taken".to_owned()));
+                tally.failures.push((place, "a damaged one was taken".to_owned()));
             }
             Outcome::Taken => {
                 tally.taken += 1;

@@ -28,11 +28,7 @@ impl<'a> Numbers<'a> {
         let (two, rest) = self.bytes.split_at_checked(2)?;
         self.bytes = rest;
         let whole = i16::from_le_bytes([two[0], two[1]]);
-        Some(if self.coarse {
-            f64::from(whole >> 8) / 128.0
-        } else {
-            f64::from(whole) / 32768.0
-        })
+        Some(if self.coarse { f64::from(whole >> 8) / 128.0 } else { f64::from(whole) / 32768.0 })
     }
 
     fn plane(&mut self) -> Option<Vec2> {
@@ -69,10 +65,7 @@ fn polygon(numbers: &mut Numbers) -> Option<Vec<Vec2>> {
 
 pub fn clip(bytes: &[u8]) -> bool {
     let mut numbers = Numbers::new(bytes);
-    let Some([a, b]) = polygon(&mut numbers)
-        .zip(polygon(&mut numbers))
-        .map(<[_; 2]>::from)
-    else {
+    let Some([a, b]) = polygon(&mut numbers).zip(polygon(&mut numbers)).map(<[_; 2]>::from) else {
         return false;
     };
     let (Some(point), Some(direction)) = (numbers.plane(), numbers.plane()) else {
@@ -96,10 +89,7 @@ pub fn clip(bytes: &[u8]) -> bool {
     let half = |direction| clip_simple(&a, HalfPlane { point, direction });
     if let (Ok(left), Ok(right)) = (half(direction), half(-direction)) {
         let sum: f64 = left.iter().chain(&right).map(|p| signed_area(p)).sum();
-        assert!(
-            (sum - whole).abs() <= 1e-9 * whole + 1e-12,
-            "parts have {sum:e} of {whole:e}"
-        );
+        assert!((sum - whole).abs() <= 1e-9 * whole + 1e-12, "parts have {sum:e} of {whole:e}");
     }
     true
 }
@@ -124,30 +114,18 @@ pub fn cut(bytes: &[u8]) -> bool {
     // The faces of a hull are flat within 1e-6 of its size, and a cut divides them into other triangles.
     let slack = 1e-5 * solid.size() * solid.size() * solid.size();
     let count = 1 + u32::from(bytes[0] >> 1) % 7;
-    if let Ok(done) = cut_solid(
-        &solid,
-        normal,
-        Cuts::Anchored { count, at },
-        &Limits::default(),
-    ) {
+    if let Ok(done) = cut_solid(&solid, normal, Cuts::Anchored { count, at }, &Limits::default()) {
         let mut sum = 0.0;
         for part in &done.parts {
             // Corners near a plane count as in it, so that faces may be crooked; the surface is closed all the same.
             let faces = 0..part.solid.faces.len();
             let open: Vec3 = faces.map(|f| part.solid.area_vector(f)).sum();
-            assert!(
-                open.length() <= 1e-12,
-                "the surface of a part is open by {:e}",
-                open.length()
-            );
+            assert!(open.length() <= 1e-12, "the surface of a part is open by {:e}", open.length());
             let own = part.mesh.volume();
             assert!(own > 0.0, "a part has the volume {own:e}");
             sum += own;
         }
-        assert!(
-            (sum - whole).abs() <= slack,
-            "parts have {sum:e} of {whole:e}"
-        );
+        assert!((sum - whole).abs() <= slack, "parts have {sum:e} of {whole:e}");
     }
     let unit = normal.normalize_or_zero();
     if unit == Vec3::ZERO {
@@ -159,20 +137,14 @@ pub fn cut(bytes: &[u8]) -> bool {
         Sliced::Part(part) => part.moments().volume,
     };
     let sum = volume(unit) + volume(-unit);
-    assert!(
-        (sum - whole).abs() <= slack,
-        "halves have {sum:e} of {whole:e}"
-    );
+    assert!((sum - whole).abs() <= slack, "halves have {sum:e} of {whole:e}");
     true
 }
 
 /// One block at the origin, the other turned and shifted: what is found of them as A and B and as B and A.
 pub fn contact(bytes: &[u8]) -> bool {
     let mut numbers = Numbers::new(bytes);
-    let Some([a, b]) = solid(&mut numbers)
-        .zip(solid(&mut numbers))
-        .map(<[_; 2]>::from)
-    else {
+    let Some([a, b]) = solid(&mut numbers).zip(solid(&mut numbers)).map(<[_; 2]>::from) else {
         return false;
     };
     let (Some(shift), Some(axis), Some(angle)) = (numbers.space(), numbers.space(), numbers.next())
@@ -184,27 +156,17 @@ pub fn contact(bytes: &[u8]) -> bool {
         return false;
     };
     let axis = axis.normalize_or_zero();
-    let rotation = if axis == Vec3::ZERO {
-        Quat::IDENTITY
-    } else {
-        Quat::from_axis_angle(axis, 3.0 * angle)
-    };
+    let rotation =
+        if axis == Vec3::ZERO { Quat::IDENTITY } else { Quat::from_axis_angle(axis, 3.0 * angle) };
     let place = 2.0 * shift;
     let forth = meet([a, b], [(Quat::IDENTITY, Vec3::ZERO), (rotation, place)]);
     let back = meet([b, a], [(rotation, place), (Quat::IDENTITY, Vec3::ZERO)]);
     if let [Some(forth), Some(back)] = [forth, back] {
         let scale = forth.weight.abs().max(1e-9);
-        assert!(
-            forth.unlabelled == 0,
-            "an edge of the surface is of no plane"
-        );
-        for value in [
-            forth.weight,
-            forth.area,
-            forth.depth,
-            forth.force.length(),
-            forth.moment.length(),
-        ] {
+        assert!(forth.unlabelled == 0, "an edge of the surface is of no plane");
+        for value in
+            [forth.weight, forth.area, forth.depth, forth.force.length(), forth.moment.length()]
+        {
             assert!(value.is_finite(), "a sum over the surface is {value}");
         }
         assert!(

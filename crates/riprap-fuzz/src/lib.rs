@@ -49,28 +49,13 @@ pub const TARGETS: &[Target] = &[
         readers::formula,
         1_400_000,
     ),
-    text(
-        "quantity",
-        "numbers with units",
-        readers::quantity,
-        1_400_000,
-    ),
-    text(
-        "columns",
-        "columns of a CSV file with units",
-        readers::columns,
-        180_000,
-    ),
+    text("quantity", "numbers with units", readers::quantity, 1_400_000),
+    text("columns", "columns of a CSV file with units", readers::columns, 180_000),
     text("table", "histories of a run", readers::table, 220_000),
     text("dxf", "drawings", readers::dxf, 90_000),
     text("tess", "cells of a tessellation", readers::tess, 150_000),
     text("asc", "grids of heights", readers::asc, 2_200_000),
-    bytes(
-        "stl",
-        "surfaces, as solids and as terrain",
-        readers::stl,
-        420_000,
-    ),
+    bytes("stl", "surfaces, as solids and as terrain", readers::stl, 420_000),
     bytes("msh", "meshes", readers::msh, 850_000),
     text(
         "network",
@@ -89,24 +74,14 @@ pub const TARGETS: &[Target] = &[
             2_000_000,
         )
     },
-    text(
-        "scene",
-        "scenes, from the text to the third step",
-        scenes::first_steps,
-        3_000,
-    ),
+    text("scene", "scenes, from the text to the third step", scenes::first_steps, 3_000),
     bytes(
         "clip",
         "polygons cut by a line and laid over each other: areas add up",
         kernels::clip,
         480_000,
     ),
-    bytes(
-        "cut",
-        "polyhedra cut by planes: volumes add up, parts are sound",
-        kernels::cut,
-        150_000,
-    ),
+    bytes("cut", "polyhedra cut by planes: volumes add up, parts are sound", kernels::cut, 150_000),
     bytes(
         "contact",
         "two polyhedra in each other: forces are finite, closed and do not depend on the order",
@@ -122,15 +97,7 @@ const fn text(
     run: fn(&[u8]) -> bool,
     short: u64,
 ) -> Target {
-    Target {
-        name,
-        about,
-        text: true,
-        run,
-        made: Vec::new,
-        sealed: false,
-        short,
-    }
+    Target { name, about, text: true, run, made: Vec::new, sealed: false, short }
 }
 
 #[cfg(feature = "targets")]
@@ -140,10 +107,7 @@ const fn bytes(
     run: fn(&[u8]) -> bool,
     short: u64,
 ) -> Target {
-    Target {
-        text: false,
-        ..text(name, about, run, short)
-    }
+    Target { text: false, ..text(name, about, run, short) }
 }
 
 /// The target of that name.
@@ -165,23 +129,10 @@ mod tests {
             let seeds = seeds(target).unwrap();
             assert!(!seeds.files.is_empty(), "{}: no corpus", target.name);
             let tally = campaign(target, &seeds, 1, target.short);
-            assert!(
-                tally.failures.is_empty(),
-                "{}: {:#?}",
-                target.name,
-                tally.failures
-            );
-            assert!(
-                tally.sound > 0,
-                "{}: no file of its corpus is taken",
-                target.name
-            );
+            assert!(tally.failures.is_empty(), "{}: {:#?}", target.name, tally.failures);
+            assert!(tally.sound > 0, "{}: no file of its corpus is taken", target.name);
             // Damage that is always refused tests the first line of a reader alone.
-            assert!(
-                tally.taken > 0 || target.sealed,
-                "{}: nothing damaged was taken",
-                target.name
-            );
+            assert!(tally.taken > 0 || target.sealed, "{}: nothing damaged was taken", target.name);
         }
     }
 
@@ -206,14 +157,8 @@ mod tests {
             assert!(bytes.len() != 3, "three bytes");
             true
         }
-        let target = Target {
-            run: fails,
-            ..TARGETS[0]
-        };
+        let target = Target { run: fails, ..TARGETS[0] };
         assert_eq!(attempt(&target, b"ab"), Outcome::Taken);
-        assert_eq!(
-            attempt(&target, b"abc"),
-            Outcome::Failed("three bytes".to_owned())
-        );
+        assert_eq!(attempt(&target, b"abc"), Outcome::Failed("three bytes".to_owned()));
     }
 }

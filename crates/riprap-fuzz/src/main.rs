@@ -27,18 +27,13 @@ fn asked() -> Result<Asked, String> {
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         let mut value = || words.next().ok_or(format!("{word} wants a value"));
-        let number = |text: String| {
-            text.parse()
-                .map_err(|_| format!("{text} is no whole number"))
-        };
+        let number = |text: String| text.parse().map_err(|_| format!("{text} is no whole number"));
         match word.as_str() {
             "--target" => {
                 let name = value()?;
                 let known: Vec<&str> = TARGETS.iter().map(|t| t.name).collect();
-                let found = target(&name).ok_or(format!(
-                    "no target is called {name}; there are {}",
-                    known.join(", ")
-                ))?;
+                let found = target(&name)
+                    .ok_or(format!("no target is called {name}; there are {}", known.join(", ")))?;
                 asked.targets = vec![found];
             }
             "--tries" => asked.tries = Some(number(value()?)?),
@@ -89,17 +84,12 @@ fn try_target(target: &Target, asked: &Asked) -> bool {
     };
     let begin = Instant::now();
     let mut unwritten = None;
-    let tally = campaign_after(
-        target,
-        &seeds,
-        asked.seed,
-        asked.tries.unwrap_or(1_000_000),
-        |input| {
+    let tally =
+        campaign_after(target, &seeds, asked.seed, asked.tries.unwrap_or(1_000_000), |input| {
             if let Some(last) = &asked.last {
                 unwritten = std::fs::write(last, input).err();
             }
-        },
-    );
+        });
     if let Some(error) = unwritten {
         eprintln!("--last: {error}");
     }

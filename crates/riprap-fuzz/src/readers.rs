@@ -37,9 +37,8 @@ pub fn quantity(bytes: &[u8]) -> bool {
 
 pub fn columns(bytes: &[u8]) -> bool {
     let columns = [["x"], ["y"], ["z"]];
-    let columns = columns
-        .each_ref()
-        .map(|name| csv_columns::Column::chosen(name, units::Dim::LENGTH, "m"));
+    let columns =
+        columns.each_ref().map(|name| csv_columns::Column::chosen(name, units::Dim::LENGTH, "m"));
     csv_columns::parse_table(bytes, &columns).is_ok()
 }
 
@@ -65,10 +64,7 @@ pub fn asc(bytes: &[u8]) -> bool {
 
 pub fn stl(bytes: &[u8]) -> bool {
     // Both in any case: what one refuses the other may fail on.
-    let (solids, surface) = (
-        stl::parse_stl(bytes).is_ok(),
-        stl::parse_surface(bytes).is_ok(),
-    );
+    let (solids, surface) = (stl::parse_stl(bytes).is_ok(), stl::parse_surface(bytes).is_ok());
     solids || surface
 }
 

@@ -30,10 +30,7 @@ pub fn first_steps(bytes: &[u8]) -> bool {
     if simulation.advance(STEPS).is_ok()
         && let Ok(energy) = simulation.field::<&str>("energy.kinetic", &[])
     {
-        assert!(
-            energy.is_finite(),
-            "it goes on with a kinetic energy of {energy}"
-        );
+        assert!(energy.is_finite(), "it goes on with a kinetic energy of {energy}");
     }
     true
 }

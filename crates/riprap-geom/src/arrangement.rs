@@ -101,11 +101,7 @@ pub(crate) fn cut_region_within(
     for cut in cuts {
         for (vertex, p) in [cut.from, cut.to].into_iter().enumerate() {
             if !(p.x.abs() < 1e150 && p.y.abs() < 1e150) {
-                return Err(GeomError::NonFinite {
-                    vertex,
-                    x: p.x,
-                    y: p.y,
-                });
+                return Err(GeomError::NonFinite { vertex, x: p.x, y: p.y });
             }
         }
     }
@@ -126,11 +122,7 @@ fn attempt(region: &[Vec2], cuts: &[Cut], snap: f64) -> Result<Subdivision, Geom
     let local: Vec<Vec2> = region.iter().map(|&v| v - origin).collect();
     let moved: Vec<Cut> = cuts
         .iter()
-        .map(|c| Cut {
-            from: c.from - origin,
-            to: c.to - origin,
-            family: c.family,
-        })
+        .map(|c| Cut { from: c.from - origin, to: c.to - origin, family: c.family })
         .collect();
     let mut points = PointStore::new(snap * bounds.size());
     for (vertex, &v) in local.iter().enumerate() {
@@ -151,11 +143,7 @@ fn attempt(region: &[Vec2], cuts: &[Cut], snap: f64) -> Result<Subdivision, Geom
     }
     // Corners of the region keep their bits: the way to the middle and back would round them.
     let global = |(i, &p): (usize, &Vec2)| {
-        if i < region.len() {
-            region[i]
-        } else {
-            p + origin
-        }
+        if i < region.len() { region[i] } else { p + origin }
     };
     let place = bounds.min.abs().max(bounds.max.abs()).max_element();
     let mut result = Subdivision {
@@ -181,9 +169,7 @@ fn audit(result: &Subdivision, area: f64) -> Result<(), GeomError> {
         sum += polygon::signed_area(&outline);
     }
     if (sum / area - 1.0).abs() > 1e-9 {
-        return Err(GeomError::Arrangement {
-            at: result.points[0],
-        });
+        return Err(GeomError::Arrangement { at: result.points[0] });
     }
     Ok(())
 }
@@ -210,10 +196,7 @@ impl PointStore {
     /// Number of the point nearest to `p` within the distance, or a new one.
     fn place(&mut self, p: Vec2) -> u32 {
         let key = |x: f64| (x / self.cell).floor() as i64;
-        let (low, high) = (
-            p - Vec2::splat(self.distance),
-            p + Vec2::splat(self.distance),
-        );
+        let (low, high) = (p - Vec2::splat(self.distance), p + Vec2::splat(self.distance));
         let mut nearest: Option<(f64, u32)> = None;
         for cx in key(low.x)..=key(high.x) {
             for cy in key(low.y)..=key(high.y) {
@@ -242,11 +225,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn cut(from: (f64, f64), to: (f64, f64)) -> Cut {
-        Cut {
-            from: from.into(),
-            to: to.into(),
-            family: None,
-        }
+        Cut { from: from.into(), to: to.into(), family: None }
     }
 
     fn square(side: f64) -> Vec<Vec2> {
@@ -254,11 +233,7 @@ mod tests {
     }
 
     fn area(result: &Subdivision) -> f64 {
-        result
-            .polygons()
-            .iter()
-            .map(|p| polygon::signed_area(p))
-            .sum()
+        result.polygons().iter().map(|p| polygon::signed_area(p)).sum()
     }
 
     #[test]
@@ -286,11 +261,7 @@ mod tests {
     fn an_island_belongs_to_its_block() {
         let mut ring: Vec<Cut> = Vec::new();
         for (a, b) in polygon::edges(&square(1.0)) {
-            ring.push(Cut {
-                from: a + Vec2::ONE,
-                to: b + Vec2::ONE,
-                family: None,
-            });
+            ring.push(Cut { from: a + Vec2::ONE, to: b + Vec2::ONE, family: None });
         }
         let s = cut_region(&square(4.0), &ring).unwrap();
         assert_eq!((s.faces.len(), s.removed.islands), (1, 4));
@@ -299,11 +270,8 @@ mod tests {
         let s = cut_region(&square(4.0), &ring).unwrap();
         assert_eq!(s.faces.len(), 1);
         // Hanging on one point of the outline.
-        let fan = [
-            cut((0.0, 2.0), (2.0, 1.0)),
-            cut((2.0, 1.0), (2.0, 3.0)),
-            cut((2.0, 3.0), (0.0, 2.0)),
-        ];
+        let fan =
+            [cut((0.0, 2.0), (2.0, 1.0)), cut((2.0, 1.0), (2.0, 3.0)), cut((2.0, 3.0), (0.0, 2.0))];
         let s = cut_region(&square(4.0), &fan).unwrap();
         assert_eq!(s.faces.len(), 1);
         // Two cracks link it: it is a block, and its surroundings are two.
@@ -319,11 +287,8 @@ mod tests {
         let s = cut_region(&u, &[cut((-1.0, 2.0), (9.0, 2.5))]).unwrap();
         assert_eq!(s.faces.len(), 3);
         // Along an edge, through corners: nothing new from the first, a cut from the second.
-        let s = cut_region(
-            &u,
-            &[cut((-1.0, 1.0), (9.0, 1.0)), cut((1.0, 4.0), (1.0, -1.0))],
-        )
-        .unwrap();
+        let s =
+            cut_region(&u, &[cut((-1.0, 1.0), (9.0, 1.0)), cut((1.0, 4.0), (1.0, -1.0))]).unwrap();
         assert_eq!(s.faces.len(), 4);
         assert_eq!(area(&s), polygon::signed_area(&u));
     }

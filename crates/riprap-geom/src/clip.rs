@@ -44,13 +44,7 @@ pub fn intersect_convex(a: &[Vec2], b: &[Vec2]) -> Vec<Vec2> {
         if part.len() < 3 {
             return Vec::new();
         }
-        part = clip_convex(
-            &part,
-            HalfPlane {
-                point: from,
-                direction: to - from,
-            },
-        );
+        part = clip_convex(&part, HalfPlane { point: from, direction: to - from });
     }
     if part.len() < 3 { Vec::new() } else { part }
 }
@@ -64,11 +58,7 @@ pub fn clip_simple(vertices: &[Vec2], half: HalfPlane) -> Result<Vec<Vec<Vec2>>,
     let direction = half.direction.normalize_or_zero();
     let foot = half.point + (bounds.centre() - half.point).dot(direction) * direction;
     let reach = bounds.size() * direction;
-    let cut = Cut {
-        from: foot - reach,
-        to: foot + reach,
-        family: None,
-    };
+    let cut = Cut { from: foot - reach, to: foot + reach, family: None };
     let parts = arrangement::cut_region(vertices, &[cut])?.polygons();
     let farthest = |p: &Vec<Vec2>| {
         let heights = p.iter().map(|&v| half.height(v));
@@ -128,10 +118,7 @@ pub struct Overlap {
 /// (one block wholly on top of its twin has no boundary inside). The largest value along a piece is
 /// found by sampling and refining: an estimate good to a percent, and exact to round-off at 0.
 pub fn overlap_depth(a: &[Vec2], b: &[Vec2]) -> Overlap {
-    let mut worst = Overlap {
-        depth: 0.0,
-        at: a.first().copied().unwrap_or(Vec2::ZERO),
-    };
+    let mut worst = Overlap { depth: 0.0, at: a.first().copied().unwrap_or(Vec2::ZERO) };
     let (box_a, box_b) = (Aabb::of(a), Aabb::of(b));
     if a.len() < 3 || b.len() < 3 || !box_a.touches(&box_b) {
         return worst;
@@ -141,9 +128,7 @@ pub fn overlap_depth(a: &[Vec2], b: &[Vec2]) -> Overlap {
     // Outlines that overlap with next to nothing of either boundary inside the other are twins; only
     // then the search for the largest circle, which is dear, can find more.
     let size = box_a.size().min(box_b.size());
-    let apart = (box_a.min - box_b.min)
-        .abs()
-        .max((box_a.max - box_b.max).abs());
+    let apart = (box_a.min - box_b.min).abs().max((box_a.max - box_b.max).abs());
     if worst.depth <= 1e-3 * size && apart.max_element() <= 1e-2 * size {
         consider(b, in_circle(a).0, &mut worst);
         consider(a, in_circle(b).0, &mut worst);
@@ -255,26 +240,13 @@ mod tests {
     #[test]
     fn a_line_through_a_u_leaves_two_arms() {
         let u = letter_u();
-        let half = HalfPlane {
-            point: Vec2::new(0.0, 2.0),
-            direction: Vec2::X,
-        };
+        let half = HalfPlane { point: Vec2::new(0.0, 2.0), direction: Vec2::X };
         let parts = clip_simple(&u, half).unwrap();
         assert_eq!(parts.len(), 2);
-        assert!(
-            parts
-                .iter()
-                .all(|p| (polygon::signed_area(p) - 2.0).abs() < 1e-12)
-        );
-        let below = HalfPlane {
-            direction: -Vec2::X,
-            ..half
-        };
+        assert!(parts.iter().all(|p| (polygon::signed_area(p) - 2.0).abs() < 1e-12));
+        let below = HalfPlane { direction: -Vec2::X, ..half };
         assert_eq!(clip_simple(&u, below).unwrap().len(), 1);
-        assert_eq!(
-            intersection_area(&u, &rectangle(Vec2::new(0.5, 2.0), Vec2::splat(4.0))),
-            2.0
-        );
+        assert_eq!(intersection_area(&u, &rectangle(Vec2::new(0.5, 2.0), Vec2::splat(4.0))), 2.0);
     }
 
     proptest! {

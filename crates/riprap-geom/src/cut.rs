@@ -48,70 +48,30 @@ pub fn cut(
     smallest_edge: f64,
 ) -> Result<Blocks, GeomError> {
     polygon::validate(region)?;
-    demand(
-        "smallest_edge",
-        smallest_edge,
-        smallest_edge >= 0.0,
-        "0 or more",
-    )?;
+    demand("smallest_edge", smallest_edge, smallest_edge >= 0.0, "0 or more")?;
     sets.iter().try_for_each(check)?;
     capped("blocks", estimate(region, sets))?;
     let mut chance = Chance::new(seed);
-    let mut cuts: Vec<Cut> = single
-        .iter()
-        .map(|&[from, to]| Cut {
-            from,
-            to,
-            family: None,
-        })
-        .collect();
+    let mut cuts: Vec<Cut> =
+        single.iter().map(|&[from, to]| Cut { from, to, family: None }).collect();
     for (family, set) in sets.iter().enumerate() {
         traces(region, set, family as u32, &mut chance, &mut cuts)?;
     }
     // Mapped traces come with the round-off of a drawing: what should be one point may be nanometres apart.
-    let snap = if single.is_empty() {
-        tol::SNAP
-    } else {
-        tol::DRAWN
-    };
+    let snap = if single.is_empty() { tol::SNAP } else { tol::DRAWN };
     Ok(heal(cut_region_within(region, &cuts, snap)?, smallest_edge))
 }
 
 fn check(set: &JointSet) -> Result<(), GeomError> {
     demand("the angle of a joint set", set.angle, true, "finite")?;
-    demand(
-        "the offset of a joint set",
-        set.offset,
-        set.offset.abs() < 1e150,
-        "finite",
-    )?;
-    demand(
-        "the spacing of a joint set",
-        set.spacing,
-        set.spacing > 0.0,
-        "above 0",
-    )?;
+    demand("the offset of a joint set", set.offset, set.offset.abs() < 1e150, "finite")?;
+    demand("the spacing of a joint set", set.spacing, set.spacing > 0.0, "above 0")?;
     let scatter = set.spacing_scatter;
-    demand(
-        "the spacing scatter of a joint set",
-        scatter,
-        scatter >= 0.0,
-        "0 or more",
-    )?;
+    demand("the spacing scatter of a joint set", scatter, scatter >= 0.0, "0 or more")?;
     let scatter = set.angle_scatter;
-    demand(
-        "the angle scatter of a joint set",
-        scatter,
-        scatter >= 0.0,
-        "0 or more",
-    )?;
+    demand("the angle scatter of a joint set", scatter, scatter >= 0.0, "0 or more")?;
     let p = set.persistence;
-    demand(
-        "the persistence of a joint set",
-        p,
-        p > 0.0 && p <= 1.0,
-        "above 0 and at most 1",
-    )?;
+    demand("the persistence of a joint set", p, p > 0.0 && p <= 1.0, "above 0 and at most 1")?;
     if p < 1.0 {
         let length = set.trace_length.unwrap_or(f64::NAN);
         demand(
@@ -144,10 +104,7 @@ fn estimate(region: &[Vec2], sets: &[JointSet]) -> f64 {
 fn reach(region: &[Vec2], angle: f64) -> (f64, f64) {
     let normal = unit(angle).perp();
     let heights = || region.iter().map(|&v| v.dot(normal));
-    (
-        heights().fold(f64::INFINITY, f64::min),
-        heights().fold(f64::NEG_INFINITY, f64::max),
-    )
+    (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max))
 }
 
 fn traces(
@@ -168,17 +125,9 @@ fn traces(
     let last = ((high - set.offset) / set.spacing).ceil() + 1.0;
     if !(first.abs() < 1e15 && last.abs() < 1e15) {
         let what = "the offset of a joint set over its spacing";
-        return Err(GeomError::BadNumber {
-            what,
-            value: first,
-            need: "below 1e15 at the region",
-        });
+        return Err(GeomError::BadNumber { what, value: first, need: "below 1e15 at the region" });
     }
-    let row = if set.persistence < 1.0 {
-        set.trace_length
-    } else {
-        None
-    };
+    let row = if set.persistence < 1.0 { set.trace_length } else { None };
     let period = row.map_or(f64::INFINITY, |length| length / set.persistence);
     let number = (last - first + 1.0) * (2.0 * half / period + 2.0);
     capped("joint traces", number + cuts.len() as f64)?;
@@ -192,18 +141,10 @@ fn traces(
         let foot = centre + (height - centre.dot(normal)) * normal;
         let mut trace = |from: f64, to: f64, chance: &mut Chance| {
             let turned = set.angle_scatter * chance.normal().clamp(-3.0, 3.0);
-            let along = if turned == 0.0 {
-                direction
-            } else {
-                unit(set.angle + turned)
-            };
+            let along = if turned == 0.0 { direction } else { unit(set.angle + turned) };
             let middle = foot + 0.5 * (from + to) * direction;
             let reach = 0.5 * (to - from) * along;
-            cuts.push(Cut {
-                from: middle - reach,
-                to: middle + reach,
-                family,
-            });
+            cuts.push(Cut { from: middle - reach, to: middle + reach, family });
         };
         match row {
             None => {
@@ -243,11 +184,7 @@ mod tests {
     }
 
     fn area(blocks: &Blocks) -> f64 {
-        blocks
-            .polygons
-            .iter()
-            .map(|p| polygon::signed_area(p))
-            .sum()
+        blocks.polygons.iter().map(|p| polygon::signed_area(p)).sum()
     }
 
     #[test]
@@ -259,10 +196,7 @@ mod tests {
         assert!(blocks.polygons.iter().all(|b| b.len() == 4));
         assert!((area(&blocks) / 50.0 - 1.0).abs() < 1e-14);
         // From bottom to top and left to right.
-        assert_eq!(
-            polygon::centroid(&blocks.polygons[1]).round(),
-            Vec2::new(2.0, 1.0)
-        );
+        assert_eq!(polygon::centroid(&blocks.polygons[1]).round(), Vec2::new(2.0, 1.0));
     }
 
     /// A trace across, one that meets it and runs on for a while, and one that ends in the rock on both sides.
@@ -276,11 +210,7 @@ mod tests {
             trace([1.0, 3.0], [3.0, 3.5]),
         ];
         let blocks = cut(&region, &traces, &[], 1, 0.0).unwrap();
-        let areas: Vec<f64> = blocks
-            .polygons
-            .iter()
-            .map(|p| polygon::signed_area(p))
-            .collect();
+        let areas: Vec<f64> = blocks.polygons.iter().map(|p| polygon::signed_area(p)).collect();
         assert_eq!(areas, [4.0, 4.0, 8.0]);
     }
 
@@ -290,16 +220,12 @@ mod tests {
         let trace = |a: [f64; 2], b: [f64; 2]| [Vec2::from(a), Vec2::from(b)];
         let lengths = |traces: &[[Vec2; 2]]| {
             let blocks = cut(&region, traces, &[], 1, 0.0).unwrap();
-            let shortest = blocks.polygons.iter().flat_map(|p| {
-                polygon::edges(p)
-                    .map(|(a, b)| a.distance(b))
-                    .collect::<Vec<_>>()
-            });
+            let shortest = blocks
+                .polygons
+                .iter()
+                .flat_map(|p| polygon::edges(p).map(|(a, b)| a.distance(b)).collect::<Vec<_>>());
             assert!((area(&blocks) / 100.0 - 1.0).abs() < 1e-9);
-            (
-                blocks.polygons.len(),
-                shortest.fold(f64::INFINITY, f64::min),
-            )
+            (blocks.polygons.len(), shortest.fold(f64::INFINITY, f64::min))
         };
         let across = trace([-1.0, 5.0], [11.0, 5.0]);
         for miss in [3e-9, -3e-9, 0.0, 6e-8] {
@@ -330,10 +256,7 @@ mod tests {
         let near = rectangle(Vec2::ZERO, Vec2::new(20.0, 10.0));
         let far: Vec<Vec2> = near.iter().map(|&v| v + shift).collect();
         let sets = |origin: Vec2| {
-            [0.3, 1.9].map(|a| JointSet {
-                offset: origin.dot(unit(a).perp()),
-                ..plain(a, 1.3)
-            })
+            [0.3, 1.9].map(|a| JointSet { offset: origin.dot(unit(a).perp()), ..plain(a, 1.3) })
         };
         let a = cut(&near, &[], &sets(Vec2::ZERO), 1, 0.01).unwrap();
         let b = cut(&far, &[], &sets(shift), 1, 0.01).unwrap();
@@ -349,11 +272,8 @@ mod tests {
     fn persistence_leaves_bridges() {
         let region = rectangle(Vec2::ZERO, Vec2::new(20.0, 20.0));
         let count = |persistence: f64| {
-            let set = |angle| JointSet {
-                persistence,
-                trace_length: Some(4.0),
-                ..plain(angle, 1.0)
-            };
+            let set =
+                |angle| JointSet { persistence, trace_length: Some(4.0), ..plain(angle, 1.0) };
             let blocks = cut(&region, &[], &[set(0.2), set(1.6)], 5, 0.0).unwrap();
             assert!((area(&blocks) / 400.0 - 1.0).abs() < 1e-12);
             (blocks.polygons.len(), blocks.removed.dead_ends)
@@ -362,10 +282,7 @@ mod tests {
         let (some, dead) = count(0.8);
         let (few, _) = count(0.3);
         assert!(full > 380 && none == 0, "{full} {none}");
-        assert!(
-            some < full && few < some && dead > 0,
-            "{full} {some} {few} {dead}"
-        );
+        assert!(some < full && few < some && dead > 0, "{full} {some} {few} {dead}");
     }
 
     #[test]
@@ -373,45 +290,22 @@ mod tests {
         let region = rectangle(Vec2::ZERO, Vec2::splat(1000.0));
         let bad = |set: JointSet| cut(&region, &[], &[set], 1, 0.0).unwrap_err();
         let error = bad(plain(0.0, 1e-12));
-        assert!(
-            matches!(error, GeomError::TooMany { count, .. } if count > 9e14),
-            "{error}"
-        );
-        assert!(matches!(
-            bad(plain(f64::NAN, 1.0)),
-            GeomError::BadNumber { .. }
-        ));
+        assert!(matches!(error, GeomError::TooMany { count, .. } if count > 9e14), "{error}");
+        assert!(matches!(bad(plain(f64::NAN, 1.0)), GeomError::BadNumber { .. }));
         assert!(matches!(bad(plain(0.0, -1.0)), GeomError::BadNumber { .. }));
         assert!(matches!(
-            bad(JointSet {
-                offset: 1e149,
-                ..plain(0.0, 1.0)
-            }),
+            bad(JointSet { offset: 1e149, ..plain(0.0, 1.0) }),
             GeomError::BadNumber { .. }
         ));
         assert!(matches!(
-            bad(JointSet {
-                persistence: 0.5,
-                ..plain(0.0, 1.0)
-            }),
+            bad(JointSet { persistence: 0.5, ..plain(0.0, 1.0) }),
             GeomError::BadNumber { .. }
         ));
-        let dust = JointSet {
-            persistence: 0.5,
-            trace_length: Some(1e-9),
-            ..plain(0.0, 10.0)
-        };
+        let dust = JointSet { persistence: 0.5, trace_length: Some(1e-9), ..plain(0.0, 10.0) };
         assert!(matches!(bad(dust), GeomError::TooMany { .. }));
         let pair = [plain(0.0, 0.1), plain(1.0, 0.1)];
-        assert!(matches!(
-            cut(&region, &[], &pair, 1, 0.0),
-            Err(GeomError::TooMany { .. })
-        ));
-        let wild = JointSet {
-            angle_scatter: 1e300,
-            spacing_scatter: 1e300,
-            ..plain(0.0, 100.0)
-        };
+        assert!(matches!(cut(&region, &[], &pair, 1, 0.0), Err(GeomError::TooMany { .. })));
+        let wild = JointSet { angle_scatter: 1e300, spacing_scatter: 1e300, ..plain(0.0, 100.0) };
         assert!(cut(&region, &[], &[wild], 1, 0.0).is_ok());
     }
 

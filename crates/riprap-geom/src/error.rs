@@ -121,9 +121,5 @@ pub(crate) fn demand(
     good: bool,
     need: &'static str,
 ) -> Result<(), GeomError> {
-    if value.is_finite() && good {
-        Ok(())
-    } else {
-        Err(GeomError::BadNumber { what, value, need })
-    }
+    if value.is_finite() && good { Ok(()) } else { Err(GeomError::BadNumber { what, value, need }) }
 }

@@ -135,9 +135,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn rectangle(x0: f64, y0: f64, x1: f64, y1: f64, z: f64) -> Vec<Vec3> {
-        [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
-            .map(|(x, y)| Vec3::new(x, y, z))
-            .to_vec()
+        [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vec3::new(x, y, z)).to_vec()
     }
 
     #[test]

@@ -97,12 +97,7 @@ impl Fan {
                 let at = nodes.map(|k| places[k]);
                 let low = at[0].min(at[1]).min(at[2]);
                 let high = at[0].max(at[1]).max(at[2]);
-                Flat {
-                    nodes,
-                    at,
-                    low,
-                    high,
-                }
+                Flat { nodes, at, low, high }
             })
             // Weights divide by it.
             .filter(|triangle| triangle.twice() > 0.0)
@@ -152,11 +147,7 @@ impl Flat {
                 nodes[k] = nodes[0];
             }
         }
-        Anchor {
-            nodes,
-            weights: kept,
-            count: count as u8,
-        }
+        Anchor { nodes, weights: kept, count: count as u8 }
     }
 }
 
@@ -232,11 +223,7 @@ pub fn node_to_face(a: &Fan, b: &Fan, normal: Vec3, smallest: f64) -> Vec<JointP
             low >= -SAME
         });
         if let Some(triangle) = inside {
-            let own = Anchor {
-                nodes: [slave.nodes[k]; 3],
-                weights: [1.0, 0.0, 0.0],
-                count: 1,
-            };
+            let own = Anchor { nodes: [slave.nodes[k]; 3], weights: [1.0, 0.0, 0.0], count: 1 };
             let other = triangle.anchor(master, p);
             points.push(JointPoint {
                 at,
@@ -252,9 +239,7 @@ pub fn node_to_face(a: &Fan, b: &Fan, normal: Vec3, smallest: f64) -> Vec<JointP
 fn bounds(places: &[Vec2]) -> (Vec2, Vec2) {
     places
         .iter()
-        .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| {
-            (low.min(*p), high.max(*p))
-        })
+        .fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(low, high), p| (low.min(*p), high.max(*p)))
 }
 
 fn apart(a: &Flat, b: &Flat) -> bool {
@@ -336,10 +321,7 @@ struct Points {
 impl Points {
     fn new(fan: &Fan) -> Self {
         let reach = fan.at.iter().map(|p| p.distance(fan.at[0]));
-        Self {
-            list: Vec::new(),
-            same: SAME * reach.fold(0.0, f64::max),
-        }
+        Self { list: Vec::new(), same: SAME * reach.fold(0.0, f64::max) }
     }
 
     fn add(&mut self, at: Vec2, area: f64, sides: impl FnOnce() -> [Anchor; 2]) {
@@ -349,27 +331,14 @@ impl Points {
         match self.list.iter_mut().find(near) {
             // Fields are continuous: the same place has the same weights, in whichever triangle it was found.
             Some((_, point)) => point.area += area,
-            None => self.list.push((
-                at,
-                JointPoint {
-                    at: Vec3::ZERO,
-                    area,
-                    sides: sides(),
-                },
-            )),
+            None => self.list.push((at, JointPoint { at: Vec3::ZERO, area, sides: sides() })),
         }
     }
 
     fn finish(self, origin: Vec3, [_, e, f]: [Vec3; 3]) -> Vec<JointPoint> {
-        let place = |(p, point): (Vec2, JointPoint)| JointPoint {
-            at: origin + p.x * e + p.y * f,
-            ..point
-        };
-        self.list
-            .into_iter()
-            .filter(|(_, point)| point.area > 0.0)
-            .map(place)
-            .collect()
+        let place =
+            |(p, point): (Vec2, JointPoint)| JointPoint { at: origin + p.x * e + p.y * f, ..point };
+        self.list.into_iter().filter(|(_, point)| point.area > 0.0).map(place).collect()
     }
 }
 

@@ -47,13 +47,7 @@ pub(crate) fn heal(mut parts: Subdivision, smallest_edge: f64) -> Blocks {
         .filter(|(_, s)| s.width.min(s.shortest_edge) < smallest_edge)
         .map(|(block, s)| report(block, s, median, &polygons[block]))
         .collect();
-    Blocks {
-        polygons,
-        removed: parts.removed,
-        merged,
-        collapsed: 0,
-        left,
-    }
+    Blocks { polygons, removed: parts.removed, merged, collapsed: 0, left }
 }
 
 fn median_width(shapes: &[Shape]) -> f64 {
@@ -108,11 +102,7 @@ pub(crate) fn collapse(parts: &mut Subdivision, corners: usize, smallest: f64) -
         if (corner_a && corner_b) || (on_a && on_b && !at_outline) {
             continue;
         }
-        let (keep, gone) = if corner_b || (on_b && !on_a) {
-            (b, a)
-        } else {
-            (a, b)
-        };
+        let (keep, gone) = if corner_b || (on_b && !on_a) { (b, a) } else { (a, b) };
         let (Some(of_keep), Some(of_gone)) = (faces_at.get(&keep), faces_at.get(&gone)) else {
             continue;
         };
@@ -122,20 +112,16 @@ pub(crate) fn collapse(parts: &mut Subdivision, corners: usize, smallest: f64) -
         }
         let touched: Vec<u32> = of_keep.union(of_gone).copied().collect();
         let renamed = |face: &Vec<u32>| {
-            let mut face: Vec<u32> = face
-                .iter()
-                .map(|&p| if p == gone { keep } else { p })
-                .collect();
+            let mut face: Vec<u32> =
+                face.iter().map(|&p| if p == gone { keep } else { p }).collect();
             face.dedup();
             if face.len() > 1 && face[0] == face[face.len() - 1] {
                 face.pop();
             }
             face
         };
-        let new: Vec<Vec<u32>> = touched
-            .iter()
-            .map(|&f| renamed(&parts.faces[f as usize]))
-            .collect();
+        let new: Vec<Vec<u32>> =
+            touched.iter().map(|&f| renamed(&parts.faces[f as usize])).collect();
         let sound = |face: &Vec<u32>| {
             let corners = parts.corners(face);
             polygon::validate(&corners).is_ok() && polygon::signed_area(&corners) > 0.0
@@ -170,12 +156,7 @@ impl<'a> Merging<'a> {
         for (f, face) in faces.iter().enumerate() {
             left_of.extend(sides(face).map(|side| (side, f as u32)));
         }
-        Merging {
-            parts,
-            smallest,
-            faces,
-            left_of,
-        }
+        Merging { parts, smallest, faces, left_of }
     }
 
     fn shape_of(&self, face: &[u32]) -> Shape {
@@ -224,10 +205,7 @@ impl<'a> Merging<'a> {
                 bad.insert((key(&s), into));
             }
         }
-        (
-            self.faces.into_iter().filter(|f| !f.is_empty()).collect(),
-            reports,
-        )
+        (self.faces.into_iter().filter(|f| !f.is_empty()).collect(), reports)
     }
 
     /// The neighbour to merge with, and the outline of both.
@@ -309,11 +287,7 @@ mod tests {
     }
 
     fn area(blocks: &Blocks) -> f64 {
-        blocks
-            .polygons
-            .iter()
-            .map(|p| polygon::signed_area(p))
-            .sum()
+        blocks.polygons.iter().map(|p| polygon::signed_area(p)).sum()
     }
 
     #[test]
@@ -322,19 +296,9 @@ mod tests {
         let parts = cut_region(&rectangle(Vec2::ZERO, Vec2::splat(4.0)), &cuts).unwrap();
         assert_eq!(parts.faces.len(), 6);
         let plain = heal(parts.clone(), 0.0);
-        assert_eq!(
-            (plain.polygons.len(), plain.merged.len(), plain.left.len()),
-            (6, 0, 0)
-        );
+        assert_eq!((plain.polygons.len(), plain.merged.len(), plain.left.len()), (6, 0, 0));
         let healed = heal(parts, 0.05);
-        assert_eq!(
-            (
-                healed.polygons.len(),
-                healed.merged.len(),
-                healed.left.len()
-            ),
-            (4, 2, 0)
-        );
+        assert_eq!((healed.polygons.len(), healed.merged.len(), healed.left.len()), (4, 2, 0));
         assert!(healed.polygons.iter().all(|p| p.len() == 4));
         assert_eq!(area(&healed), 16.0);
     }
@@ -342,20 +306,13 @@ mod tests {
     #[test]
     fn what_has_become_sound_is_merged_no_further() {
         // Strips of 29 and 31 mm are slivers, both together are none.
-        let cuts = lines(&[
-            (0.029, -1., 0.029, 9.),
-            (0.06, -1., 0.06, 9.),
-            (1., -1., 1., 9.),
-        ]);
+        let cuts = lines(&[(0.029, -1., 0.029, 9.), (0.06, -1., 0.06, 9.), (1., -1., 1., 9.)]);
         let parts = cut_region(&rectangle(Vec2::ZERO, Vec2::new(2.0, 1.0)), &cuts).unwrap();
         assert_eq!(parts.faces.len(), 4);
         let healed = heal(parts, 0.05);
         assert_eq!((healed.merged.len(), healed.left.len()), (1, 0));
-        let mut widths: Vec<f64> = healed
-            .polygons
-            .iter()
-            .map(|p| polygon::signed_area(p))
-            .collect();
+        let mut widths: Vec<f64> =
+            healed.polygons.iter().map(|p| polygon::signed_area(p)).collect();
         widths.sort_by(f64::total_cmp);
         assert_eq!(widths.len(), 3);
         for (width, exact) in widths.iter().zip([0.06, 0.94, 1.0]) {
@@ -369,24 +326,14 @@ mod tests {
         let parts = cut_region(&rectangle(Vec2::ZERO, Vec2::splat(4.0)), &cuts).unwrap();
         assert_eq!(parts.faces.len(), 7);
         let healed = heal(parts, 0.05);
-        assert_eq!(
-            (
-                healed.merged.len(),
-                healed.polygons.len(),
-                healed.left.len()
-            ),
-            (1, 6, 2)
-        );
+        assert_eq!((healed.merged.len(), healed.polygons.len(), healed.left.len()), (1, 6, 2));
         assert!((area(&healed) - 16.0).abs() < 1e-12);
     }
 
     #[test]
     fn unions_that_would_enclose_are_refused() {
         // Two halves of a frame 0..7 round a hole: merging both would leave a hole.
-        assert_eq!(
-            union(&[0, 1, 5, 4], &[1, 2, 6, 5]),
-            Some(vec![0, 1, 2, 6, 5, 4])
-        );
+        assert_eq!(union(&[0, 1, 5, 4], &[1, 2, 6, 5]), Some(vec![0, 1, 2, 6, 5, 4]));
         let (half, rest) = ([0, 1, 2, 6, 5, 4], [2, 3, 0, 4, 7, 6]);
         assert_eq!(union(&half, &rest), None);
     }

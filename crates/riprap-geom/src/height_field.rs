@@ -228,11 +228,8 @@ impl HeightField {
     /// Edges with a triangle on one side only, which lies to their left.
     #[must_use]
     pub fn rim(&self) -> Vec<(u32, u32)> {
-        let mut edges: Vec<(u32, u32)> = self
-            .triangles
-            .iter()
-            .flat_map(|[a, b, c]| [(*a, *b), (*b, *c), (*c, *a)])
-            .collect();
+        let mut edges: Vec<(u32, u32)> =
+            self.triangles.iter().flat_map(|[a, b, c]| [(*a, *b), (*b, *c), (*c, *a)]).collect();
         edges.sort_unstable();
         let lone = |(a, b): &(u32, u32)| edges.binary_search(&(*b, *a)).is_err();
         edges.iter().copied().filter(lone).collect()

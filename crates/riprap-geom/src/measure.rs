@@ -47,11 +47,7 @@ pub fn shape(vertices: &[Vec2]) -> Shape {
         let to_last = vertices[(i + n - 1) % n] - vertices[i];
         let angle = libm::atan2(to_next.perp_dot(to_last), to_next.dot(to_last));
         let inner = if ccw { angle } else { -angle };
-        let inner = if inner < 0.0 {
-            inner + std::f64::consts::TAU
-        } else {
-            inner
-        };
+        let inner = if inner < 0.0 { inner + std::f64::consts::TAU } else { inner };
         smallest_angle = f64::min(smallest_angle, inner);
     }
     let mut diameter = 0.0;
@@ -69,11 +65,7 @@ pub fn shape(vertices: &[Vec2]) -> Shape {
         shortest_edge: lengths().fold(f64::INFINITY, f64::min),
         longest_edge: lengths().fold(0.0, f64::max),
         smallest_angle,
-        width: if diameter > 0.0 {
-            2.0 * area / diameter
-        } else {
-            0.0
-        },
+        width: if diameter > 0.0 { 2.0 * area / diameter } else { 0.0 },
         diameter,
     }
 }
@@ -91,20 +83,12 @@ pub fn in_circle(vertices: &[Vec2]) -> (Vec2, f64) {
     }
     let signed = |p: Vec2| {
         let d = distance_to_boundary(vertices, p);
-        if locate(vertices, p) == Side::Inside {
-            d
-        } else {
-            -d
-        }
+        if locate(vertices, p) == Side::Inside { d } else { -d }
     };
     let start = mass_properties(vertices).centroid;
     let mut best = (start, signed(start));
     let half = 0.5 * (bounds.max - bounds.min).max_element();
-    let first = Square {
-        centre: bounds.centre(),
-        half,
-        bound: f64::INFINITY,
-    };
+    let first = Square { centre: bounds.centre(), half, bound: f64::INFINITY };
     let mut queue = BinaryHeap::from([first]);
     // The cap is far above what shapes of blocks need; it ends the search for pathological ones.
     for _ in 0..20_000 {
@@ -121,11 +105,7 @@ pub fn in_circle(vertices: &[Vec2]) -> (Vec2, f64) {
             let half = 0.5 * square.half;
             let bound = distance + half * std::f64::consts::SQRT_2;
             if bound > best.1 {
-                queue.push(Square {
-                    centre,
-                    half,
-                    bound,
-                });
+                queue.push(Square { centre, half, bound });
             }
         }
     }
@@ -195,9 +175,8 @@ mod tests {
 
     #[test]
     fn pole_of_an_l_is_in_its_corner() {
-        let l: Vec<Vec2> = [(0., 0.), (9., 0.), (9., 1.), (1., 1.), (1., 9.), (0., 9.)]
-            .map(Vec2::from)
-            .to_vec();
+        let l: Vec<Vec2> =
+            [(0., 0.), (9., 0.), (9., 1.), (1., 1.), (1., 9.), (0., 9.)].map(Vec2::from).to_vec();
         // Circle touching x = 0, y = 0 and the inner corner (1, 1): r (1 + 1/sqrt 2) sqrt 2 = sqrt 2.
         let (_, radius) = in_circle(&l);
         assert!((radius - (2.0 - 2.0f64.sqrt())).abs() < 0.01, "{radius}");

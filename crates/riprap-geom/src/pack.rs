@@ -28,57 +28,22 @@ const GAP: f64 = 0.02;
 /// random diameter, each within 0.3 of its share of the circle, turned at random, placed at random
 /// within its square. Circles do not touch, so blocks do not.
 pub fn pour(pour: &Pour) -> Result<Vec<Vec<Vec2>>, GeomError> {
-    let Pour {
-        region,
-        count,
-        size: (small, large),
-        vertices: (few, many),
-        seed,
-    } = *pour;
+    let Pour { region, count, size: (small, large), vertices: (few, many), seed } = *pour;
     demand("the smallest size", small, small > 0.0, "above 0")?;
-    demand(
-        "the largest size",
-        large,
-        large >= small,
-        "at least the smallest",
-    )?;
+    demand("the largest size", large, large >= small, "at least the smallest")?;
     demand("the fewest corners", few as f64, few >= 3, "at least 3")?;
-    demand(
-        "the most corners",
-        many as f64,
-        many >= few,
-        "at least the fewest",
-    )?;
-    demand(
-        "the most corners",
-        many as f64,
-        many <= 1000,
-        "at most 1000",
-    )?;
+    demand("the most corners", many as f64, many >= few, "at least the fewest")?;
+    demand("the most corners", many as f64, many <= 1000, "at most 1000")?;
     capped("blocks", count as f64)?;
     let extent = region.max - region.min;
-    demand(
-        "the width of the region",
-        extent.x,
-        extent.x > 0.0,
-        "above 0",
-    )?;
-    demand(
-        "the height of the region",
-        extent.y,
-        extent.y > 0.0,
-        "above 0",
-    )?;
+    demand("the width of the region", extent.x, extent.x > 0.0, "above 0")?;
+    demand("the height of the region", extent.y, extent.y > 0.0, "above 0")?;
     let pitch = large * (1.0 + GAP);
     let fit = |length: f64| (length / pitch).floor();
     let (columns, rows) = (fit(extent.x), fit(extent.y));
     if columns * rows < count as f64 {
         let capacity = (columns * rows) as usize;
-        return Err(GeomError::DoesNotFit {
-            wanted: count,
-            size: large,
-            capacity,
-        });
+        return Err(GeomError::DoesNotFit { wanted: count, size: large, capacity });
     }
     // Whatever the pitch leaves over is spread between the columns. At least one column fits
     // whenever a block is wanted; with more columns than blocks, only the row is longer.
@@ -92,10 +57,7 @@ pub fn pour(pour: &Pour) -> Result<Vec<Vec<Vec2>>, GeomError> {
         let middle = cell + 0.5 * Vec2::new(width, pitch);
         let play = (0.5 * Vec2::new(width, pitch) - Vec2::splat(radius + 0.5 * GAP * large))
             .max(Vec2::ZERO);
-        let jitter = Vec2::new(
-            chance.between(-play.x, play.x),
-            chance.between(-play.y, play.y),
-        );
+        let jitter = Vec2::new(chance.between(-play.x, play.x), chance.between(-play.y, play.y));
         let corners = chance.whole(few, many);
         let turned = chance.between(0.0, std::f64::consts::TAU);
         let share = std::f64::consts::TAU / corners as f64;
@@ -118,10 +80,7 @@ mod tests {
 
     fn example() -> Pour {
         Pour {
-            region: Aabb {
-                min: Vec2::ZERO,
-                max: Vec2::new(10.0, 20.0),
-            },
+            region: Aabb { min: Vec2::ZERO, max: Vec2::new(10.0, 20.0) },
             count: 800,
             size: (0.2, 0.4),
             vertices: (4, 7),
@@ -152,49 +111,14 @@ mod tests {
 
     #[test]
     fn says_when_they_do_not_fit() {
-        let error = pour(&Pour {
-            count: 2000,
-            ..example()
-        })
-        .unwrap_err();
-        assert_eq!(
-            error,
-            GeomError::DoesNotFit {
-                wanted: 2000,
-                size: 0.4,
-                capacity: 24 * 49
-            }
-        );
-        for (count, size) in [
-            (1, (f64::NAN, 1.0)),
-            (usize::MAX, (0.2, 0.4)),
-            (1, (1e-300, 50.0)),
-            (1, (0.0, 0.0)),
-        ] {
-            assert!(
-                pour(&Pour {
-                    count,
-                    size,
-                    ..example()
-                })
-                .is_err()
-            );
+        let error = pour(&Pour { count: 2000, ..example() }).unwrap_err();
+        assert_eq!(error, GeomError::DoesNotFit { wanted: 2000, size: 0.4, capacity: 24 * 49 });
+        for (count, size) in
+            [(1, (f64::NAN, 1.0)), (usize::MAX, (0.2, 0.4)), (1, (1e-300, 50.0)), (1, (0.0, 0.0))]
+        {
+            assert!(pour(&Pour { count, size, ..example() }).is_err());
         }
-        assert!(
-            pour(&Pour {
-                vertices: (2, 3),
-                ..example()
-            })
-            .is_err()
-        );
-        assert_eq!(
-            pour(&Pour {
-                count: 0,
-                ..example()
-            })
-            .unwrap()
-            .len(),
-            0
-        );
+        assert!(pour(&Pour { vertices: (2, 3), ..example() }).is_err());
+        assert_eq!(pour(&Pour { count: 0, ..example() }).unwrap().len(), 0);
     }
 }

@@ -12,25 +12,14 @@ const MANY_SQUARES: f64 = 64.0;
 /// *Cost*: boxes plus pairs, and boxes times those much larger than the median.
 pub fn touching_boxes(boxes: &[Aabb], cap: usize) -> Option<Vec<(u32, u32)>> {
     let finite = |b: &Aabb| b.min.is_finite() && b.max.is_finite();
-    let mut extents: Vec<f64> = boxes
-        .iter()
-        .filter(|b| finite(b))
-        .map(|b| (b.max - b.min).max_element())
-        .collect();
+    let mut extents: Vec<f64> =
+        boxes.iter().filter(|b| finite(b)).map(|b| (b.max - b.min).max_element()).collect();
     extents.sort_by(f64::total_cmp);
-    let corner = boxes
-        .iter()
-        .filter(|b| finite(b))
-        .fold(Vec2::MAX, |c, b| c.min(b.min));
-    let far = boxes
-        .iter()
-        .filter(|b| finite(b))
-        .fold(Vec2::MIN, |c, b| c.max(b.max));
+    let corner = boxes.iter().filter(|b| finite(b)).fold(Vec2::MAX, |c, b| c.min(b.min));
+    let far = boxes.iter().filter(|b| finite(b)).fold(Vec2::MIN, |c, b| c.max(b.max));
     let median = extents.get(extents.len() / 2).copied().unwrap_or(0.0);
     // Squares of about two boxes; never so small that their numbers lose digits.
-    let side = (2.0 * median)
-        .max(1e-9 * (far - corner).max_element())
-        .max(f64::MIN_POSITIVE);
+    let side = (2.0 * median).max(1e-9 * (far - corner).max_element()).max(f64::MIN_POSITIVE);
     let square = |p: Vec2| ((p - corner) / side).floor();
     let (mut entries, mut large): (Vec<([i64; 2], u32)>, Vec<u32>) = (Vec::new(), Vec::new());
     for (i, b) in boxes.iter().enumerate().filter(|(_, b)| finite(b)) {
@@ -85,10 +74,7 @@ mod tests {
     fn boxes(list: &[(f64, f64, f64, f64)]) -> Vec<Aabb> {
         let make = |&(x, y, w, h): &(f64, f64, f64, f64)| {
             let corner = Vec2::new(x, y);
-            Aabb {
-                min: corner,
-                max: corner + Vec2::new(w, h),
-            }
+            Aabb { min: corner, max: corner + Vec2::new(w, h) }
         };
         list.iter().map(make).collect()
     }
@@ -119,15 +105,9 @@ mod tests {
         assert_eq!(touching_boxes(&heap, 1000), None);
         let tower: Vec<(f64, f64, f64, f64)> =
             (0..50_000).map(|k| (0.0, f64::from(k), 1.0, 1.0)).collect();
-        assert_eq!(
-            touching_boxes(&boxes(&tower), 200_000).map(|p| p.len()),
-            Some(49_999)
-        );
-        let points = boxes(&[
-            (0.0, 0.0, 0.0, 0.0),
-            (0.0, 0.0, 0.0, 0.0),
-            (f64::NAN, 0.0, 1.0, 1.0),
-        ]);
+        assert_eq!(touching_boxes(&boxes(&tower), 200_000).map(|p| p.len()), Some(49_999));
+        let points =
+            boxes(&[(0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), (f64::NAN, 0.0, 1.0, 1.0)]);
         assert_eq!(touching_boxes(&points, 10), Some(vec![(0, 1)]));
         assert_eq!(touching_boxes(&[], 10), Some(Vec::new()));
     }

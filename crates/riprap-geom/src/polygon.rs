@@ -18,10 +18,8 @@ pub struct Aabb {
 impl Aabb {
     /// Box around points; of no points, an inverted box that touches nothing.
     pub fn of(points: &[Vec2]) -> Aabb {
-        let mut bounds = Aabb {
-            min: Vec2::splat(f64::INFINITY),
-            max: Vec2::splat(f64::NEG_INFINITY),
-        };
+        let mut bounds =
+            Aabb { min: Vec2::splat(f64::INFINITY), max: Vec2::splat(f64::NEG_INFINITY) };
         for &p in points {
             bounds.min = bounds.min.min(p);
             bounds.max = bounds.max.max(p);
@@ -39,10 +37,7 @@ impl Aabb {
 
     /// The box moved outwards by `margin` on every side.
     pub fn grown(&self, margin: f64) -> Aabb {
-        Aabb {
-            min: self.min - Vec2::splat(margin),
-            max: self.max + Vec2::splat(margin),
-        }
+        Aabb { min: self.min - Vec2::splat(margin), max: self.max + Vec2::splat(margin) }
     }
 
     /// Length of the diagonal.
@@ -82,11 +77,7 @@ pub struct MassProperties {
 /// ```
 pub fn mass_properties(vertices: &[Vec2]) -> MassProperties {
     let Some(&origin) = vertices.first() else {
-        return MassProperties {
-            area: 0.0,
-            centroid: Vec2::ZERO,
-            second_moment: 0.0,
-        };
+        return MassProperties { area: 0.0, centroid: Vec2::ZERO, second_moment: 0.0 };
     };
     let mut twice_area = 0.0;
     let mut first = Vec2::ZERO;
@@ -125,9 +116,7 @@ pub fn signed_area(vertices: &[Vec2]) -> f64 {
     let Some(&origin) = vertices.first() else {
         return 0.0;
     };
-    0.5 * edges(vertices)
-        .map(|(a, b)| (a - origin).perp_dot(b - origin))
-        .sum::<f64>()
+    0.5 * edges(vertices).map(|(a, b)| (a - origin).perp_dot(b - origin)).sum::<f64>()
 }
 
 /// Centroid of the area.
@@ -205,11 +194,7 @@ pub fn drop_collinear(vertices: &[Vec2], distance: f64) -> Vec<Vec2> {
     let mut kept: Vec<Vec2> = Vec::with_capacity(n);
     for (i, &v) in vertices.iter().enumerate() {
         let before = kept.last().copied().unwrap_or(vertices[n - 1]);
-        let after = if i + 1 < n {
-            vertices[i + 1]
-        } else {
-            kept.first().copied().unwrap_or(v)
-        };
+        let after = if i + 1 < n { vertices[i + 1] } else { kept.first().copied().unwrap_or(v) };
         if n - i + kept.len() <= 3 || !between(before, v, after, distance) {
             kept.push(v);
         }
@@ -237,11 +222,7 @@ pub fn validate(vertices: &[Vec2]) -> Result<(), GeomError> {
     for (vertex, v) in vertices.iter().enumerate() {
         // 1e150 squared is still finite.
         if !(v.x.abs() < 1e150 && v.y.abs() < 1e150) {
-            return Err(GeomError::NonFinite {
-                vertex,
-                x: v.x,
-                y: v.y,
-            });
+            return Err(GeomError::NonFinite { vertex, x: v.x, y: v.y });
         }
     }
     let n = vertices.len();
@@ -249,38 +230,21 @@ pub fn validate(vertices: &[Vec2]) -> Result<(), GeomError> {
         return Err(GeomError::TooFewVertices { count: n });
     }
     if n > tol::MAX_VERTICES {
-        return Err(GeomError::TooManyVertices {
-            count: n,
-            cap: tol::MAX_VERTICES,
-        });
+        return Err(GeomError::TooManyVertices { count: n, cap: tol::MAX_VERTICES });
     }
     let size = Aabb::of(vertices).size();
     let thin = || {
         let along = (1..n)
             .map(|i| vertices[i] - vertices[0])
-            .fold(Vec2::ZERO, |a, b| {
-                if b.length_squared() > a.length_squared() {
-                    b
-                } else {
-                    a
-                }
-            });
-        let width = vertices
-            .iter()
-            .map(|&v| along.perp_dot(v - vertices[0]).abs());
+            .fold(Vec2::ZERO, |a, b| if b.length_squared() > a.length_squared() { b } else { a });
+        let width = vertices.iter().map(|&v| along.perp_dot(v - vertices[0]).abs());
         width.fold(0.0, f64::max) <= tol::ZERO_AREA * size * along.length()
     };
     if size == 0.0 || thin() {
-        return Err(GeomError::ZeroArea {
-            area: signed_area(vertices),
-        });
+        return Err(GeomError::ZeroArea { area: signed_area(vertices) });
     }
     for i in 0..n {
-        let (a, v, b) = (
-            vertices[(i + n - 1) % n],
-            vertices[i],
-            vertices[(i + 1) % n],
-        );
+        let (a, v, b) = (vertices[(i + n - 1) % n], vertices[i], vertices[(i + 1) % n]);
         if turn(a, v, b) == 0.0 && (v - a).dot(b - v) <= 0.0 {
             return Err(GeomError::Spike { vertex: i, at: v });
         }
@@ -390,19 +354,13 @@ pub fn contains(vertices: &[Vec2], p: Vec2) -> bool {
 pub fn distance_to_segment(p: Vec2, a: Vec2, b: Vec2) -> f64 {
     let along = b - a;
     let squared = along.length_squared();
-    let t = if squared > 0.0 {
-        ((p - a).dot(along) / squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let t = if squared > 0.0 { ((p - a).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
     p.distance(a + t * along)
 }
 
 /// Distance from `p` to the boundary of the outline.
 pub fn distance_to_boundary(vertices: &[Vec2], p: Vec2) -> f64 {
-    edges(vertices)
-        .map(|(a, b)| distance_to_segment(p, a, b))
-        .fold(f64::INFINITY, f64::min)
+    edges(vertices).map(|(a, b)| distance_to_segment(p, a, b)).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

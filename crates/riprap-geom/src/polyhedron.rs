@@ -36,14 +36,8 @@ use crate::{Vec2, Vec3};
 pub const FLAT: f64 = 1e-6;
 /// Corners of the faces of a brick, anticlockwise seen from outside: two for each axis, the one at the smaller coordinate first.
 /// Bit k of the number of a corner says whether it has the larger coordinate along axis k.
-pub const BRICK_FACES: [[u8; 4]; 6] = [
-    [0, 4, 6, 2],
-    [1, 3, 7, 5],
-    [0, 1, 5, 4],
-    [2, 6, 7, 3],
-    [0, 2, 3, 1],
-    [4, 5, 7, 6],
-];
+pub const BRICK_FACES: [[u8; 4]; 6] =
+    [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 /// A solid whose volume is below this, times its size cubed, has none.
 pub const ZERO_VOLUME: f64 = 1e-12;
 /// No solid may have more vertices.
@@ -215,13 +209,7 @@ impl Polyhedron {
                 centre + half * Vec3::new(sign(1), sign(2), sign(4))
             })
             .collect();
-        Self {
-            vertices,
-            faces: BRICK_FACES
-                .iter()
-                .map(|f| f.map(u32::from).to_vec())
-                .collect(),
-        }
+        Self { vertices, faces: BRICK_FACES.iter().map(|f| f.map(u32::from).to_vec()).collect() }
     }
 
     /// Whether all is right.
@@ -255,10 +243,7 @@ impl Polyhedron {
     /// Corners of a face, m.
     #[must_use]
     pub fn outline(&self, face: usize) -> Vec<Vec3> {
-        self.faces[face]
-            .iter()
-            .map(|&v| self.vertices[v as usize])
-            .collect()
+        self.faces[face].iter().map(|&v| self.vertices[v as usize]).collect()
     }
 
     /// Outward normal of a face times its area (Newell's sum: the best plane of a slightly crooked face), m².
@@ -284,10 +269,7 @@ impl Polyhedron {
         let normal = self.area_vector(face).normalize_or_zero();
         let corners = &self.faces[face];
         // The mean: of a slightly crooked face no single corner is on the plane.
-        let sum = corners
-            .iter()
-            .map(|&v| self.vertices[v as usize])
-            .sum::<Vec3>();
+        let sum = corners.iter().map(|&v| self.vertices[v as usize]).sum::<Vec3>();
         (normal, normal.dot(sum / corners.len() as f64))
     }
 
@@ -309,11 +291,7 @@ impl Polyhedron {
         for (face, corners) in self.faces.iter().enumerate() {
             for &vertex in corners {
                 if vertex as usize >= count {
-                    return Err(SolidError::NoSuchVertex {
-                        face,
-                        vertex,
-                        count,
-                    });
+                    return Err(SolidError::NoSuchVertex { face, vertex, count });
                 }
                 used[vertex as usize] = true;
             }
@@ -335,20 +313,12 @@ impl Polyhedron {
         for (face, corners) in self.faces.iter().enumerate() {
             for (from, to) in edges_of(corners) {
                 if let Some(&other) = edges.get(&(from, to)) {
-                    return Err(SolidError::WrongWay {
-                        from,
-                        to,
-                        face: other,
-                        other: face,
-                    });
+                    return Err(SolidError::WrongWay { from, to, face: other, other: face });
                 }
                 edges.insert((from, to), face);
             }
         }
-        match edges
-            .iter()
-            .find(|((a, b), _)| !edges.contains_key(&(*b, *a)))
-        {
+        match edges.iter().find(|((a, b), _)| !edges.contains_key(&(*b, *a))) {
             Some((&(from, to), &face)) => Err(SolidError::Open { from, to, face }),
             None => Ok(()),
         }
@@ -370,21 +340,13 @@ impl Polyhedron {
             for &vertex in corners {
                 let distance = height(vertex).abs();
                 if distance > tolerance {
-                    return Err(SolidError::CrookedFace {
-                        face,
-                        vertex,
-                        distance,
-                    });
+                    return Err(SolidError::CrookedFace { face, vertex, distance });
                 }
             }
             for vertex in 0..self.vertices.len() as u32 {
                 let distance = height(vertex);
                 if distance > tolerance {
-                    return Err(SolidError::NotConvex {
-                        face,
-                        vertex,
-                        distance,
-                    });
+                    return Err(SolidError::NotConvex { face, vertex, distance });
                 }
             }
         }
@@ -433,10 +395,7 @@ pub fn frame(n: Vec3) -> [Vec3; 3] {
 
 /// Coordinates of points in a plane with the axes b and c, relative to `origin`.
 pub(crate) fn flatten(points: &[Vec3], origin: Vec3, b: Vec3, c: Vec3) -> Vec<Vec2> {
-    points
-        .iter()
-        .map(|&p| Vec2::new((p - origin).dot(b), (p - origin).dot(c)))
-        .collect()
+    points.iter().map(|&p| Vec2::new((p - origin).dot(b), (p - origin).dot(c))).collect()
 }
 
 #[cfg(test)]

@@ -6,12 +6,7 @@ use crate::{GeomError, Vec2, tol};
 /// Rectangle with its lower left corner at `corner`.
 pub fn rectangle(corner: Vec2, size: Vec2) -> Vec<Vec2> {
     let far = corner + size;
-    vec![
-        corner,
-        Vec2::new(far.x, corner.y),
-        far,
-        Vec2::new(corner.x, far.y),
-    ]
+    vec![corner, Vec2::new(far.x, corner.y), far, Vec2::new(corner.x, far.y)]
 }
 
 /// Regular polygon on a circle, standing on an edge; the right end of that edge comes first.
@@ -19,9 +14,7 @@ pub fn regular(sides: usize, radius: f64, centre: Vec2) -> Vec<Vec2> {
     // From straight down, so that the two ends of the lowest edge mirror each other.
     let angle = |k: usize| std::f64::consts::PI * (2.0 * k as f64 + 1.0) / sides as f64;
     let corner = |a: f64| Vec2::new(libm::sin(a), -libm::cos(a));
-    (0..sides)
-        .map(|k| centre + radius * corner(angle(k)))
-        .collect()
+    (0..sides).map(|k| centre + radius * corner(angle(k))).collect()
 }
 
 /// Unit vector at an angle anticlockwise from +x, the same bits on every machine.
@@ -50,40 +43,12 @@ pub struct Wall {
 /// Blocks of a wall, course by course from below, from left to right. Neighbours share coordinates
 /// bit for bit.
 pub fn wall(wall: &Wall) -> Result<Vec<Vec<Vec2>>, GeomError> {
-    demand(
-        "the width of a wall block",
-        wall.block.x,
-        wall.block.x > 0.0,
-        "above 0",
-    )?;
-    demand(
-        "the height of a wall block",
-        wall.block.y,
-        wall.block.y > 0.0,
-        "above 0",
-    )?;
-    demand(
-        "the wall's corner",
-        wall.corner.x + wall.corner.y,
-        true,
-        "finite",
-    )?;
-    capped(
-        "blocks",
-        wall.courses as f64 * (wall.per_course as f64 + 1.0),
-    )?;
-    demand(
-        "the number of courses",
-        wall.courses as f64,
-        wall.courses > 0,
-        "at least 1",
-    )?;
-    demand(
-        "blocks per course",
-        wall.per_course as f64,
-        wall.per_course > 0,
-        "at least 1",
-    )?;
+    demand("the width of a wall block", wall.block.x, wall.block.x > 0.0, "above 0")?;
+    demand("the height of a wall block", wall.block.y, wall.block.y > 0.0, "above 0")?;
+    demand("the wall's corner", wall.corner.x + wall.corner.y, true, "finite")?;
+    capped("blocks", wall.courses as f64 * (wall.per_course as f64 + 1.0))?;
+    demand("the number of courses", wall.courses as f64, wall.courses > 0, "at least 1")?;
+    demand("blocks per course", wall.per_course as f64, wall.per_course > 0, "at least 1")?;
     // Every coordinate is a whole number of half blocks from the corner.
     let x = |halves: usize| wall.corner.x + halves as f64 * (0.5 * wall.block.x);
     let y = |course: usize| wall.corner.y + course as f64 * wall.block.y;
@@ -131,13 +96,7 @@ pub struct Arch {
 /// Voussoirs from the right springing to the left one, each with four straight sides; neighbours
 /// share their two vertices bit for bit.
 pub fn arch(arch: &Arch) -> Result<Vec<Vec<Vec2>>, GeomError> {
-    let Arch {
-        centre,
-        radius,
-        thickness,
-        half_angle,
-        voussoirs,
-    } = *arch;
+    let Arch { centre, radius, thickness, half_angle, voussoirs } = *arch;
     demand("the radius of the arch", radius, radius > 0.0, "above 0")?;
     demand(
         "the thickness of the arch",
@@ -152,19 +111,9 @@ pub fn arch(arch: &Arch) -> Result<Vec<Vec<Vec2>>, GeomError> {
         "above 0 and below 180 deg (pi)",
     )?;
     demand("the arch's centre", centre.x + centre.y, true, "finite")?;
-    demand(
-        "the number of voussoirs",
-        voussoirs as f64,
-        voussoirs > 0,
-        "at least 1",
-    )?;
+    demand("the number of voussoirs", voussoirs as f64, voussoirs > 0, "at least 1")?;
     let step = 2.0 * half_angle / voussoirs as f64;
-    demand(
-        "the angle of one voussoir",
-        step,
-        step < std::f64::consts::PI,
-        "below 180 deg (pi)",
-    )?;
+    demand("the angle of one voussoir", step, step < std::f64::consts::PI, "below 180 deg (pi)")?;
     capped("voussoirs", voussoirs as f64)?;
     // Measured from the crown, so that the two halves mirror each other to the bit.
     let ray = |k: usize| {
@@ -172,13 +121,9 @@ pub fn arch(arch: &Arch) -> Result<Vec<Vec<Vec2>>, GeomError> {
         Vec2::new(libm::sin(from_crown), libm::cos(from_crown))
     };
     let (inner, outer) = (radius - 0.5 * thickness, radius + 0.5 * thickness);
-    let joints: Vec<[Vec2; 2]> = (0..=voussoirs)
-        .map(|k| [centre + inner * ray(k), centre + outer * ray(k)])
-        .collect();
-    Ok(joints
-        .windows(2)
-        .map(|j| vec![j[0][0], j[0][1], j[1][1], j[1][0]])
-        .collect())
+    let joints: Vec<[Vec2; 2]> =
+        (0..=voussoirs).map(|k| [centre + inner * ray(k), centre + outer * ray(k)]).collect();
+    Ok(joints.windows(2).map(|j| vec![j[0][0], j[0][1], j[1][1], j[1][0]]).collect())
 }
 
 /// `Ok` if `count` blocks are allowed.
@@ -186,11 +131,7 @@ pub(crate) fn capped(what: &'static str, count: f64) -> Result<(), GeomError> {
     if count <= tol::MAX_BLOCKS as f64 {
         Ok(())
     } else {
-        Err(GeomError::TooMany {
-            what,
-            count,
-            cap: tol::MAX_BLOCKS,
-        })
+        Err(GeomError::TooMany { what, count, cap: tol::MAX_BLOCKS })
     }
 }
 
@@ -198,18 +139,9 @@ pub(crate) fn capped(what: &'static str, count: f64) -> Result<(), GeomError> {
 /// two parts.
 #[cfg(test)]
 pub(crate) fn letter_u() -> Vec<Vec2> {
-    [
-        (0.0, 0.0),
-        (5.0, 0.0),
-        (5.0, 4.0),
-        (4.0, 4.0),
-        (4.0, 1.0),
-        (1.0, 1.0),
-        (1.0, 4.0),
-        (0.0, 4.0),
-    ]
-    .map(Vec2::from)
-    .to_vec()
+    [(0.0, 0.0), (5.0, 0.0), (5.0, 4.0), (4.0, 4.0), (4.0, 1.0), (1.0, 1.0), (1.0, 4.0), (0.0, 4.0)]
+        .map(Vec2::from)
+        .to_vec()
 }
 
 #[cfg(test)]
@@ -228,34 +160,17 @@ mod tests {
             half_blocks: false,
         };
         assert_eq!(wall(&plain).unwrap().len(), 15);
-        let ragged = Wall {
-            running: true,
-            ..plain
-        };
+        let ragged = Wall { running: true, ..plain };
         assert_eq!(wall(&ragged).unwrap().len(), 15);
-        let straight = wall(&Wall {
-            half_blocks: true,
-            ..ragged
-        })
-        .unwrap();
+        let straight = wall(&Wall { half_blocks: true, ..ragged }).unwrap();
         assert_eq!(straight.len(), 3 * 3 + 2 * 4);
         let area: f64 = straight.iter().map(|b| signed_area(b)).sum();
         assert!((area - 1.2).abs() < 1e-12);
         // The top of a block below and the bottom of the one above have the same y bits.
         assert_eq!(straight[0][2].y.to_bits(), straight[3][0].y.to_bits());
-        let silly = Wall {
-            courses: usize::MAX,
-            per_course: usize::MAX,
-            ..plain
-        };
+        let silly = Wall { courses: usize::MAX, per_course: usize::MAX, ..plain };
         assert!(matches!(wall(&silly), Err(GeomError::TooMany { .. })));
-        assert!(
-            wall(&Wall {
-                block: Vec2::new(f64::NAN, 1.0),
-                ..plain
-            })
-            .is_err()
-        );
+        assert!(wall(&Wall { block: Vec2::new(f64::NAN, 1.0), ..plain }).is_err());
     }
 
     #[test]
@@ -286,26 +201,8 @@ mod tests {
             assert!(validate(right).is_ok() && signed_area(right) > 0.0);
             assert_eq!(left[3], Vec2::new(-right[0].x, right[0].y));
         }
-        assert!(
-            arch(&Arch {
-                voussoirs: 0,
-                ..shape
-            })
-            .is_err()
-        );
-        assert!(
-            arch(&Arch {
-                thickness: 30.0,
-                ..shape
-            })
-            .is_err()
-        );
-        assert!(
-            arch(&Arch {
-                voussoirs: usize::MAX,
-                ..shape
-            })
-            .is_err()
-        );
+        assert!(arch(&Arch { voussoirs: 0, ..shape }).is_err());
+        assert!(arch(&Arch { thickness: 30.0, ..shape }).is_err());
+        assert!(arch(&Arch { voussoirs: usize::MAX, ..shape }).is_err());
     }
 }

@@ -70,12 +70,7 @@ mod tests {
     #[test]
     fn turned_frames_come_back() {
         let turns = [[0.3, -0.7, 1.1], [0.0, 0.0, 2.0], [1e-9, 0.0, 0.0]];
-        let cases = [
-            [3.0, 1.0, -2.0],
-            [5.0, 5.0, -1e3],
-            [1e7, 1.0, 1.0],
-            [0.0; 3],
-        ];
+        let cases = [[3.0, 1.0, -2.0], [5.0, 5.0, -1e3], [1e7, 1.0, 1.0], [0.0; 3]];
         for turn in turns {
             let frame = Mat3::from_quat(Quat::from_scaled_axis(turn.into()));
             for values in cases {
@@ -87,10 +82,7 @@ mod tests {
                 let axes = Mat3::from_cols(axes[0], axes[1], axes[2]);
                 assert!((axes.determinant() - 1.0).abs() < 1e-14);
                 let back = matrix(got, &axes) - matrix(values, &frame);
-                let far = back
-                    .to_cols_array()
-                    .iter()
-                    .fold(0.0, |m: f64, v| m.max(v.abs()));
+                let far = back.to_cols_array().iter().fold(0.0, |m: f64, v| m.max(v.abs()));
                 assert!(far < 1e-14 * size, "{far}");
             }
         }

@@ -46,34 +46,16 @@ pub struct Cells {
 /// ```
 pub fn voronoi(region: &[Vec2], cells: &Cells) -> Result<Blocks, GeomError> {
     polygon::validate(region)?;
-    demand(
-        "cell_size",
-        cells.cell_size,
-        cells.cell_size > 0.0,
-        "above 0",
-    )?;
-    demand(
-        "relax",
-        cells.relax as f64,
-        cells.relax <= 1000,
-        "at most 1000",
-    )?;
-    demand(
-        "smallest_edge",
-        cells.smallest_edge,
-        cells.smallest_edge >= 0.0,
-        "0 or more",
-    )?;
+    demand("cell_size", cells.cell_size, cells.cell_size > 0.0, "above 0")?;
+    demand("relax", cells.relax as f64, cells.relax <= 1000, "at most 1000")?;
+    demand("smallest_edge", cells.smallest_edge, cells.smallest_edge >= 0.0, "0 or more")?;
     let bounds = Aabb::of(region);
     let extent = bounds.max - bounds.min;
     let count = (extent.x / cells.cell_size) * (extent.y / cells.cell_size);
     capped("Voronoi cells", count)?;
     // Work relative to the box's middle, in which the coordinates are small.
     let origin = bounds.centre();
-    let local = Aabb {
-        min: bounds.min - origin,
-        max: bounds.max - origin,
-    };
+    let local = Aabb { min: bounds.min - origin, max: bounds.max - origin };
     let mut chance = Chance::new(cells.seed);
     let mut sites: Vec<Vec2> = (0..(count.round() as usize).max(1))
         .map(|_| {
@@ -83,9 +65,7 @@ pub fn voronoi(region: &[Vec2], cells: &Cells) -> Result<Blocks, GeomError> {
         .collect();
     for _ in 0..cells.relax {
         let grid = Grid::new(&sites, local, cells.cell_size);
-        sites = (0..sites.len())
-            .map(|i| polygon::centroid(&grid.cell(i).outline()))
-            .collect();
+        sites = (0..sites.len()).map(|i| polygon::centroid(&grid.cell(i).outline())).collect();
     }
     let inside: Vec<Vec2> = sites
         .iter()
@@ -105,21 +85,14 @@ pub fn voronoi(region: &[Vec2], cells: &Cells) -> Result<Blocks, GeomError> {
             // Each side once, from the cell with the lower number; those of the box are none.
             if neighbour > i && neighbour < usize::MAX {
                 let to = cell.corners[(k + 1) % cell.corners.len()].0;
-                cuts.push(Cut {
-                    from: from + origin,
-                    to: to + origin,
-                    family: None,
-                });
+                cuts.push(Cut { from: from + origin, to: to + origin, family: None });
             }
         }
     }
     let mut parts = cut_region(region, &cuts)?;
     let collapsed = collapse(&mut parts, region.len(), cells.smallest_edge);
     let blocks = heal(parts, cells.smallest_edge);
-    Ok(Blocks {
-        collapsed,
-        ..blocks
-    })
+    Ok(Blocks { collapsed, ..blocks })
 }
 
 /// A cell: corners, each with the site beyond the side that starts there (`usize::MAX`: the box).
@@ -196,25 +169,16 @@ impl<'a> Grid<'a> {
 
     fn square(&self, p: Vec2) -> (i64, i64) {
         let at = (p - self.bounds.min) / self.side;
-        (
-            (at.x as i64).clamp(0, self.columns - 1),
-            (at.y as i64).clamp(0, self.rows - 1),
-        )
+        ((at.x as i64).clamp(0, self.columns - 1), (at.y as i64).clamp(0, self.rows - 1))
     }
 
     fn cell(&self, i: usize) -> Cell {
         let site = self.sites[i];
         let corners = crate::shapes::rectangle(self.bounds.min, self.bounds.max - self.bounds.min);
-        let mut cell = Cell {
-            corners: corners.into_iter().map(|p| (p, usize::MAX)).collect(),
-        };
+        let mut cell = Cell { corners: corners.into_iter().map(|p| (p, usize::MAX)).collect() };
         let (cx, cy) = self.square(site);
         for ring in 0..=self.columns.max(self.rows) {
-            let reach = cell
-                .corners
-                .iter()
-                .map(|c| c.0.distance(site))
-                .fold(0.0, f64::max);
+            let reach = cell.corners.iter().map(|c| c.0.distance(site)).fold(0.0, f64::max);
             // The line between two sites is half way: one farther than twice the farthest corner cuts nothing.
             if (ring - 1) as f64 * self.side > 2.0 * reach {
                 break;
@@ -248,20 +212,11 @@ mod tests {
     use std::collections::BTreeMap;
 
     fn area(blocks: &Blocks) -> f64 {
-        blocks
-            .polygons
-            .iter()
-            .map(|p| polygon::signed_area(p))
-            .sum()
+        blocks.polygons.iter().map(|p| polygon::signed_area(p)).sum()
     }
 
     fn cells(cell_size: f64, seed: u64) -> Cells {
-        Cells {
-            cell_size,
-            seed,
-            relax: 2,
-            smallest_edge: 0.0,
-        }
+        Cells { cell_size, seed, relax: 2, smallest_edge: 0.0 }
     }
 
     #[test]
@@ -285,14 +240,7 @@ mod tests {
     fn relaxing_makes_cells_equal() {
         let region = rectangle(Vec2::ZERO, Vec2::new(12.0, 8.0));
         let spread = |relax| {
-            let blocks = voronoi(
-                &region,
-                &Cells {
-                    relax,
-                    ..cells(0.8, 2)
-                },
-            )
-            .unwrap();
+            let blocks = voronoi(&region, &Cells { relax, ..cells(0.8, 2) }).unwrap();
             let mean = area(&blocks) / blocks.polygons.len() as f64;
             let square = |p: &Vec<Vec2>| (polygon::signed_area(p) / mean - 1.0).powi(2);
             blocks.polygons.iter().map(square).sum::<f64>() / blocks.polygons.len() as f64
@@ -303,19 +251,9 @@ mod tests {
     #[test]
     fn short_edges_are_shrunk() {
         let region = rectangle(Vec2::ZERO, Vec2::new(12.0, 8.0));
-        let what = Cells {
-            smallest_edge: 0.08,
-            ..cells(0.8, 2)
-        };
+        let what = Cells { smallest_edge: 0.08, ..cells(0.8, 2) };
         let blocks = voronoi(&region, &what).unwrap();
-        let plain = voronoi(
-            &region,
-            &Cells {
-                smallest_edge: 0.0,
-                ..what
-            },
-        )
-        .unwrap();
+        let plain = voronoi(&region, &Cells { smallest_edge: 0.0, ..what }).unwrap();
         assert_eq!(blocks.polygons.len(), plain.polygons.len());
         assert!(
             blocks.collapsed > 5 && blocks.left.is_empty(),
@@ -332,16 +270,7 @@ mod tests {
         for size in [1e-12, 0.0, f64::NAN, -1.0, 1e-300] {
             assert!(voronoi(&region, &cells(size, 1)).is_err(), "{size}");
         }
-        assert!(
-            voronoi(
-                &region,
-                &Cells {
-                    relax: usize::MAX,
-                    ..cells(1.0, 1)
-                }
-            )
-            .is_err()
-        );
+        assert!(voronoi(&region, &Cells { relax: usize::MAX, ..cells(1.0, 1) }).is_err());
         assert_eq!(voronoi(&region, &cells(1e12, 1)).unwrap().polygons.len(), 1);
         let strip = rectangle(Vec2::ZERO, Vec2::new(1e6, 1e-3));
         assert!(voronoi(&strip, &cells(1e-1, 1)).is_ok());

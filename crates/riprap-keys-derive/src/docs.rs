@@ -5,10 +5,8 @@ use syn::{Attribute, Expr, ExprLit, Lit, Meta};
 /// First paragraph of the doc comment, on one line.
 pub fn meaning(attributes: &[Attribute]) -> String {
     let lines = attributes.iter().filter_map(line);
-    let first: Vec<String> = lines
-        .map(|line| line.trim().to_owned())
-        .take_while(|line| !line.is_empty())
-        .collect();
+    let first: Vec<String> =
+        lines.map(|line| line.trim().to_owned()).take_while(|line| !line.is_empty()).collect();
     first.join(" ")
 }
 
@@ -33,11 +31,7 @@ fn line(attribute: &Attribute) -> Option<String> {
     let Meta::NameValue(pair) = &attribute.meta else {
         return None;
     };
-    let Expr::Lit(ExprLit {
-        lit: Lit::Str(text),
-        ..
-    }) = &pair.value
-    else {
+    let Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) = &pair.value else {
         return None;
     };
     pair.path.is_ident("doc").then(|| text.value())

@@ -51,16 +51,10 @@ struct Key<'a> {
 
 pub fn derive(input: &DeriveInput) -> Result<TokenStream> {
     let Data::Struct(data) = &input.data else {
-        return Err(Error::new_spanned(
-            &input.ident,
-            "keys are fields of a struct",
-        ));
+        return Err(Error::new_spanned(&input.ident, "keys are fields of a struct"));
     };
     let Fields::Named(fields) = &data.fields else {
-        return Err(Error::new_spanned(
-            &input.ident,
-            "keys are fields with names",
-        ));
+        return Err(Error::new_spanned(&input.ident, "keys are fields with names"));
     };
     let keys: Vec<Key<'_>> = fields.named.iter().map(Key::new).collect::<Result<_>>()?;
     let (change, change_of) = table_attributes(input)?;
@@ -111,11 +105,7 @@ impl<'a> Key<'a> {
             range: [None, None],
             schema_of: None,
             optional: inner(&field.ty, "Option").is_some(),
-            serde: field
-                .attrs
-                .iter()
-                .filter(|a| a.path().is_ident("serde"))
-                .collect(),
+            serde: field.attrs.iter().filter(|a| a.path().is_ident("serde")).collect(),
         };
         for attribute in &field.attrs {
             if attribute.path().is_ident("serde") {
@@ -215,10 +205,9 @@ impl<'a> Key<'a> {
             Default::Spaces(planar, spatial) => {
                 format!(" Default {planar} in `[space.planar]` and {spatial} in `[space.spatial]`.")
             }
-            Default::Plain(Expr::Lit(ExprLit {
-                lit: Lit::Int(number),
-                ..
-            })) => format!(" Default {}.", number.base10_digits()),
+            Default::Plain(Expr::Lit(ExprLit { lit: Lit::Int(number), .. })) => {
+                format!(" Default {}.", number.base10_digits())
+            }
             Default::Plain(value) => return quote! { format!(" Default {:?}.", #value) },
             Default::Word => {
                 let ty = inner(self.ty, "Option").unwrap_or(self.ty);
@@ -304,9 +293,7 @@ fn read(input: &DeriveInput, keys: &[Key<'_>]) -> Result<TokenStream> {
     let values = keys.iter().filter_map(or_default);
     let read_by = read_by(keys)?;
     let mut generics = input.generics.clone();
-    generics
-        .params
-        .insert(0, GenericParam::Lifetime(parse_quote!('said)));
+    generics.params.insert(0, GenericParam::Lifetime(parse_quote!('said)));
     let (head, _, _) = generics.split_for_impl();
     Ok(quote! {
         impl #head crate::read::Read<'said, #name #types> #conditions {
@@ -478,10 +465,7 @@ fn changed_form(name: &Ident, of: &str, keys: &[Key<'_>]) -> TokenStream {
     let fields = keys.iter().filter(|key| key.changes).map(|key| {
         let (ident, meaning, serde) = (key.ident, &key.meaning, &key.serde);
         let ty = inner(key.ty, "Option").unwrap_or(key.ty);
-        let space = key
-            .space
-            .as_ref()
-            .map(|space| quote! { #[key(space = #space)] });
+        let space = key.space.as_ref().map(|space| quote! { #[key(space = #space)] });
         let readers = (!key.readers.is_empty()).then(|| {
             let readers = &key.readers;
             quote! { #[key(read_by(#(#readers),*))] }
@@ -515,19 +499,13 @@ fn option(text: Option<&str>) -> TokenStream {
 /// Whether a type is a truth value or a whole number.
 fn is_plain(ty: &Type) -> bool {
     let Type::Path(path) = ty else { return false };
-    ["bool", "u8", "u32", "u64"]
-        .iter()
-        .any(|plain| path.path.is_ident(plain))
+    ["bool", "u8", "u32", "u64"].iter().any(|plain| path.path.is_ident(plain))
 }
 
 /// `T` of `Name<T>`.
 fn inner<'a>(ty: &'a Type, name: &str) -> Option<&'a Type> {
     let Type::Path(path) = ty else { return None };
-    let last = path
-        .path
-        .segments
-        .last()
-        .filter(|last| last.ident == name)?;
+    let last = path.path.segments.last().filter(|last| last.ident == name)?;
     let PathArguments::AngleBracketed(arguments) = &last.arguments else {
         return None;
     };

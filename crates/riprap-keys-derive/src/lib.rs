@@ -15,9 +15,7 @@ use syn::{DeriveInput, parse_macro_input};
 #[proc_macro_derive(Words, attributes(word))]
 pub fn words(input: TokenStream) -> TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
-    words::derive(&input)
-        .unwrap_or_else(syn::Error::into_compile_error)
-        .into()
+    words::derive(&input).unwrap_or_else(syn::Error::into_compile_error).into()
 }
 
 /// Makes the fields of a struct keys of a table of the scenario language.
@@ -39,7 +37,5 @@ pub fn words(input: TokenStream) -> TokenStream {
 #[proc_macro_derive(Keys, attributes(key, keys, schemars))]
 pub fn keys(input: TokenStream) -> TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
-    keys::derive(&input)
-        .unwrap_or_else(syn::Error::into_compile_error)
-        .into()
+    keys::derive(&input).unwrap_or_else(syn::Error::into_compile_error).into()
 }

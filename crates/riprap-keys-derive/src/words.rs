@@ -8,16 +8,10 @@ use crate::docs::{meaning, snake};
 
 pub fn derive(input: &DeriveInput) -> Result<TokenStream> {
     let Data::Enum(data) = &input.data else {
-        return Err(Error::new_spanned(
-            &input.ident,
-            "words are variants of an enum",
-        ));
+        return Err(Error::new_spanned(&input.ident, "words are variants of an enum"));
     };
     if !input.generics.params.is_empty() {
-        return Err(Error::new_spanned(
-            &input.generics,
-            "an enum of words is not generic",
-        ));
+        return Err(Error::new_spanned(&input.generics, "an enum of words is not generic"));
     }
     let name = &input.ident;
     let about = documented(&input.ident, meaning(&input.attrs))?;

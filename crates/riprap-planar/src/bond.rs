@@ -32,10 +32,7 @@ const OPENING: f64 = 3.0;
 fn gauss(n: u8) -> &'static [(f64, f64)] {
     match n {
         0 | 1 => &[(0.5, 1.0)],
-        2 => &[
-            (0.211_324_865_405_187_1, 0.5),
-            (0.788_675_134_594_812_9, 0.5),
-        ],
+        2 => &[(0.211_324_865_405_187_1, 0.5), (0.788_675_134_594_812_9, 0.5)],
         3 => &[
             (0.112_701_665_379_258_3, 5.0 / 18.0),
             (0.5, 8.0 / 18.0),
@@ -182,20 +179,12 @@ fn apart(setup: &Setup, law: &BondLaw, at: Vec2, n: Vec2) -> Vec2 {
 /// Sets the effective masses after supports have changed.
 pub fn set_masses(world: &mut World, shapes: &Shapes) {
     let inverse = |motion: &Option<Box<super::setup::Motion>>, b: usize| {
-        if is_driven(motion.as_deref()) {
-            0.0
-        } else {
-            1.0 / shapes.mass[b]
-        }
+        if is_driven(motion.as_deref()) { 0.0 } else { 1.0 / shapes.mass[b] }
     };
     for bond in &mut world.bonds {
         let (i, j) = (bond.i as usize, bond.j as usize);
         let sum = inverse(&world.motion[i], i) + inverse(&world.motion[j], j);
-        bond.mass = if sum > 0.0 {
-            1.0 / sum
-        } else {
-            shapes.mass[i].min(shapes.mass[j])
-        };
+        bond.mass = if sum > 0.0 { 1.0 / sum } else { shapes.mass[i].min(shapes.mass[j]) };
     }
 }
 
@@ -270,19 +259,11 @@ pub fn force(
             };
             let cn = dash(law.normal_stiffness);
             // Along the joint a failed point has its friction and nothing else.
-            let cs = if r.failed {
-                0.0
-            } else {
-                dash(law.shear_stiffness)
-            };
+            let cs = if r.failed { 0.0 } else { dash(law.shear_stiffness) };
             // The normal points from i to j: a positive pull is tension.
             let pull = -cn * rate.dot(normal);
             // With the pressure there it must not pull.
-            let pull = if r.failed {
-                pull.min(-r.sigma * point.weight)
-            } else {
-                pull
-            };
+            let pull = if r.failed { pull.min(-r.sigma * point.weight) } else { pull };
             let f = pull * normal - cs * rate.dot(tangent) * tangent;
             damp = damp.plus(&Wrench::at(f, x, x + relative.shift));
         }
@@ -333,12 +314,7 @@ fn general_point(
         gap: law.opening_of(&[0.0; 3], &at, &memory),
         open: memory.open,
     };
-    let response = Response {
-        sigma: t[0],
-        tau: t[1],
-        slip: memory.slip[0],
-        failed: memory.broken,
-    };
+    let response = Response { sigma: t[0], tau: t[1], slip: memory.slip[0], failed: memory.broken };
     (response, [stored[0] + stored[1], loss.fracture])
 }
 

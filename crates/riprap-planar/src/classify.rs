@@ -106,20 +106,12 @@ pub fn classify(i: &[Turned], j: &[Turned], shift: Vec2, d0: f64) -> Vec<Classif
                 }
                 let (n, o) = (own.len(), other.len());
                 let of = |c: &Classified| {
-                    if second {
-                        (c.second, c.first)
-                    } else {
-                        (c.first, c.second)
-                    }
+                    if second { (c.second, c.first) } else { (c.first, c.second) }
                 };
-                let by_edge = edges
-                    .iter()
-                    .map(of)
-                    .any(|(e, f)| f == m && (e == k || e == (k + n - 1) % n));
-                let by_corner = corners
-                    .iter()
-                    .map(of)
-                    .any(|(c, v)| c == k && (v == m || v == (m + 1) % o));
+                let by_edge =
+                    edges.iter().map(of).any(|(e, f)| f == m && (e == k || e == (k + n - 1) % n));
+                let by_corner =
+                    corners.iter().map(of).any(|(c, v)| c == k && (v == m || v == (m + 1) % o));
                 if !by_edge && !by_corner {
                     let (first, second_feature) = if second { (m, k) } else { (k, m) };
                     found.push(Classified {
@@ -183,10 +175,7 @@ mod tests {
     }
 
     fn kinds(a: &[(f64, f64)], b: &[(f64, f64)]) -> Vec<ContactType> {
-        classify(&polygon(a), &polygon(b), Vec2::ZERO, 1e-3)
-            .iter()
-            .map(|c| c.kind)
-            .collect()
+        classify(&polygon(a), &polygon(b), Vec2::ZERO, 1e-3).iter().map(|c| c.kind).collect()
     }
 
     const SQUARE: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
@@ -212,13 +201,7 @@ mod tests {
 
     #[test]
     fn corner_in_a_notch_is_concave_convex() {
-        let notched = [
-            (-1.0, -1.0),
-            (1.0, -1.0),
-            (1.0, 1.0),
-            (0.0, 0.0),
-            (-1.0, 1.0),
-        ];
+        let notched = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (0.0, 0.0), (-1.0, 1.0)];
         let wedge = [(0.0, 1e-4), (0.3, 1.0), (-0.3, 1.0)];
         assert_eq!(kinds(&notched, &wedge), [ContactType::ConcaveConvex]);
     }

@@ -14,10 +14,7 @@ const ARROWS: usize = 7;
 #[must_use]
 pub fn conditions(view: &View<'_>, first: usize) -> Conditions {
     let setup = &view.world.setup;
-    let mut out = Conditions {
-        blocks: setup.blocks.len(),
-        ..Conditions::default()
-    };
+    let mut out = Conditions { blocks: setup.blocks.len(), ..Conditions::default() };
     if first > 0 {
         return out;
     }
@@ -59,22 +56,13 @@ fn loads(view: &View<'_>) -> Vec<GivenLoad> {
         };
         let centre = |b: u32| shapes.centroid[b as usize];
         match &load.kind {
-            LoadKind::Point {
-                force,
-                at,
-                follows: _,
-            } => {
+            LoadKind::Point { force, at, follows: _ } => {
                 for &b in &load.blocks {
                     let vector = [force.x, force.y, 0.0];
                     put(Kind::Force, "N/m", b, at.unwrap_or(centre(b)), vector);
                 }
             }
-            LoadKind::Edge {
-                from,
-                to,
-                traction,
-                pressure,
-            } => {
+            LoadKind::Edge { from, to, traction, pressure } => {
                 for &b in &load.blocks {
                     let body = |p: Vec2| p - centre(b);
                     let inward = -edge_normal(shapes, b as usize, body(*from), body(*to));

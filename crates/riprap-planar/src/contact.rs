@@ -118,15 +118,7 @@ pub(crate) fn convex_chunk(
         let relative = Relative::of(context.bodies, candidate.i, candidate.j);
         let law = &context.laws[candidate.row as usize];
         *slot = if let Some(pressed) = press_convex(context, candidate, &relative) {
-            apply(
-                law,
-                candidate.dashpots,
-                context,
-                &relative,
-                &pressed,
-                &mut state.contact,
-                works,
-            )
+            apply(law, candidate.dashpots, context, &relative, &pressed, &mut state.contact, works)
         } else {
             if state.contact != Contact::default() {
                 end(law, &relative, context.elapsed, &mut state.contact, works);
@@ -153,11 +145,7 @@ pub(crate) fn press_convex(
     let moment_i = half * overlap.moment;
     Some(Pressed {
         // Same points for both: the moment about j's centroid follows from that about i's.
-        normal: Wrench {
-            force,
-            moment_i,
-            moment_j: -moment_i - relative.shift.perp_dot(force),
-        },
+        normal: Wrench { force, moment_i, moment_j: -moment_i - relative.shift.perp_dot(force) },
         centre: overlap.weighted / overlap.weight,
         length: 0.5 * overlap.chord.length(),
         depth: overlap.depth,
@@ -208,15 +196,8 @@ fn general_pair(
             contact.path_energy += energy;
             works.contact_path += energy;
         }
-        let wrench = apply(
-            law,
-            candidate.dashpots,
-            context,
-            &relative,
-            &pressed,
-            &mut contact,
-            works,
-        );
+        let wrench =
+            apply(law, candidate.dashpots, context, &relative, &pressed, &mut contact, works);
         total = total.plus(&wrench);
         state.regions.push(Region { edges, contact });
     }
@@ -234,13 +215,7 @@ fn cut(
     workspace: &mut Workspace,
 ) -> u16 {
     let (i, j) = context.sides(candidate);
-    pieces::find(
-        i,
-        j,
-        relative.shift,
-        &mut workspace.pieces,
-        &mut workspace.cuts,
-    );
+    pieces::find(i, j, relative.shift, &mut workspace.pieces, &mut workspace.cuts);
     pieces::regions(&mut workspace.pieces, i, j) as u16
 }
 
@@ -283,9 +258,7 @@ fn press(
     let (mut weight, mut weighted, mut chord, mut edges) = (0.0, Vec2::ZERO, Vec2::ZERO, 0u64);
     let mut friction = Wrench::default();
     if law.normal == NormalLaw::PenetrationPotential {
-        workspace
-            .local
-            .look(&workspace.pieces, region, i, j, relative.shift);
+        workspace.local.look(&workspace.pieces, region, i, j, relative.shift);
     }
     for piece in workspace.pieces.iter().filter(|p| p.region == region) {
         let bit = u32::from(piece.edge % 32) + if piece.second { 32 } else { 0 };
@@ -294,11 +267,7 @@ fn press(
         chord += sign * (piece.ends[1] - piece.ends[0]);
         let (own, other) = if piece.second { (j, i) } else { (i, j) };
         // From the first centroid to the centroid of the block the piece is inside of.
-        let shift = if piece.second {
-            Vec2::ZERO
-        } else {
-            relative.shift
-        };
+        let shift = if piece.second { Vec2::ZERO } else { relative.shift };
         let normal = own.turned[piece.edge as usize].normal;
         let mut add = |force: f64, x: Vec2, p: Vec2, q: Vec2| {
             let push = -sign * force * normal;
@@ -322,11 +291,7 @@ fn press(
                 }
             }
             NormalLaw::PenetrationPotential => {
-                let apart = if piece.second {
-                    -relative.shift
-                } else {
-                    relative.shift
-                };
+                let apart = if piece.second { -relative.shift } else { relative.shift };
                 let (parts, n) = workspace.local.parts(piece, own, other, law.reflex, apart);
                 for part in &parts[..n] {
                     let length = (part.q - part.p).length();
@@ -429,16 +394,7 @@ fn apply(
         }
     };
 
-    book(
-        law,
-        relative,
-        context.elapsed,
-        contact,
-        &pressed.normal,
-        &shear,
-        &damp,
-        works,
-    );
+    book(law, relative, context.elapsed, contact, &pressed.normal, &shear, &damp, works);
     let energy = shear_energy(law, contact);
     works.friction += contact.shear_energy - energy;
     contact.shear_energy = energy;
@@ -485,18 +441,9 @@ pub fn change_laws(world: &mut World, scratch: &Scratch, laws: &[(u16, ContactLa
     for (row, law) in laws {
         world.setup.interfaces[usize::from(*row)].contact = *law;
     }
-    let World {
-        pairs,
-        general,
-        setup,
-        works,
-        ..
-    } = world;
+    let World { pairs, general, setup, works, .. } = world;
     let mut renew = |row: u16, contact: &mut Contact| {
-        let [old, new] = [
-            &before[usize::from(row)],
-            &setup.interfaces[usize::from(row)].contact,
-        ];
+        let [old, new] = [&before[usize::from(row)], &setup.interfaces[usize::from(row)].contact];
         contact.shear_energy = shear_energy(new, contact);
         if [old, new].map(|law| law.normal) == [NormalLaw::PenetrationPotential; 2] {
             let grown = new.normal_stiffness / old.normal_stiffness - 1.0;
@@ -519,10 +466,7 @@ pub fn change_laws(world: &mut World, scratch: &Scratch, laws: &[(u16, ContactLa
 }
 
 /// Books the trapezoidal works of the three parts over the elapsed time and remembers the parts.
-#[expect(
-    clippy::too_many_arguments,
-    reason = "the three parts of one contact and what moves them"
-)]
+#[expect(clippy::too_many_arguments, reason = "the three parts of one contact and what moves them")]
 fn book(
     law: &ContactLaw,
     relative: &Relative,

@@ -180,10 +180,7 @@ fn inside(walls: &[(Vec2, f64)], p: Vec2, q: Vec2, lines: &mut [Line]) -> Option
         } else if b < 0.0 {
             end = least(end, a / (a - b));
         }
-        *line = Line {
-            at_start: a,
-            at_end: b,
-        };
+        *line = Line { at_start: a, at_end: b };
     }
     (start < end && !walls.is_empty()).then_some((start, end))
 }
@@ -232,10 +229,7 @@ fn envelope(lines: &[Line], start: f64, end: f64) -> DepthProfile {
         profile.add(start, low_first, end, low_last);
         return profile;
     }
-    let cross = most(
-        start,
-        least(end, (falling.at_start - rising.at_start) / fall),
-    );
+    let cross = most(start, least(end, (falling.at_start - rising.at_start) / fall));
     let there = rising.at(cross);
     let lower = |(m, line): (usize, &Line)| m != first && m != last && line.at(cross) < there;
     if lines.len() > 2 && lines.iter().enumerate().any(lower) {
@@ -309,22 +303,14 @@ mod tests {
     }
 
     fn rectangle(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<Vec2> {
-        [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
-            .map(|(x, y)| Vec2::new(x, y))
-            .to_vec()
+        [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Vec2::new(x, y)).to_vec()
     }
 
     #[test]
     fn flat_contact_has_the_closed_form() {
         let d = 1e-3;
-        let o = run(
-            rectangle(0.0, -d, 1.0, 1.0),
-            rectangle(-5.0, -3.0, 6.0, 0.0),
-        );
-        assert!(
-            (0.5 * o.force.y - flat_force(1.0, 1.0, d)).abs() < 1e-15,
-            "{o:?}"
-        );
+        let o = run(rectangle(0.0, -d, 1.0, 1.0), rectangle(-5.0, -3.0, 6.0, 0.0));
+        assert!((0.5 * o.force.y - flat_force(1.0, 1.0, d)).abs() < 1e-15, "{o:?}");
         assert!(o.force.x.abs() < 1e-15 && o.moment.abs() < 1e-15);
         assert!((o.chord.length() - 2.0).abs() < 1e-2 && (o.depth - d).abs() < 1e-15);
     }
@@ -332,27 +318,15 @@ mod tests {
     #[test]
     fn corner_has_the_closed_form() {
         let (d, h) = (1e-3, 0.5);
-        let corner = vec![
-            Vec2::new(0.0, -d),
-            Vec2::new(h, h - d),
-            Vec2::new(-h, h - d),
-        ];
+        let corner = vec![Vec2::new(0.0, -d), Vec2::new(h, h - d), Vec2::new(-h, h - d)];
         let o = run(corner, rectangle(-5.0, -3.0, 5.0, 0.0));
         let exact = corner_force(1.0, std::f64::consts::FRAC_PI_4, d);
-        assert!(
-            (0.5 * o.force.y / exact - 1.0).abs() < 1e-12,
-            "{} {exact}",
-            0.5 * o.force.y
-        );
+        assert!((0.5 * o.force.y / exact - 1.0).abs() < 1e-12, "{} {exact}", 0.5 * o.force.y);
     }
 
     #[test]
     fn swapping_the_blocks_turns_the_force() {
-        let a = vec![
-            Vec2::new(0.1, -0.02),
-            Vec2::new(0.9, 0.3),
-            Vec2::new(0.2, 0.7),
-        ];
+        let a = vec![Vec2::new(0.1, -0.02), Vec2::new(0.9, 0.3), Vec2::new(0.2, 0.7)];
         let b = rectangle(-0.4, -1.0, 0.6, 0.03);
         let (ab, ba) = (run(a.clone(), b.clone()), run(b, a));
         assert!((ab.force + ba.force).length() <= 1e-15 * ab.force.length());

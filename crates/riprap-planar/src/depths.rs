@@ -56,11 +56,7 @@ impl Feature {
             Self::Corner { c, d, h } => {
                 let primitive = |s: f64, f: f64| {
                     let u = c * s - d;
-                    let log = if h > 0.0 {
-                        h * h * libm::asinh(u / h)
-                    } else {
-                        0.0
-                    };
+                    let log = if h > 0.0 { h * h * libm::asinh(u / h) } else { 0.0 };
                     (0.5 * (u * f + log) / c, f * f * f / (3.0 * c * c))
                 };
                 let ((i0, m0), (i1, m1)) = (primitive(s0, f0), primitive(s1, f1));
@@ -85,19 +81,12 @@ fn feature(block: Side<'_>, m: u16, p: Vec2, q: Vec2, s: f64) -> Feature {
         let (a, b) = (normal.dot(start - p), -normal.dot(q - p));
         // The distance, on whichever side of the line the piece runs here.
         let sign = if a + b * s >= 0.0 { 1.0 } else { -1.0 };
-        return Feature::Line {
-            a: sign * a,
-            b: sign * b,
-        };
+        return Feature::Line { a: sign * a, b: sign * b };
     };
     let direction = q - p;
     let c = direction.length();
     let unit = direction / c;
-    Feature::Corner {
-        c,
-        d: unit.dot(corner - p),
-        h: unit.perp_dot(corner - p).abs(),
-    }
+    Feature::Corner { c, d: unit.dot(corner - p), h: unit.perp_dot(corner - p).abs() }
 }
 
 /// Longest list of edges whose features are all set against each other. A longer one is first cut down to
@@ -253,11 +242,7 @@ fn can_be_nearest(block: Side<'_>, p: Vec2, q: Vec2, near: &mut Vec<u16>) {
         let (a, b) = ends(m);
         segment_distance(a, b, p).max(segment_distance(a, b, q))
     };
-    let bound = block
-        .nearest
-        .iter()
-        .map(|&m| farthest(m))
-        .fold(f64::INFINITY, f64::min);
+    let bound = block.nearest.iter().map(|&m| farthest(m)).fold(f64::INFINITY, f64::min);
     // Round-off of a distance is one of the coordinates.
     let bound = bound + TOUCH * (q - p).length();
     near.extend(block.nearest.iter().copied().filter(|&m| {
@@ -304,10 +289,7 @@ fn equal_at(a: Feature, b: Feature) -> [f64; 2] {
         }
         (Feature::Corner { c, d, h }, Feature::Corner { d: e, h: g, .. }) => {
             // Same piece, same c: the squares differ by a linear function.
-            [
-                ((d * d + h * h) - (e * e + g * g)) / (2.0 * c * (d - e)),
-                f64::NAN,
-            ]
+            [((d * d + h * h) - (e * e + g * g)) / (2.0 * c * (d - e)), f64::NAN]
         }
     }
 }

@@ -60,11 +60,7 @@ fn outlines(pieces: &[Piece]) -> Vec<Vec<Piece>> {
             outline.push(pieces[at]);
             let ends = [pieces[at].ends[1], pieces[to].ends[0]];
             if ends[0] != ends[1] {
-                outline.push(Piece {
-                    second: true,
-                    ends,
-                    ..Piece::default()
-                });
+                outline.push(Piece { second: true, ends, ..Piece::default() });
             }
             at = to;
         }
@@ -86,22 +82,15 @@ fn depth_integral(block: Side<'_>, pieces: &[Piece], shift: Vec2) -> f64 {
         .map(|piece| {
             let triangle = [apex, piece.ends[0] + shift, piece.ends[1] + shift];
             let twice = (triangle[1] - apex).perp_dot(triangle[2] - apex);
-            if twice == 0.0 {
-                0.0
-            } else {
-                twice.signum() * lowest_line_integral(block, &triangle)
-            }
+            if twice == 0.0 { 0.0 } else { twice.signum() * lowest_line_integral(block, &triangle) }
         })
         .sum()
 }
 
 /// Integral of the smallest depth below the listed lines over a triangle of either orientation.
 fn lowest_line_integral(block: Side<'_>, triangle: &[Vec2; 3]) -> f64 {
-    let depth = |m: u16, x: Vec2| {
-        block.turned[m as usize]
-            .normal
-            .dot(block.turned[m as usize].start - x)
-    };
+    let depth =
+        |m: u16, x: Vec2| block.turned[m as usize].normal.dot(block.turned[m as usize].start - x);
     let mut sum = 0.0;
     for (rank, &m) in block.nearest.iter().enumerate() {
         let mut part = triangle.to_vec();

@@ -93,12 +93,7 @@ fn borne(v: &View<'_>, of: &[u32]) -> Borne {
 fn joint(v: &View<'_>, of: &[u32], get: impl Fn(&super::bond::BondPoint) -> f64) -> f64 {
     let (a, b) = pair(of);
     let key = (a.min(b), a.max(b));
-    let points = v
-        .world
-        .bonds
-        .iter()
-        .filter(|k| (k.i, k.j) == key)
-        .flat_map(|k| &k.points);
+    let points = v.world.bonds.iter().filter(|k| (k.i, k.j) == key).flat_map(|k| &k.points);
     points.map(get).reduce(f64::max).unwrap_or(0.0)
 }
 
@@ -119,14 +114,9 @@ fn broken_points(v: &View<'_>, chosen: impl Fn([u32; 2]) -> bool) -> f64 {
 fn broken_share(v: &View<'_>, of: &[u32]) -> f64 {
     let key = key(of);
     let bonds = v.world.bonds.iter().filter(|k| [k.i, k.j] == key);
-    let (failed, all) = bonds.fold((0, 0), |(failed, all), k| {
-        (failed + k.failed_points(), all + k.points.len())
-    });
-    if all > 0 {
-        failed as f64 / all as f64
-    } else {
-        0.0
-    }
+    let (failed, all) =
+        bonds.fold((0, 0), |(failed, all), k| (failed + k.failed_points(), all + k.points.len()));
+    if all > 0 { failed as f64 / all as f64 } else { 0.0 }
 }
 
 /// Largest pressure of the water between two blocks.
@@ -181,9 +171,7 @@ fn momentum(v: &View<'_>, b: usize) -> Vec2 {
 }
 
 fn blocks(v: &View<'_>, of: &[u32]) -> f64 {
-    v.contacts()
-        .filter(|(i, j, _)| of.contains(i) || of.contains(j))
-        .count() as f64
+    v.contacts().filter(|(i, j, _)| of.contains(i) || of.contains(j)).count() as f64
 }
 
 /// Unit of a quantity of a slice of given thickness, from that for each metre of thickness; `None` for what is no such quantity.
@@ -200,17 +188,13 @@ pub fn unit_of_slice(site: Site, unit: &str) -> Option<&'static str> {
     ];
     // Numbers of bolts are those of one bolt.
     let found = units.iter().find(|(per_metre, _)| *per_metre == unit);
-    found
-        .filter(|_| site != Site::Bolt)
-        .map(|(_, of_slice)| *of_slice)
+    found.filter(|_| site != Site::Bolt).map(|(_, of_slice)| *of_slice)
 }
 
 /// [`INFOS`] of a model whose thickness is given.
 pub static INFOS_OF_SLICE: LazyLock<Vec<FieldInfo>> = LazyLock::new(|| {
-    let of_slice = |f: &FieldInfo| FieldInfo {
-        unit: unit_of_slice(f.site, f.unit).unwrap_or(f.unit),
-        ..*f
-    };
+    let of_slice =
+        |f: &FieldInfo| FieldInfo { unit: unit_of_slice(f.site, f.unit).unwrap_or(f.unit), ..*f };
     INFOS.iter().map(of_slice).collect()
 });
 
@@ -341,22 +325,13 @@ impl Reading {
     /// Unknown names and parts of scalars.
     pub fn new(name: &str, of: &[u32], along: Option<[f64; 2]>) -> Result<Self, FieldError> {
         let (index, part) = place(INFOS, name)?;
-        Ok(Self {
-            index,
-            part,
-            of: of.to_vec(),
-            along,
-            slice: false,
-        })
+        Ok(Self { index, part, of: of.to_vec(), along, slice: false })
     }
 
     /// The same of a model whose thickness is given.
     #[must_use]
     pub fn of_slice(self) -> Self {
-        Self {
-            slice: true,
-            ..self
-        }
+        Self { slice: true, ..self }
     }
 
     /// Table entry.

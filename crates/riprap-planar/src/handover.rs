@@ -46,12 +46,8 @@ pub(crate) fn hand_over(world: &mut World, scratch: &mut Scratch) {
 /// Closes the joints and their accounts. A pair goes over as a whole: its joints are skipped by the
 /// search until then.
 fn close(world: &mut World) -> Vec<Borne> {
-    let waiting: Vec<(u32, u32)> = world
-        .bonds
-        .iter()
-        .filter(|b| b.active && !b.gives_way())
-        .map(|b| (b.i, b.j))
-        .collect();
+    let waiting: Vec<(u32, u32)> =
+        world.bonds.iter().filter(|b| b.active && !b.gives_way()).map(|b| (b.i, b.j)).collect();
     let half = 0.5 * world.pending;
     let mut borne: Vec<Borne> = Vec::new();
     for bond in &mut world.bonds {
@@ -72,12 +68,7 @@ fn close(world: &mut World) -> Vec<Borne> {
                 last.shear += shear;
                 last.length += length;
             }
-            _ => borne.push(Borne {
-                pair,
-                compression,
-                shear,
-                length,
-            }),
+            _ => borne.push(Borne { pair, compression, shear, length }),
         }
     }
     borne
@@ -88,12 +79,8 @@ fn close(world: &mut World) -> Vec<Borne> {
 fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
     let (i, j) = borne.pair;
     let candidates = &scratch.candidates;
-    let convex = candidates
-        .convex
-        .binary_search_by_key(&(i, j), |c| (c.i, c.j));
-    let general = candidates
-        .general
-        .binary_search_by_key(&(i, j), |c| (c.i, c.j));
+    let convex = candidates.convex.binary_search_by_key(&(i, j), |c| (c.i, c.j));
+    let general = candidates.general.binary_search_by_key(&(i, j), |c| (c.i, c.j));
     let candidate = match (convex, general) {
         (Ok(k), _) => &candidates.convex[k],
         (_, Ok(k)) => &candidates.general[k],
@@ -149,10 +136,7 @@ fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
     world.works.edit_defect += stored;
     if let Ok(k) = convex {
         if let (Some(region), Some(state)) = (opened.pop(), world.pairs.get_mut(k)) {
-            *state = PairState {
-                contact: region.contact,
-                ..*state
-            };
+            *state = PairState { contact: region.contact, ..*state };
         }
     } else if let Some(state) = general.ok().and_then(|k| world.general.get_mut(k)) {
         state.regions = opened;
@@ -166,11 +150,7 @@ pub(crate) fn offset(contact: &mut Contact, elastic: f64, slip: f64) -> f64 {
         return 0.0;
     }
     let left = (contact.offset_left - slip.abs()).max(0.0);
-    contact.offset *= if contact.offset_left > 0.0 {
-        left / contact.offset_left
-    } else {
-        0.0
-    };
+    contact.offset *= if contact.offset_left > 0.0 { left / contact.offset_left } else { 0.0 };
     contact.offset_left = left;
     contact.offset = contact.offset.max(-elastic);
     contact.offset

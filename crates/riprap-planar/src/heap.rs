@@ -18,10 +18,8 @@ pub(crate) fn repose_angle(view: &View<'_>, of: &[u32]) -> f64 {
     for &b in of.iter().filter(|&&b| view.world.alive[b as usize]) {
         let at = view.world.bodies[b as usize].position;
         let edges = &scratch.turned[scratch.shapes.range(b as usize)];
-        outlines.push((
-            scratch.shapes.mass[b as usize],
-            edges.iter().map(|t| at + t.start).collect(),
-        ));
+        outlines
+            .push((scratch.shapes.mass[b as usize], edges.iter().map(|t| at + t.start).collect()));
     }
     let total: f64 = outlines.iter().map(|(mass, _)| mass).sum();
     let (mut sum, mut counted) = (0.0, 0.0);
@@ -88,11 +86,7 @@ fn flank_angle(outlines: &[Outline]) -> f64 {
     if right <= left {
         return 0.0;
     }
-    let floor = outlines
-        .iter()
-        .flat_map(|(_, v)| v)
-        .map(|p| p.y)
-        .fold(f64::INFINITY, f64::min);
+    let floor = outlines.iter().flat_map(|(_, v)| v).map(|p| p.y).fold(f64::INFINITY, f64::min);
     let width = (right - left) / BINS as f64;
     let mut tops = vec![0.0_f64; BINS];
     for (_, v) in outlines {
@@ -102,9 +96,7 @@ fn flank_angle(outlines: &[Outline]) -> f64 {
     }
     // The crest is where the mean of three columns is highest: one grain on edge is no crest.
     let mean = |k: usize| (tops[k - 1] + tops[k] + tops[k + 1]) / 3.0;
-    let crest = (1..BINS - 1)
-        .max_by(|&a, &b| mean(a).total_cmp(&mean(b)))
-        .unwrap_or(BINS / 2);
+    let crest = (1..BINS - 1).max_by(|&a, &b| mean(a).total_cmp(&mean(b))).unwrap_or(BINS / 2);
     let height = mean(crest);
     let slope = |bins: &mut dyn Iterator<Item = usize>| {
         let flank: Vec<(f64, f64)> = bins
@@ -130,11 +122,7 @@ fn raise(tops: &mut [f64], left: f64, width: f64, floor: f64, a: Vec2, b: Vec2) 
         if x > high {
             break;
         }
-        let y = if b.x == a.x {
-            a.y.max(b.y)
-        } else {
-            a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x)
-        };
+        let y = if b.x == a.x { a.y.max(b.y) } else { a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x) };
         *top = top.max(y - floor);
     }
 }
@@ -145,10 +133,8 @@ fn fitted_slope(points: &[(f64, f64)]) -> Option<f64> {
         return None;
     }
     let n = points.len() as f64;
-    let (mx, my) = (
-        points.iter().map(|p| p.0).sum::<f64>() / n,
-        points.iter().map(|p| p.1).sum::<f64>() / n,
-    );
+    let (mx, my) =
+        (points.iter().map(|p| p.0).sum::<f64>() / n, points.iter().map(|p| p.1).sum::<f64>() / n);
     let sxy: f64 = points.iter().map(|p| (p.0 - mx) * (p.1 - my)).sum();
     let sxx: f64 = points.iter().map(|p| (p.0 - mx) * (p.0 - mx)).sum();
     (sxx > 0.0).then(|| sxy / sxx)
@@ -167,11 +153,7 @@ mod tests {
         for i in -400..600 {
             for j in 0..100 {
                 let (x, y) = (f64::from(i) * side, f64::from(j) * side);
-                let under = if x < 0.0 {
-                    4.0 + x * steep
-                } else {
-                    4.0 - x * flat
-                };
+                let under = if x < 0.0 { 4.0 + x * steep } else { 4.0 - x * flat };
                 if y + 0.5 * side < under {
                     let corner = |dx: f64, dy: f64| Vec2::new(x + dx * side, y + dy * side);
                     let corners = vec![
@@ -185,20 +167,11 @@ mod tests {
             }
         }
         // A grain far away must not count.
-        outlines.push((
-            1.0,
-            vec![
-                Vec2::new(90.0, 0.0),
-                Vec2::new(90.1, 0.0),
-                Vec2::new(90.0, 0.1),
-            ],
-        ));
+        outlines
+            .push((1.0, vec![Vec2::new(90.0, 0.0), Vec2::new(90.1, 0.0), Vec2::new(90.0, 0.1)]));
         let expected = (0.5 * (steep + flat)).atan();
         let found = flank_angle(&outlines);
-        assert!(
-            (found - expected).abs() < 0.3f64.to_radians(),
-            "{found} {expected}"
-        );
+        assert!((found - expected).abs() < 0.3f64.to_radians(), "{found} {expected}");
     }
 
     /// Two heaps and a lost grain between them.

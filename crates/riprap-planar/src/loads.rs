@@ -58,30 +58,18 @@ fn on_block(world: &World, shapes: &Shapes, kind: &LoadKind, factor: f64, b: usi
             let moment = at.map_or(0.0, |at| turn(body(at)).perp_dot(force));
             Applied { force, moment }
         }
-        LoadKind::Edge {
-            from,
-            to,
-            traction,
-            pressure,
-        } => {
+        LoadKind::Edge { from, to, traction, pressure } => {
             let ends = [*from, *to].map(body);
             let edge = EdgeTraction::new(shapes, b, ends, (*traction, *pressure), factor, turn);
             // Moment of a linear pressure: mean part at the middle, slope about it.
             let slope = edge.pressure_change / 12.0 * edge.along.perp_dot(edge.inward)
                 + factor * edge.along.length() / 12.0 * edge.along.perp_dot(edge.traction_change);
-            Applied {
-                force: edge.push,
-                moment: edge.middle.perp_dot(edge.push) + slope,
-            }
+            Applied { force: edge.push, moment: edge.middle.perp_dot(edge.push) + slope }
         }
-        LoadKind::Moment { moment } => Applied {
-            force: Vec2::ZERO,
-            moment: factor * moment,
-        },
-        LoadKind::BodyForce { acceleration } => Applied {
-            force: factor * shapes.mass[b] * *acceleration,
-            moment: 0.0,
-        },
+        LoadKind::Moment { moment } => Applied { force: Vec2::ZERO, moment: factor * moment },
+        LoadKind::BodyForce { acceleration } => {
+            Applied { force: factor * shapes.mass[b] * *acceleration, moment: 0.0 }
+        }
     }
 }
 
@@ -144,12 +132,7 @@ pub(crate) fn pushes(world: &World, shapes: &Shapes, put: &mut dyn FnMut(usize, 
                         put(b, turn(body(*at)), force);
                     }
                 }
-                LoadKind::Edge {
-                    from,
-                    to,
-                    traction,
-                    pressure,
-                } => {
+                LoadKind::Edge { from, to, traction, pressure } => {
                     let ends = [*from, *to].map(body);
                     let edge =
                         EdgeTraction::new(shapes, b, ends, (*traction, *pressure), factor, turn);

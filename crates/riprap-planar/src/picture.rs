@@ -31,11 +31,9 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     let living: Vec<usize> = view.living().collect();
     for &b in &living {
         let at = world.bodies[b].position + origin;
-        frame.points.extend(
-            scratch.turned[scratch.shapes.range(b)]
-                .iter()
-                .map(|t| flat(at + t.start)),
-        );
+        frame
+            .points
+            .extend(scratch.turned[scratch.shapes.range(b)].iter().map(|t| flat(at + t.start)));
         frame.offsets.push(frame.points.len() as u32);
     }
     let scalar = |name: &str, unit: &str, get: &dyn Fn(usize) -> f64| {
@@ -48,38 +46,28 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     let (slice, unit) = forces(view);
     frame.block_columns = vec![
         scalar("block", "-", &|b| b as f64),
-        scalar("material", "-", &|b| {
-            f64::from(world.setup.blocks[b].material)
-        }),
+        scalar("material", "-", &|b| f64::from(world.setup.blocks[b].material)),
         vector("displacement", "m", &|b| view.displacement(b)),
         scalar("rotation", "rad", &|b| view.rotation(b)),
         vector("velocity", "m/s", &|b| view.velocity(b)),
         scalar("spin", "rad/s", &|b| view.spin(b)),
         vector("force", unit, &|b| slice * scratch.net[b].force),
-        scalar("held", "-", &|b| {
-            f64::from(u8::from(world.motion[b].is_some()))
-        }),
+        scalar("held", "-", &|b| f64::from(u8::from(world.motion[b].is_some()))),
     ];
     let stresses = view.stresses();
     let stresses: Vec<[f64; 3]> = living.iter().map(|&b| stresses[b]).collect();
     frame.block_columns.extend(stress::in_plane(&stresses));
-    let mut rows: Vec<Row> = view
-        .contacts()
-        .map(|(i, j, contact)| found(view, [i, j], contact))
-        .collect();
+    let mut rows: Vec<Row> =
+        view.contacts().map(|(i, j, contact)| found(view, [i, j], contact)).collect();
     rows.extend(joints(view));
     frame.contact_columns = contact_columns(&rows, slice, unit);
     if world.water.is_some() {
         let between = |r: &Row| (r.blocks[0], r.blocks[1]);
-        let pressures = rows
-            .iter()
-            .map(|r| world.pressure_between(between(r), r.place));
+        let pressures = rows.iter().map(|r| world.pressure_between(between(r), r.place));
         let column = Column::scalar("pore_pressure", "Pa", pressures.collect());
         frame.contact_columns.push(column);
         if world.seepage.is_some() {
-            let rates = rows
-                .iter()
-                .map(|r| slice * world.seepage_between(between(r)));
+            let rates = rows.iter().map(|r| slice * world.seepage_between(between(r)));
             let unit = told(view, "m2/s");
             let column = Column::scalar("seepage_rate", unit, rates.collect());
             frame.contact_columns.push(column);
@@ -155,12 +143,7 @@ fn joints(view: &View<'_>) -> Vec<Row> {
         let whole = b.points.iter().all(|p| !p.failed);
         living[b.i as usize] && living[b.j as usize] && !(many && whole)
     };
-    world
-        .bonds
-        .iter()
-        .filter(between)
-        .map(|b| joint(view, b))
-        .collect()
+    world.bonds.iter().filter(between).map(|b| joint(view, b)).collect()
 }
 
 fn joint(view: &View<'_>, bond: &Bond) -> Row {

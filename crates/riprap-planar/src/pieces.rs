@@ -50,11 +50,7 @@ pub(crate) struct Nearest {
 #[must_use]
 pub(crate) fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
     let n = block.turned.len();
-    let mut best = Nearest {
-        depth: f64::NEG_INFINITY,
-        edge: 0,
-        foot: 0.0,
-    };
+    let mut best = Nearest { depth: f64::NEG_INFINITY, edge: 0, foot: 0.0 };
     let mut least = f64::INFINITY;
     for &m in block.nearest {
         let m = m as usize;
@@ -71,11 +67,8 @@ pub(crate) fn nearest(block: Side<'_>, x: Vec2) -> Nearest {
         };
         if distance < least {
             least = distance;
-            best = Nearest {
-                depth: sign * distance,
-                edge: m as u16,
-                foot: along.clamp(0.0, length),
-            };
+            best =
+                Nearest { depth: sign * distance, edge: m as u16, foot: along.clamp(0.0, length) };
         }
     }
     best
@@ -116,19 +109,13 @@ fn collect(
 ) {
     let (n, m) = (own.turned.len(), other.turned.len());
     for &k in own.active {
-        let (p, q) = (
-            own.turned[k as usize].start,
-            own.turned[(k as usize + 1) % n].start,
-        );
+        let (p, q) = (own.turned[k as usize].start, own.turned[(k as usize + 1) % n].start);
         // Ends relative to the other centroid.
         let (p, q) = (p + shift, q + shift);
         cuts.clear();
         cuts.push((0.0, None));
         for &e in other.nearest {
-            let (a, b) = (
-                other.turned[e as usize].start,
-                other.turned[(e as usize + 1) % m].start,
-            );
+            let (a, b) = (other.turned[e as usize].start, other.turned[(e as usize + 1) % m].start);
             let normal = other.turned[e as usize].normal;
             let (dp, dq) = (normal.dot(p - a), normal.dot(q - a));
             if (dp > 0.0) == (dq > 0.0) {

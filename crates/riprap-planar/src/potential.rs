@@ -77,11 +77,8 @@ impl Local {
             let (own, other) = (usize::from(piece.second), usize::from(!piece.second));
             self.edges[own].push(piece.edge);
             self.edges[other].extend(piece.cut.iter().flatten());
-            let ((block, against), shift) = if piece.second {
-                ((j, i), -shift)
-            } else {
-                ((i, j), shift)
-            };
+            let ((block, against), shift) =
+                if piece.second { ((j, i), -shift) } else { ((i, j), shift) };
             let edges = block.turned.len();
             if piece.depth <= TOUCH * block.turned[piece.edge as usize].length {
                 // No deeper than round-off, which also decides whether the edge below has a piece.
@@ -138,11 +135,7 @@ impl Local {
             if let Some(along) = flush_edge(piece, k, own, other, shift) {
                 return 0.5 * below_others(other, local, along, x);
             }
-            if piece.cut[k].is_some() {
-                0.0
-            } else {
-                depth(other, local, reflex, x)
-            }
+            if piece.cut[k].is_some() { 0.0 } else { depth(other, local, reflex, x) }
         };
         let (at_p, at_q) = (end(0), end(1));
         let crossings = piece.cut[0].is_some() && piece.cut[1].is_some();
@@ -153,18 +146,8 @@ impl Local {
         let below = depth(other, local, reflex, middle + to_other);
         // Between two crossings the depth itself; where a corner ends the piece, no less than on a straight line.
         let at = below.max(0.5 * (at_p + at_q));
-        let first = Linear {
-            p,
-            q: middle,
-            at_p,
-            at_q: at,
-        };
-        let second = Linear {
-            p: middle,
-            q,
-            at_p: at,
-            at_q,
-        };
+        let first = Linear { p, q: middle, at_p, at_q: at };
+        let second = Linear { p: middle, q, at_p: at, at_q };
         ([first, second], 2)
     }
 }
@@ -180,11 +163,8 @@ fn flush_edge(
     shift: Vec2,
 ) -> Option<u16> {
     let (n, edge) = (own.turned.len(), piece.edge as usize);
-    let (side, corner) = if end == 0 {
-        ((edge + n - 1) % n, edge)
-    } else {
-        ((edge + 1) % n, (edge + 1) % n)
-    };
+    let (side, corner) =
+        if end == 0 { ((edge + n - 1) % n, edge) } else { ((edge + 1) % n, (edge + 1) % n) };
     let side = &own.turned[side];
     let corner = own.turned[corner].start + shift;
     other.nearest.iter().copied().find(|&g| {
@@ -247,9 +227,5 @@ fn depth(block: Side<'_>, local: &[u16], reflex: Reflex, x: Vec2) -> f64 {
         }
         least = least.min(d);
     }
-    if least.is_finite() {
-        least
-    } else {
-        nearest(block, x).depth.max(0.0)
-    }
+    if least.is_finite() { least } else { nearest(block, x).depth.max(0.0) }
 }

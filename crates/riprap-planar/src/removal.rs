@@ -22,12 +22,7 @@ pub fn take_out(world: &mut World, blocks: &[u32]) {
     for &b in blocks {
         world.alive[b as usize] = false;
     }
-    let World {
-        alive,
-        bonds,
-        failed,
-        ..
-    } = world;
+    let World { alive, bonds, failed, .. } = world;
     bonds.retain(|k| {
         let stays = alive[k.i as usize] && alive[k.j as usize];
         if !stays {
@@ -61,18 +56,11 @@ pub fn take_out_gradually(
         |b: usize, net: &Net| net.force.length() + net.moment.abs() / scratch.shapes.radius[b];
     let living = (0..world.alive.len()).filter(|b| world.alive[*b]);
     let lost: Vec<(usize, Net)> = living.map(|b| (b, lost(b))).collect();
-    let largest = lost
-        .iter()
-        .map(|(b, net)| size(*b, net))
-        .fold(0.0, f64::max);
+    let largest = lost.iter().map(|(b, net)| size(*b, net)).fold(0.0, f64::max);
     let fade = TimeFunction::fade(world.time, span);
     for (b, net) in lost {
         if size(b, &net) > ROUND_OFF * largest {
-            let force = LoadKind::Point {
-                force: net.force,
-                at: None,
-                follows: false,
-            };
+            let force = LoadKind::Point { force: net.force, at: None, follows: false };
             let moment = LoadKind::Moment { moment: net.moment };
             world.setup.loads.extend([force, moment].map(|kind| Load {
                 blocks: vec![b as u32],

@@ -157,11 +157,7 @@ pub(crate) fn rebuild(world: &mut World, shapes: &Shapes, candidates: &mut Candi
 /// Pairs of living blocks that are near each other at the search poses, sorted, held ones too.
 #[must_use]
 pub(crate) fn near_pairs(world: &World, shapes: &Shapes) -> Vec<(u32, u32)> {
-    close_pairs(
-        &boxes(world, shapes, &margins(world, shapes)),
-        &world.alive,
-        shapes,
-    )
+    close_pairs(&boxes(world, shapes, &margins(world, shapes)), &world.alive, shapes)
 }
 
 /// Margin of each block, m.
@@ -170,11 +166,7 @@ fn margins(world: &World, shapes: &Shapes) -> Vec<f64> {
     let mut radii: Vec<f64> = living.map(|b| shapes.radius[b]).collect();
     radii.sort_by(f64::total_cmp);
     let median = radii.get(radii.len() / 2).copied().unwrap_or(0.0);
-    shapes
-        .radius
-        .iter()
-        .map(|r| MARGIN * r.min(2.0 * median))
-        .collect()
+    shapes.radius.iter().map(|r| MARGIN * r.min(2.0 * median)).collect()
 }
 
 fn boxes(world: &World, shapes: &Shapes, margin: &[f64]) -> Vec<Box2> {
@@ -189,21 +181,14 @@ fn boxes(world: &World, shapes: &Shapes, margin: &[f64]) -> Vec<Box2> {
                 high = high.max(v);
             }
             let grow = Vec2::splat(margin[b]);
-            Box2 {
-                low: position + low - grow,
-                high: position + high + grow,
-            }
+            Box2 { low: position + low - grow, high: position + high + grow }
         })
         .collect()
 }
 
 fn bonded_pairs(world: &World) -> Vec<(u32, u32)> {
-    let mut pairs: Vec<(u32, u32)> = world
-        .bonds
-        .iter()
-        .filter(|b| b.active)
-        .map(|b| (b.i, b.j))
-        .collect();
+    let mut pairs: Vec<(u32, u32)> =
+        world.bonds.iter().filter(|b| b.active).map(|b| (b.i, b.j)).collect();
     pairs.sort_unstable();
     pairs.dedup();
     pairs
@@ -216,10 +201,7 @@ fn close_pairs(boxes: &[Box2], alive: &[bool], shapes: &Shapes) -> Vec<(u32, u32
         d.x.max(d.y)
     };
     let living: Vec<usize> = (0..shapes.len()).filter(|&b| alive[b]).collect();
-    let smallest = living
-        .iter()
-        .map(|&b| size(b))
-        .fold(f64::INFINITY, f64::min);
+    let smallest = living.iter().map(|&b| size(b)).fold(f64::INFINITY, f64::min);
     if !smallest.is_finite() || smallest <= 0.0 {
         return Vec::new();
     }
@@ -251,9 +233,8 @@ fn close_pairs(boxes: &[Box2], alive: &[bool], shapes: &Shapes) -> Vec<(u32, u32
             let (x0, x1) = (low.x.floor() as i64, high.x.floor() as i64);
             for y in low.y.floor() as i64..=high.y.floor() as i64 {
                 let from = grid.partition_point(|&(gy, gx, _)| (gy, gx) < (y, x0));
-                for &(_, _, other) in grid[from..]
-                    .iter()
-                    .take_while(|&&(gy, gx, _)| gy == y && gx <= x1)
+                for &(_, _, other) in
+                    grid[from..].iter().take_while(|&&(gy, gx, _)| gy == y && gx <= x1)
                 {
                     let o = other as usize;
                     // Of two of one level the smaller number looks, of two levels the smaller block.
@@ -305,13 +286,7 @@ fn add_pair(
         }
         counts[2 * side] = (candidates.lists.len() - before) as u16;
         let before = candidates.lists.len();
-        nearest_edges(
-            other,
-            shapes.convex[other_block],
-            &region,
-            gap,
-            &mut candidates.lists,
-        );
+        nearest_edges(other, shapes.convex[other_block], &region, gap, &mut candidates.lists);
         counts[2 * side + 1] = (candidates.lists.len() - before) as u16;
     }
     if counts[0] == 0 || counts[2] == 0 {
@@ -319,19 +294,12 @@ fn add_pair(
         return;
     }
     let inverse = |block: usize| {
-        if is_driven(world.motion[block].as_deref()) {
-            0.0
-        } else {
-            1.0 / shapes.mass[block]
-        }
+        if is_driven(world.motion[block].as_deref()) { 0.0 } else { 1.0 / shapes.mass[block] }
     };
     let (row, inverse_mass) = (row_of(&world.setup, a, b), inverse(a) + inverse(b));
     // Where nothing can move either, the dashpot still needs a mass to be tuned to.
-    let mass = if inverse_mass > 0.0 {
-        1.0 / inverse_mass
-    } else {
-        shapes.mass[a].min(shapes.mass[b])
-    };
+    let mass =
+        if inverse_mass > 0.0 { 1.0 / inverse_mass } else { shapes.mass[a].min(shapes.mass[b]) };
     let law = &world.setup.interfaces[row as usize].contact;
     let candidate = Candidate {
         i: a as u32,
@@ -341,9 +309,7 @@ fn add_pair(
         start: start as u32,
         dashpots: [law.normal_stiffness, law.shear_stiffness]
             .map(|k| damping::dashpot(law.damping_ratio, k, mass)),
-        longest: longest[0]
-            .min(longest[1])
-            .min((region.high - region.low).length()),
+        longest: longest[0].min(longest[1]).min((region.high - region.low).length()),
     };
     let fast = shapes.convex[a]
         && shapes.convex[b]
@@ -365,10 +331,7 @@ fn add_pair(
 /// Row of the interface table for two blocks.
 #[must_use]
 pub(crate) fn row_of(setup: &Setup, a: usize, b: usize) -> u16 {
-    let (ma, mb) = (
-        setup.blocks[a].material as usize,
-        setup.blocks[b].material as usize,
-    );
+    let (ma, mb) = (setup.blocks[a].material as usize, setup.blocks[b].material as usize);
     setup.pair_table[ma * setup.materials.len() + mb]
 }
 
@@ -405,12 +368,8 @@ fn nearest_edges(wall: &Placed, convex: bool, region: &Box2, gap: f64, list: &mu
         let depth = |m: usize, x: Vec2| wall.offset[m] - wall.normal[m].dot(x);
         for m in 0..n {
             // Each depth may have changed by all that both blocks have moved, and in opposite ways.
-            let never = (0..n).any(|k| {
-                k != m
-                    && corners
-                        .iter()
-                        .all(|&x| depth(k, x) - depth(m, x) < -2.0 * gap)
-            });
+            let never = (0..n)
+                .any(|k| k != m && corners.iter().all(|&x| depth(k, x) - depth(m, x) < -2.0 * gap));
             if !never {
                 list.push(m as u16);
             }
@@ -463,11 +422,7 @@ fn carry_states(world: &mut World, candidates: &Candidates) {
                 },
                 |k| convex[k].contact,
             );
-            PairState {
-                i: c.i,
-                j: c.j,
-                contact,
-            }
+            PairState { i: c.i, j: c.j, contact }
         })
         .collect();
     world.general = candidates
@@ -484,11 +439,7 @@ fn carry_states(world: &mut World, candidates: &Candidates) {
                 }],
                 _ => Vec::new(),
             };
-            GeneralState {
-                i: c.i,
-                j: c.j,
-                regions,
-            }
+            GeneralState { i: c.i, j: c.j, regions }
         })
         .collect();
 }

@@ -64,10 +64,7 @@ impl World {
     /// Conduits between two blocks.
     fn conduits(&self, pair: (u32, u32)) -> impl Iterator<Item = (usize, &Conduit)> {
         let key = [pair.0.min(pair.1), pair.0.max(pair.1)];
-        let list = self
-            .seepage
-            .as_ref()
-            .map_or(&[][..], |found| &found.conduits);
+        let list = self.seepage.as_ref().map_or(&[][..], |found| &found.conduits);
         let first = list.partition_point(|c| c.blocks < key);
         let of_pair = list[first..].iter().take_while(move |c| c.blocks == key);
         (first..).zip(of_pair)
@@ -90,9 +87,7 @@ impl World {
     #[must_use]
     pub fn seepage_flow(&self, pair: (u32, u32), at: Vec2) -> Vec2 {
         let nearest = self.nearest_conduit(pair, at);
-        nearest.map_or(Vec2::ZERO, |(k, along, _)| {
-            self.seepage_rate(k) * along.normalize_or_zero()
-        })
+        nearest.map_or(Vec2::ZERO, |(k, along, _)| self.seepage_rate(k) * along.normalize_or_zero())
     }
 
     /// The conduit between two blocks that is nearest to a place (local, m), the way from its first to its second node (m), and how far along it that is.
@@ -200,10 +195,7 @@ fn pressed([a, b]: [Vec2; 2], [p, q]: [f64; 2]) -> Applied {
     let force = 0.5 * (p + q) * inward;
     // Mean part at the middle, slope about it.
     let slope = (q - p) / 12.0 * along.perp_dot(inward);
-    Applied {
-        force,
-        moment: (0.5 * (a + b)).perp_dot(force) + slope,
-    }
+    Applied { force, moment: (0.5 * (a + b)).perp_dot(force) + slope }
 }
 
 /// Calls `push` with each block and what presses on it, in the order of conduits and faces.

@@ -177,11 +177,7 @@ impl Motion {
     #[must_use]
     pub fn swing(&self, centroid: Vec2, angle: f64, time: f64, dt: f64) -> Vec2 {
         let (spin, about) = match self {
-            Self::Velocity {
-                spin: Some(spin),
-                about: Some(about),
-                ..
-            } => (spin, *about),
+            Self::Velocity { spin: Some(spin), about: Some(about), .. } => (spin, *about),
             Self::Fixed { .. } | Self::Velocity { .. } | Self::Acceleration { .. } => {
                 return Vec2::ZERO;
             }
@@ -189,11 +185,7 @@ impl Motion {
         let rate = spin.at(time + 0.5 * dt);
         let half = 0.5 * dt * rate;
         // From 1e-9 down the sine is its angle to the last bit.
-        let chord = if half.abs() > 1e-9 {
-            libm::sin(half) / half
-        } else {
-            1.0
-        };
+        let chord = if half.abs() > 1e-9 { libm::sin(half) / half } else { 1.0 };
         let (s, c) = libm::sincos(angle + half);
         let arm = centroid - about;
         let arm = Vec2::new(c * arm.x - s * arm.y, s * arm.x + c * arm.y);

@@ -46,10 +46,7 @@ impl Shapes {
     /// Computes the geometry of all blocks.
     #[must_use]
     pub fn new(setup: &Setup) -> Self {
-        let mut shapes = Self {
-            first: vec![0],
-            ..Self::default()
-        };
+        let mut shapes = Self { first: vec![0], ..Self::default() };
         for block in &setup.blocks {
             // About a corner of its own: far from the origin areas would
             // be small differences of large products.
@@ -78,9 +75,7 @@ impl Shapes {
             // A corner on a straight side turns to either side by round-off.
             let convex = (0..n).all(|k| turn(k) >= -1e-12 * area);
             shapes.convex.push(convex);
-            shapes
-                .radius
-                .push(corners.iter().map(|c| c.length()).fold(0.0, f64::max));
+            shapes.radius.push(corners.iter().map(|c| c.length()).fold(0.0, f64::max));
             shapes.inradius.push(inradius(&corners, convex));
             shapes.mass.push(block.density * area);
             shapes.inertia.push(block.density * second);
@@ -129,11 +124,7 @@ fn area_moments(p: &[Vec2]) -> (f64, Vec2, f64) {
     }
     let area = 0.5 * twice;
     let centroid = first / (3.0 * twice);
-    (
-        area,
-        centroid,
-        second / 12.0 - area * centroid.dot(centroid),
-    )
+    (area, centroid, second / 12.0 - area * centroid.dot(centroid))
 }
 
 /// Radius of a circle that surely fits inside: at the centroid for convex blocks, else the best of
@@ -163,11 +154,7 @@ fn inradius(corners: &[Vec2], convex: bool) -> f64 {
         // The centroid of a convex block is inside, and a lower bound is all that is asked.
         return distance(Vec2::ZERO);
     }
-    let mut best = if inside(Vec2::ZERO) {
-        distance(Vec2::ZERO)
-    } else {
-        0.0
-    };
+    let mut best = if inside(Vec2::ZERO) { distance(Vec2::ZERO) } else { 0.0 };
     for k in 0..n {
         let d = corners[(k + 1) % n] - corners[k];
         let (mid, inward) = (corners[k] + 0.5 * d, Vec2::new(-d.y, d.x));
@@ -203,12 +190,7 @@ mod tests {
     #[test]
     fn rectangle_far_from_the_origin() {
         let x = 1e6;
-        let s = Shapes::new(&setup(&[
-            (x, x),
-            (x + 2.0, x),
-            (x + 2.0, x + 1.0),
-            (x, x + 1.0),
-        ]));
+        let s = Shapes::new(&setup(&[(x, x), (x + 2.0, x), (x + 2.0, x + 1.0), (x, x + 1.0)]));
         assert_eq!(s.mass[0], 2000.0);
         assert!((s.inertia[0] - 2000.0 * 5.0 / 12.0).abs() < 1e-9);
         assert_eq!(s.centroid[0], Vec2::new(x + 1.0, x + 0.5));

@@ -21,11 +21,7 @@ impl World {
             one_each(what, length, blocks)?;
         }
         self.setup_is_sound()?;
-        below(
-            "water table",
-            self.water.map(u32::from),
-            self.setup.water.len(),
-        )?;
+        below("water table", self.water.map(u32::from), self.setup.water.len())?;
         let pairs = self.pairs.iter().flat_map(|pair| [pair.i, pair.j]);
         let general = self.general.iter().flat_map(|pair| [pair.i, pair.j]);
         let bonds = self.bonds.iter().flat_map(|bond| [bond.i, bond.j]);
@@ -58,21 +54,13 @@ impl World {
         let (blocks, materials) = (setup.blocks.len(), setup.materials.len());
         let of_blocks = setup.blocks.iter().map(|block| u32::from(block.material));
         below("material", of_blocks, materials)?;
-        one_each(
-            "pairs of materials",
-            setup.pair_table.len(),
-            materials * materials,
-        )?;
+        one_each("pairs of materials", setup.pair_table.len(), materials * materials)?;
         let rows = setup.pair_table.iter().map(|row| u32::from(*row));
         below("interface", rows, setup.interfaces.len())?;
         let supports = setup.supports.iter().flat_map(|support| &support.blocks);
         let loads = setup.loads.iter().flat_map(|load| &load.blocks);
         let groups = setup.groups.iter().flat_map(|group| &group.blocks);
-        below(
-            "block",
-            supports.chain(loads).chain(groups).copied(),
-            blocks,
-        )?;
+        below("block", supports.chain(loads).chain(groups).copied(), blocks)?;
         let accounts = setup.loads.iter().filter_map(|load| load.account);
         below("account", accounts.map(u32::from), setup.accounts.len())
     }

@@ -65,10 +65,7 @@ pub fn stable_step(
     let ratio = laws.map(|l| l.damping_ratio).fold(0.0, f64::max);
     let table = world.table();
     let water = table.map_or(0.0, |table| table.stiffness(-world.setup.gravity[1]));
-    let mut worst = Stable {
-        dt: f64::INFINITY,
-        block: None,
-    };
+    let mut worst = Stable { dt: f64::INFINITY, block: None };
     for (b, sum) in sums.iter().enumerate() {
         if !world.alive[b] || is_held(world.motion[b].as_deref()) {
             continue;
@@ -86,10 +83,7 @@ pub fn stable_step(
         }
         let dt = sum.stable().min(alone.stable());
         if dt < worst.dt {
-            worst = Stable {
-                dt,
-                block: Some(b as u32),
-            };
+            worst = Stable { dt, block: Some(b as u32) };
         }
     }
     worst
@@ -136,7 +130,5 @@ fn arm(world: &World, shapes: &Shapes, c: &Candidate, block: usize) -> f64 {
     let low = |k: usize| world.search_pose[k].0 - Vec2::splat(shapes.radius[k]);
     let high = |k: usize| world.search_pose[k].0 + Vec2::splat(shapes.radius[k]);
     let middle = 0.5 * (low(a).max(low(b)) + high(a).min(high(b)));
-    (middle - world.search_pose[block].0)
-        .length()
-        .min(shapes.radius[block])
+    (middle - world.search_pose[block].0).length().min(shapes.radius[block])
 }

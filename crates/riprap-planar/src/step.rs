@@ -47,12 +47,7 @@ impl World {
             .blocks
             .iter()
             .zip(&shapes.centroid)
-            .map(|(b, &position)| Body {
-                position,
-                velocity: b.velocity,
-                angle: 0.0,
-                spin: b.spin,
-            })
+            .map(|(b, &position)| Body { position, velocity: b.velocity, angle: 0.0, spin: b.spin })
             .collect();
         let mut motion = vec![None; n];
         for support in &setup.supports {
@@ -123,11 +118,7 @@ impl Scratch {
             exec,
             profile: Profile::default(),
             candidates: Candidates::default(),
-            turned: shapes
-                .edges
-                .iter()
-                .map(|e| Turned::new(e, 1.0, 0.0))
-                .collect(),
+            turned: shapes.edges.iter().map(|e| Turned::new(e, 1.0, 0.0)).collect(),
             slots: Vec::new(),
             ties: Vec::new(),
             bolts: Vec::new(),
@@ -149,20 +140,11 @@ impl Scratch {
         };
         for b in 0..n {
             let range = scratch.shapes.range(b);
-            turn(
-                scratch.shapes.of(b),
-                world.bodies[b].angle,
-                &mut scratch.turned[range],
-            );
+            turn(scratch.shapes.of(b), world.bodies[b].angle, &mut scratch.turned[range]);
         }
         scratch.rebuild(world);
         // What the last step would have left behind.
-        for (b, body) in world
-            .bodies
-            .iter()
-            .enumerate()
-            .filter(|(b, _)| world.alive[*b])
-        {
+        for (b, body) in world.bodies.iter().enumerate().filter(|(b, _)| world.alive[*b]) {
             let (moved, transit) = scratch.travel(world, b, body);
             scratch.stale |= moved;
             scratch.transit = scratch.transit.min(transit);
@@ -172,13 +154,7 @@ impl Scratch {
 
     /// Whether a block has left its margin, and the time it takes to cross its reach, s.
     fn travel(&self, world: &World, b: usize, body: &Body) -> (bool, f64) {
-        travel(
-            &self.shapes,
-            &self.candidates,
-            world.search_pose[b],
-            b,
-            body,
-        )
+        travel(&self.shapes, &self.candidates, world.search_pose[b], b, body)
     }
 
     /// Marks the candidate list as out of date: blocks removed, supports or laws changed.
@@ -192,11 +168,8 @@ impl Scratch {
         search::rebuild(world, &self.shapes, &mut self.candidates);
         bond::set_masses(world, &self.shapes);
         self.laws = world.setup.interfaces.iter().map(|i| i.contact).collect();
-        let (c, g, b) = (
-            self.candidates.convex.len(),
-            self.candidates.general.len(),
-            world.bonds.len(),
-        );
+        let (c, g, b) =
+            (self.candidates.convex.len(), self.candidates.general.len(), world.bonds.len());
         self.ties = world.bolt_ties();
         self.bolts.clear();
         self.slots = vec![Wrench::default(); c + g + b + self.ties.len()];
@@ -210,14 +183,9 @@ impl Scratch {
             .chain(world.bonds.iter().map(|b| (b.i, b.j)))
             .chain(self.ties.iter().copied());
         (self.first_entry, self.incidence) = incidence(self.shapes.len(), ends);
-        let groups = [c, g, b, self.shapes.len()]
-            .into_iter()
-            .max()
-            .unwrap_or(0)
-            .div_ceil(GROUP);
+        let groups = [c, g, b, self.shapes.len()].into_iter().max().unwrap_or(0).div_ceil(GROUP);
         self.partial = vec![Partial::default(); groups.max(1)];
-        self.workspaces
-            .resize_with(g.div_ceil(piece(g)).max(1), Workspace::default);
+        self.workspaces.resize_with(g.div_ceil(piece(g)).max(1), Workspace::default);
         self.stale = false;
         self.rebuilds += 1;
     }
@@ -289,9 +257,7 @@ pub fn evaluate(
             bolts::act(world, &mut scratch.bolts, &mut scratch.slots[first..]);
         });
     }
-    let result = stage(scratch, "gather", |scratch| {
-        kicks(world, scratch, damping, dt)
-    });
+    let result = stage(scratch, "gather", |scratch| kicks(world, scratch, damping, dt));
     if !world.accounts.is_empty() {
         stage(scratch, "accounts", |scratch| {
             entries::book(world, scratch, damping, dt);
@@ -365,14 +331,7 @@ fn refresh(world: &mut World, scratch: &mut Scratch) {
 
 fn found_contacts(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     let begins = world.begins();
-    let World {
-        pairs,
-        general,
-        bodies,
-        works: all_works,
-        pending,
-        ..
-    } = world;
+    let World { pairs, general, bodies, works: all_works, pending, .. } = world;
     let c = pairs.len();
     let (convex_slots, rest) = scratch.slots.split_at_mut(c);
     let general_slots = &mut rest[..general.len()];
@@ -421,13 +380,7 @@ fn bonds(world: &mut World, scratch: &mut Scratch, damping: &Damping) {
     if world.bonds.is_empty() {
         return;
     }
-    let World {
-        bonds,
-        bodies,
-        setup,
-        works: all_works,
-        ..
-    } = world;
+    let World { bonds, bodies, setup, works: all_works, .. } = world;
     let (elapsed, step) = (world.pending, world.step);
     let first = world.pairs.len() + world.general.len();
     let count = bonds.len();
@@ -502,10 +455,7 @@ fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
             }
         },
     );
-    scratch.transit = scratch
-        .partial
-        .iter()
-        .fold(f64::INFINITY, |t, p| t.min(p.transit));
+    scratch.transit = scratch.partial.iter().fold(f64::INFINITY, |t, p| t.min(p.transit));
     scratch.stale |= scratch.partial.iter().any(|p| p.moved);
 }
 

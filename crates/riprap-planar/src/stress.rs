@@ -50,10 +50,7 @@ impl View<'_> {
             put(j as usize, contact.centre + shift(i, j), -force);
         }
         for bond in world.bonds.iter().filter(|bond| bond.active) {
-            let (i, j) = (
-                &world.bodies[bond.i as usize],
-                &world.bodies[bond.j as usize],
-            );
+            let (i, j) = (&world.bodies[bond.i as usize], &world.bodies[bond.j as usize]);
             let normal = turned(bond.normal, 0.5 * (i.angle + j.angle));
             for point in &bond.points {
                 // As in `bond::force`: at the middle of the two places of the point.

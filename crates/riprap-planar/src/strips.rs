@@ -44,11 +44,7 @@ pub(crate) fn depth_integral(
             }
         })
         .sum();
-    let whole = if outline.swallowed {
-        outline.whole()
-    } else {
-        0.0
-    };
+    let whole = if outline.swallowed { outline.whole() } else { 0.0 };
     sum + ahead + whole
 }
 
@@ -81,10 +77,7 @@ fn flux(pair: [Side<'_>; 2], second: bool, shift: Vec2, pieces: &[Piece]) -> (f6
             let first = seen.map_or(span.edge, |[first, last]| {
                 if last != span.edge {
                     let place = p + span.s[0] * (q - p);
-                    jumps.push(Jump {
-                        edges: [last, span.edge],
-                        place,
-                    });
+                    jumps.push(Jump { edges: [last, span.edge], place });
                 }
                 first
             });
@@ -101,10 +94,7 @@ fn flux(pair: [Side<'_>; 2], second: bool, shift: Vec2, pieces: &[Piece]) -> (f6
             && (piece.edge as usize + 1) % other.turned.len() == after.edge as usize;
         let edges = [ends[k][1], ends[next][0]];
         if goes_on && edges[0] != edges[1] {
-            jumps.push(Jump {
-                edges,
-                place: after.ends[0] + shift,
-            });
+            jumps.push(Jump { edges, place: after.ends[0] + shift });
         }
     }
     (sum, jumps)
@@ -119,11 +109,7 @@ fn span_flux(block: Side<'_>, span: &Span, p: Vec2, q: Vec2) -> f64 {
         let middle = p + 0.5 * (span.s[0] + span.s[1]) * (q - p);
         let next = (span.edge as usize + 1) % block.turned.len();
         let before = edge.normal.perp().dot(middle - edge.start) <= 0.0;
-        let corner = if before {
-            edge.start
-        } else {
-            block.turned[next].start
-        };
+        let corner = if before { edge.start } else { block.turned[next].start };
         return (p - corner).dot(outward) * span.integral() / 3.0;
     }
     let [a, b] = span.depths();
@@ -166,13 +152,7 @@ impl<'a> Outline<'a> {
                 start
             })
             .collect();
-        let mut outline = Self {
-            block,
-            starts,
-            total,
-            origin: 0.0,
-            swallowed: false,
-        };
+        let mut outline = Self { block, starts, total, origin: 0.0, swallowed: false };
         let (gap, place) = outline.widest_gap(own.clone());
         outline.origin = place;
         if gap <= TOUCH * total {
@@ -214,22 +194,10 @@ impl<'a> Outline<'a> {
     fn foot(&self, edge: u16, x: Vec2) -> Foot {
         let edge = edge as usize;
         let side = &self.block.turned[edge];
-        let on_edge = side
-            .normal
-            .perp()
-            .dot(x - side.start)
-            .clamp(0.0, side.length);
+        let on_edge = side.normal.perp().dot(x - side.start).clamp(0.0, side.length);
         let from_zero = self.starts[edge] + on_edge - self.origin;
-        let along = if from_zero < 0.0 {
-            from_zero + self.total
-        } else {
-            from_zero
-        };
-        Foot {
-            edge,
-            on_edge,
-            along,
-        }
+        let along = if from_zero < 0.0 { from_zero + self.total } else { from_zero };
+        Foot { edge, on_edge, along }
     }
 
     /// Depth integral over the part of the block between its boundary from foot `a` ahead to foot `b`
@@ -262,11 +230,7 @@ impl<'a> Outline<'a> {
     fn chain(&self, a: Foot, b: Foot, x: Vec2) -> f64 {
         let n = self.starts.len();
         let count = (b.edge + n - a.edge) % n + 1;
-        let ribs = Ribs {
-            block: self.block,
-            first: a.edge,
-            count,
-        };
+        let ribs = Ribs { block: self.block, first: a.edge, count };
         let (first, last) = (&self.block.turned[a.edge], &self.block.turned[b.edge]);
         let mut sum = ribs.side(a.edge, a.on_edge, first.length);
         // Where a foot is a reflex corner its fan begins or ends with the way from `x`.
@@ -286,11 +250,7 @@ impl<'a> Outline<'a> {
             } else {
                 self.block.turned[(edge + n - 1) % n].normal
             };
-            let to = if is_last && b.on_edge <= 0.0 {
-                way
-            } else {
-                side.normal
-            };
+            let to = if is_last && b.on_edge <= 0.0 { way } else { side.normal };
             sum += ribs.fan(side.start, from, to);
             sum += ribs.side(edge, 0.0, if is_last { b.on_edge } else { side.length });
         }
@@ -300,11 +260,7 @@ impl<'a> Outline<'a> {
     /// Depth integral over the whole block.
     fn whole(&self) -> f64 {
         let n = self.starts.len();
-        let ribs = Ribs {
-            block: self.block,
-            first: 0,
-            count: n,
-        };
+        let ribs = Ribs { block: self.block, first: 0, count: n };
         (0..n)
             .map(|edge| {
                 let side = &self.block.turned[edge];

@@ -59,10 +59,7 @@ impl View<'_> {
         };
         let targets = motion.targets();
         let [x, y, spin] = targets.map(|t| if t.gives_velocity() { 0.0 } else { 1.0 });
-        Change {
-            velocity: change.velocity * Vec2::new(x, y),
-            spin: change.spin * spin,
-        }
+        Change { velocity: change.velocity * Vec2::new(x, y), spin: change.spin * spin }
     }
 
     /// Sum over the blocks of `m dv² + I dw²` of the coming kick: what the ledger needs where the step changes.
@@ -112,9 +109,7 @@ impl View<'_> {
         let Some(motion) = &self.world.motion[b] else {
             return (Vec2::ONE, 1.0);
         };
-        let [x, y, rotation] = motion
-            .targets()
-            .map(|t| if t.is_free() { 1.0 } else { 0.0 });
+        let [x, y, rotation] = motion.targets().map(|t| if t.is_free() { 1.0 } else { 0.0 });
         (Vec2::new(x, y), rotation)
     }
 
@@ -128,10 +123,7 @@ impl View<'_> {
     pub fn acceleration(&self, b: usize) -> (Vec2, f64) {
         let (net, shapes) = (&self.scratch.net[b], &self.scratch.shapes);
         let (along, about) = self.freedoms(b);
-        (
-            along * net.force / shapes.mass[b],
-            about * net.moment / shapes.inertia[b],
-        )
+        (along * net.force / shapes.mass[b], about * net.moment / shapes.inertia[b])
     }
 
     /// Angular momentum of all blocks about the origin, N s (N m s per m).
@@ -252,9 +244,7 @@ impl View<'_> {
         let general = exec.largest(world.general.len(), |k| {
             let g = &world.general[k];
             let regions = g.regions.iter();
-            regions
-                .filter_map(|r| ratio(g.i, g.j, &r.contact))
-                .max_by(|a, b| a.0.total_cmp(&b.0))
+            regions.filter_map(|r| ratio(g.i, g.j, &r.contact)).max_by(|a, b| a.0.total_cmp(&b.0))
         });
         // Joints keep their blocks from meeting: how far they are closed beyond where they were built is the same depth.
         let joined = exec.largest(world.bonds.len(), |k| {
@@ -302,10 +292,7 @@ impl View<'_> {
     /// The energy ledger at the present time.
     #[must_use]
     pub fn balance(&self) -> Balance {
-        let mut out = Balance {
-            works: self.world.works,
-            ..Balance::default()
-        };
+        let mut out = Balance { works: self.world.works, ..Balance::default() };
         let (world, scratch) = (self.world, self.scratch);
         let exec = &scratch.exec;
         out.kinetic = self.kinetic_energy();

@@ -21,9 +21,7 @@ impl World {
     #[must_use]
     pub fn pore_pressure(&self, at: Vec2) -> f64 {
         let table = self.table();
-        table.map_or(0.0, |table| {
-            table.pressure(-self.gravity.y, Vec3::new(at.x, 0.0, at.y))
-        })
+        table.map_or(0.0, |table| table.pressure(-self.gravity.y, Vec3::new(at.x, 0.0, at.y)))
     }
 }
 

@@ -133,11 +133,7 @@ impl Wrench {
     /// Force `force` on the first block at `arm_i` from its centroid and `arm_j` from the second's.
     #[must_use]
     pub fn at(force: Vec2, arm_i: Vec2, arm_j: Vec2) -> Self {
-        Self {
-            force,
-            moment_i: arm_i.perp_dot(force),
-            moment_j: -arm_j.perp_dot(force),
-        }
+        Self { force, moment_i: arm_i.perp_dot(force), moment_j: -arm_j.perp_dot(force) }
     }
 
     /// Sum of two wrenches.

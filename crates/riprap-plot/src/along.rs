@@ -81,20 +81,9 @@ pub fn along(
         columns.push(column(&own("distance"), "m", x.clone()));
         columns.push(column(&own(&chosen.name), &chosen.unit, y.clone()));
         unit = chosen.unit;
-        curves.push(Curve {
-            name,
-            x,
-            y,
-            mark: Mark::Line,
-        });
+        curves.push(Curve { name, x, y, mark: Mark::Line });
     }
-    let panel = Panel {
-        name: field.to_owned(),
-        unit,
-        curves,
-        height: 340.0,
-        ..Panel::default()
-    };
+    let panel = Panel { name: field.to_owned(), unit, curves, height: 340.0, ..Panel::default() };
     let title = suffix(&manifest, &format!("{field} along a line"));
     let page = chart::draw((&manifest.title, &title), ("distance", "m"), &[panel]);
     write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out)
@@ -199,9 +188,7 @@ mod tests {
     fn shares(frame: &Frame, a: [f64; 3], b: [f64; 3]) -> Vec<(usize, f64, f64)> {
         let all = pieces(frame, Vec3::from(a), Vec3::from(b));
         let round = |x: f64| (1e6 * x).round() / 1e6;
-        all.iter()
-            .map(|p| (p.block, round(p.from), round(p.to)))
-            .collect()
+        all.iter().map(|p| (p.block, round(p.from), round(p.to))).collect()
     }
 
     #[test]
@@ -222,11 +209,7 @@ mod tests {
         let frame = Frame {
             points: points.collect(),
             offsets: vec![0, 8, 12],
-            block_columns: vec![Column::vector(
-                "displacement",
-                "m",
-                [[0.0, 0.0], [10.0, 0.0]],
-            )],
+            block_columns: vec![Column::vector("displacement", "m", [[0.0, 0.0], [10.0, 0.0]])],
             ..Frame::default()
         };
         let line = shares(&frame, [-1.0, 2.0, 0.0], [9.0, 2.0, 0.0]);
@@ -239,29 +222,17 @@ mod tests {
 
     #[test]
     fn a_line_along_an_edge_of_bricks_meets_each_once() {
-        let mut frame = Frame {
-            offsets: vec![0],
-            ..Frame::default()
-        };
-        let mut solids = Solids {
-            faces: vec![0],
-            ends: vec![0],
-            corners: Vec::new(),
-        };
+        let mut frame = Frame { offsets: vec![0], ..Frame::default() };
+        let mut solids = Solids { faces: vec![0], ends: vec![0], corners: Vec::new() };
         for x in [0.0, 1.0, 3.0] {
             for corner in 0..8_u32 {
                 let bit = |k: u32| f64::from(corner >> k & 1);
                 frame.points.push([x + bit(0), bit(1), bit(2)]);
             }
             frame.offsets.push(frame.points.len() as u32);
-            for face in [
-                [0, 2, 3, 1],
-                [4, 5, 7, 6],
-                [0, 1, 5, 4],
-                [2, 6, 7, 3],
-                [0, 4, 6, 2],
-                [1, 3, 7, 5],
-            ] {
+            for face in
+                [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+            {
                 solids.corners.extend(face);
                 solids.ends.push(solids.corners.len() as u32);
             }

@@ -94,11 +94,7 @@ fn arrow(page: &mut Page, from: [f64; 2], to: [f64; 2], length: f64) {
         [neck[0] + side * uy, neck[1] - side * ux],
     ];
     // A pale rim, or arrows would be lost on dark blocks.
-    page.line(
-        from,
-        neck,
-        "stroke=\"#ffffff\" stroke-width=\"2.2\" stroke-opacity=\"0.6\"",
-    );
+    page.line(from, neck, "stroke=\"#ffffff\" stroke-width=\"2.2\" stroke-opacity=\"0.6\"");
     page.line(from, neck, "stroke=\"#1a1a1a\" stroke-width=\"1\"");
     page.polygon(&tip, "fill=\"#1a1a1a\"");
 }

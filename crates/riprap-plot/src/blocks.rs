@@ -36,32 +36,15 @@ pub(super) struct Words<'a> {
 /// Map and range that suit the values: signed ones symmetric about zero, amounts from zero if they come near it.
 fn colours(values: &[f64], log: bool) -> (ColourMap, Scale) {
     if log {
-        return (
-            ColourMap::Light,
-            Scale::log_covering(values.iter().copied()),
-        );
+        return (ColourMap::Light, Scale::log_covering(values.iter().copied()));
     }
     let s = Scale::exact(values.iter().copied());
     let all_zero = values.iter().all(|v| *v == 0.0 || v.is_nan());
     if all_zero {
-        (
-            ColourMap::Light,
-            Scale {
-                low: 0.0,
-                high: 1.0,
-                log: false,
-            },
-        )
+        (ColourMap::Light, Scale { low: 0.0, high: 1.0, log: false })
     } else if s.low < 0.0 && s.high > 0.0 {
         let size = s.high.max(-s.low);
-        (
-            ColourMap::BlueRed,
-            Scale {
-                low: -size,
-                high: size,
-                log: false,
-            },
-        )
+        (ColourMap::BlueRed, Scale { low: -size, high: size, log: false })
     } else if s.low > 0.0 && s.low < 0.3 * s.high {
         (ColourMap::Light, Scale { low: 0.0, ..s })
     } else if s.high < 0.0 && s.high > 0.3 * s.low {
@@ -81,10 +64,8 @@ struct Window {
 impl Window {
     fn around(frames: &[Frame], columns: usize, arrows: bool, given: Option<[f64; 4]>) -> Self {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for p in frames
-            .iter()
-            .flat_map(|f| &f.points)
-            .filter(|p| p[0].is_finite() && p[1].is_finite())
+        for p in
+            frames.iter().flat_map(|f| &f.points).filter(|p| p[0].is_finite() && p[1].is_finite())
         {
             for k in 0..2 {
                 low[k] = low[k].min(p[k]);
@@ -97,9 +78,7 @@ impl Window {
         if let Some([left, bottom, right, top]) = given {
             (low, high) = ([left, bottom], [right, top]);
         }
-        let largest = (high[0] - low[0])
-            .max(high[1] - low[1])
-            .max(1e-9 * low[0].abs().max(1e-6));
+        let largest = (high[0] - low[0]).max(high[1] - low[1]).max(1e-9 * low[0].abs().max(1e-6));
         // Arrows of blocks at the rim reach beyond it.
         let margin = match (given, arrows) {
             (Some(_), _) => 0.0,
@@ -107,18 +86,10 @@ impl Window {
             (None, false) => 0.03 * largest,
         };
         let size = [0, 1].map(|k| high[k] - low[k] + 2.0 * margin);
-        let wide = if columns == 1 {
-            720.0
-        } else {
-            1100.0 / columns as f64
-        };
+        let wide = if columns == 1 { 720.0 } else { 1100.0 / columns as f64 };
         let high_limit = if frames.len() == 1 { 560.0 } else { 420.0 };
         let zoom = (wide / size[0]).min(high_limit / size[1]);
-        Window {
-            low: [low[0] - margin, low[1] - margin],
-            size,
-            zoom,
-        }
+        Window { low: [low[0] - margin, low[1] - margin], size, zoom }
     }
 
     fn pixel(&self, p: [f64; 2], corner: [f64; 2]) -> [f64; 2] {
@@ -146,16 +117,10 @@ pub(super) fn draw(
     options: BlockOptions,
 ) -> Result<Page, PlotError> {
     let Some(first) = fields.first() else {
-        return Err(PlotError::NothingToDraw {
-            what: "no frames were chosen".to_owned(),
-        });
+        return Err(PlotError::NothingToDraw { what: "no frames were chosen".to_owned() });
     };
     let flows = options.vectors == Some(Vectors::Flow);
-    if flows
-        && !frames
-            .iter()
-            .any(|f| arrows::column(f, Vectors::Flow).is_some())
-    {
+    if flows && !frames.iter().any(|f| arrows::column(f, Vectors::Flow).is_some()) {
         return Err(PlotError::NothingToDraw {
             what: "no water seeps through joints in these frames; `water.*.seepage` of a scene lets it"
                 .to_owned(),
@@ -168,10 +133,7 @@ pub(super) fn draw(
                 .to_owned(),
         });
     }
-    let all: Vec<f64> = fields
-        .iter()
-        .flat_map(|f| f.values.iter().copied())
-        .collect();
+    let all: Vec<f64> = fields.iter().flat_map(|f| f.values.iter().copied()).collect();
     let (map, scale) = colours(&all, options.log);
     let columns = columns_for(frames, options.window);
     let rows = frames.len().div_ceil(columns);
@@ -192,19 +154,11 @@ pub(super) fn draw(
     let longest = arrows::longest(frames, options.vectors);
     let stressed = crosses::longest(frames);
     for (i, (frame, field)) in frames.iter().zip(fields).enumerate() {
-        let corner = [
-            LEFT + step[0] * (i % columns) as f64,
-            head + step[1] * (i / columns) as f64,
-        ];
+        let corner = [LEFT + step[0] * (i % columns) as f64, head + step[1] * (i / columns) as f64];
         if frames.len() > 1 {
             let text = words.moments.get(i).map_or("", String::as_str);
             let text = fitted(text, SIZE, w + 20.0);
-            page.text(
-                [corner[0] + w / 2.0, corner[1] - 8.0],
-                SIZE,
-                Anchor::Middle,
-                &text,
-            );
+            page.text([corner[0] + w / 2.0, corner[1] - 8.0], SIZE, Anchor::Middle, &text);
         }
         axes(&mut page, &window, corner, words.axes);
         page.begin_clip(&format!("frame{i}"), corner[0], corner[1], w, h);
@@ -221,9 +175,7 @@ pub(super) fn draw(
         if options.cracks {
             cracks(&mut page, frame, &window, corner);
         }
-        bolts::draw(&mut page, frame, bolts::most(frames), &|p| {
-            window.pixel(p, corner)
-        });
+        bolts::draw(&mut page, frame, bolts::most(frames), &|p| window.pixel(p, corner));
         if options.contacts {
             contacts(&mut page, frame, &window, corner);
         }
@@ -239,13 +191,7 @@ pub(super) fn draw(
             star(&mut page, window.pixel(*place, corner));
         }
         page.end_clip();
-        page.rect(
-            corner[0],
-            corner[1],
-            w,
-            h,
-            "fill=\"none\" stroke=\"#1a1a1a\"",
-        );
+        page.rect(corner[0], corner[1], w, h, "fill=\"none\" stroke=\"#1a1a1a\"");
     }
     if !note.is_empty() {
         let at = [LEFT, page.height - 10.0];
@@ -273,10 +219,7 @@ fn notes(frames: &[Frame], options: BlockOptions) -> String {
             0 => String::new(),
             more => format!(" or more ({more})"),
         };
-        out.push(format!(
-            "longest arrow: {name} {} {unit}{also}",
-            digits(longest, 3)
-        ));
+        out.push(format!("longest arrow: {name} {} {unit}{also}", digits(longest, 3)));
     }
     if options.stress {
         out.push(crosses::note(frames));
@@ -301,18 +244,11 @@ fn star(page: &mut Page, [x, y]: [f64; 2]) {
 
 fn axes(page: &mut Page, window: &Window, corner: [f64; 2], names: [&str; 2]) {
     let (w, h) = (window.size[0] * window.zoom, window.size[1] * window.zoom);
-    let scale = |k: usize| Scale {
-        low: window.low[k],
-        high: window.low[k] + window.size[k],
-        log: false,
-    };
+    let scale =
+        |k: usize| Scale { low: window.low[k], high: window.low[k] + window.size[k], log: false };
     let (sx, sy) = (scale(0), scale(1));
     // As many labels as fit: their width depends on their number of digits.
-    let widest = sx
-        .ticks(6)
-        .iter()
-        .map(|t| text_width(&t.1, SIZE))
-        .fold(20.0, f64::max);
+    let widest = sx.ticks(6).iter().map(|t| text_width(&t.1, SIZE)).fold(20.0, f64::max);
     let bottom = corner[1] + h;
     for (v, text) in sx.ticks(((w / (1.8 * widest)) as usize).clamp(1, 9)) {
         let x = window.pixel([v, 0.0], corner)[0];
@@ -326,11 +262,7 @@ fn axes(page: &mut Page, window: &Window, corner: [f64; 2], names: [&str; 2]) {
     }
     let at = [corner[0] + w / 2.0, bottom + 36.0];
     page.text(at, SIZE, Anchor::Middle, &label(names[0], "m", &sx));
-    page.upright(
-        [corner[0] - 52.0, corner[1] + h / 2.0],
-        SIZE,
-        &label(names[1], "m", &sy),
-    );
+    page.upright([corner[0] - 52.0, corner[1] + h / 2.0], SIZE, &label(names[1], "m", &sy));
 }
 
 fn outlines(
@@ -357,11 +289,7 @@ fn outlines(
         if lines.iter().flatten().flatten().all(|v| v.is_finite()) {
             let colour = paint(field.values[from]);
             // Black edges are lost on dark blocks.
-            let edge = if colour::is_dark(&colour) {
-                "#c9d3e3"
-            } else {
-                "#1a1a1a"
-            };
+            let edge = if colour::is_dark(&colour) { "#c9d3e3" } else { "#1a1a1a" };
             let style = format!(
                 "fill=\"{colour}\" stroke=\"{edge}\" stroke-width=\"{stroke}\" stroke-linejoin=\"round\""
             );
@@ -377,11 +305,7 @@ fn cracks(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
         let (a, b) = (window.pixel(a, corner), window.pixel(b, corner));
         if a.iter().chain(&b).all(|v| v.is_finite()) {
             page.line(a, b, "stroke=\"#ffffff\" stroke-width=\"3.4\" stroke-linecap=\"round\" stroke-opacity=\"0.8\"");
-            page.line(
-                a,
-                b,
-                "stroke=\"#d62728\" stroke-width=\"1.8\" stroke-linecap=\"round\"",
-            );
+            page.line(a, b, "stroke=\"#d62728\" stroke-width=\"1.8\" stroke-linecap=\"round\"");
         }
     }
 }
@@ -390,23 +314,16 @@ fn cracks(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
 fn traces(frame: &Frame) -> Vec<[[f64; 2]; 2]> {
     let lines = frame.cracks.as_ref().map_or(&[][..], |c| &c.points);
     let ends = lines.chunks_exact(2);
-    ends.map(|e| [[e[0][0], e[0][1]], [e[1][0], e[1][1]]])
-        .collect()
+    ends.map(|e| [[e[0][0], e[0][1]], [e[1][0], e[1][1]]]).collect()
 }
 
 fn force_column(frame: &Frame) -> Option<&Column> {
-    frame
-        .contact_columns
-        .iter()
-        .find(|c| c.components == 2 && c.name.contains("force"))
+    frame.contact_columns.iter().find(|c| c.components == 2 && c.name.contains("force"))
 }
 
 fn largest_force(frame: &Frame) -> f64 {
     force_column(frame).map_or(0.0, |c| {
-        c.numbers(Part::Magnitude)
-            .into_iter()
-            .filter(|v| v.is_finite())
-            .fold(0.0, f64::max)
+        c.numbers(Part::Magnitude).into_iter().filter(|v| v.is_finite()).fold(0.0, f64::max)
     })
 }
 
@@ -433,10 +350,8 @@ fn contacts(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
     for (i, p) in frame.contact_points.iter().enumerate() {
         let [x, y] = window.pixel([p[0], p[1]], corner);
         if let Some(column) = force {
-            let (fx, fy) = (
-                column.data[2 * i] / largest * reach,
-                column.data[2 * i + 1] / largest * reach,
-            );
+            let (fx, fy) =
+                (column.data[2 * i] / largest * reach, column.data[2 * i + 1] / largest * reach);
             page.line([x - fx, y + fy], [x + fx, y - fy], &line);
         }
         page.circle(
@@ -456,12 +371,7 @@ fn chips(page: &mut Page, names: &[String], values: &[f64], [x, y]: [f64; 2]) {
         let style = format!("fill=\"{}\" stroke=\"#1a1a1a\"", colour::kind(k as f64));
         page.rect(x, top, 14.0, 14.0, &style);
         let room = page.width - x - 22.0;
-        page.text(
-            [x + 20.0, top + 11.5],
-            SIZE,
-            Anchor::Start,
-            &fitted(name, SIZE, room),
-        );
+        page.text([x + 20.0, top + 11.5], SIZE, Anchor::Start, &fitted(name, SIZE, room));
     }
 }
 
@@ -486,30 +396,16 @@ fn bar(
             &format!("fill=\"{colour}\""),
         );
     }
-    page.rect(
-        at[0],
-        at[1],
-        BAR,
-        height,
-        "fill=\"none\" stroke=\"#1a1a1a\"",
-    );
+    page.rect(at[0], at[1], BAR, height, "fill=\"none\" stroke=\"#1a1a1a\"");
     let mut widest = 0.0f64;
     for (v, text) in scale.ticks(((height / 34.0) as usize).clamp(4, 8)) {
         widest = widest.max(text_width(&text, SIZE));
         let y = at[1] + height * (1.0 - scale.share(v));
-        page.line(
-            [at[0] + BAR, y],
-            [at[0] + BAR + 4.0, y],
-            "stroke=\"#1a1a1a\"",
-        );
+        page.line([at[0] + BAR, y], [at[0] + BAR + 4.0, y], "stroke=\"#1a1a1a\"");
         page.text([at[0] + BAR + 7.0, y + 4.2], SIZE, Anchor::Start, &text);
     }
     let middle = at[1] + height / 2.0;
     let room = 2.0 * middle.min(page.height - middle) - 10.0;
     let text = fitted(&label(&field.name, &field.unit, scale), SIZE, room);
-    page.upright(
-        [at[0] + BAR + widest + 28.0, at[1] + height / 2.0],
-        SIZE,
-        &text,
-    );
+    page.upright([at[0] + BAR + widest + 28.0, at[1] + height / 2.0], SIZE, &text);
 }

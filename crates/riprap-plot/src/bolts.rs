@@ -4,11 +4,7 @@ use super::svg::Page;
 use riprap_record::frame::Frame;
 
 /// Colours without force, in full tension, in full compression: those of the viewer.
-const COLOURS: [[f64; 3]; 3] = [
-    [244.0, 240.0, 234.0],
-    [208.0, 28.0, 28.0],
-    [29.0, 95.0, 208.0],
-];
+const COLOURS: [[f64; 3]; 3] = [[244.0, 240.0, 234.0], [208.0, 28.0, 28.0], [29.0, 95.0, 208.0]];
 
 /// Axial forces of the bars of a frame, N, tension positive.
 fn forces(frame: &Frame) -> &[f64] {
@@ -49,18 +45,12 @@ pub(super) fn draw(
         .map(|ends| [ends[0], ends[1]].map(|p| pixel([p[0], p[1]])))
         .collect();
     for [a, b] in &lines {
-        page.line(
-            *a,
-            *b,
-            "stroke=\"#1a1a1a\" stroke-width=\"4.2\" stroke-linecap=\"round\"",
-        );
+        page.line(*a, *b, "stroke=\"#1a1a1a\" stroke-width=\"4.2\" stroke-linecap=\"round\"");
     }
     for ([a, b], force) in lines.iter().zip(forces(frame)) {
         let share = if most > 0.0 { force / most } else { 0.0 };
-        let style = format!(
-            "stroke=\"{}\" stroke-width=\"2.6\" stroke-linecap=\"round\"",
-            colour(share)
-        );
+        let style =
+            format!("stroke=\"{}\" stroke-width=\"2.6\" stroke-linecap=\"round\"", colour(share));
         page.line(*a, *b, &style);
     }
 }

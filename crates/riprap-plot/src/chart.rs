@@ -90,17 +90,9 @@ pub(super) fn draw((title, suffix): (&str, &str), x: (&str, &str), panels: &[Pan
     let room = page.width - LEFT - 10.0 - text_width(suffix, 15.0);
     let title = format!("{}{suffix}", fitted(title, 15.0, room));
     page.text([LEFT, 26.0], 15.0, Anchor::Start, &title);
-    let common = Abscissa {
-        name: x.0.to_owned(),
-        unit: x.1.to_owned(),
-        log: false,
-    };
+    let common = Abscissa { name: x.0.to_owned(), unit: x.1.to_owned(), log: false };
     let xs = |p: &Panel| -> Vec<f64> { p.curves.iter().flat_map(|c| c.x.clone()).collect() };
-    let shared: Vec<f64> = panels
-        .iter()
-        .filter(|p| p.x.is_none())
-        .flat_map(xs)
-        .collect();
+    let shared: Vec<f64> = panels.iter().filter(|p| p.x.is_none()).flat_map(xs).collect();
     let shared = Scale::exact(shared);
     let mut top = TOP;
     for (i, panel) in panels.iter().enumerate() {
@@ -124,12 +116,7 @@ fn one_panel(
     index: usize,
     x: Option<&Abscissa>,
 ) {
-    let values = panel
-        .curves
-        .iter()
-        .flat_map(|c| &c.y)
-        .chain(&panel.room)
-        .copied();
+    let values = panel.curves.iter().flat_map(|c| &c.y).chain(&panel.room).copied();
     let sy = match (panel.log, sx.log) {
         (true, true) => Scale::log_covering(values),
         (true, false) => Scale::decades(values),
@@ -149,11 +136,7 @@ fn one_panel(
         page.text([LEFT - 7.0, py(v) + 4.2], SIZE, Anchor::End, &text);
     }
     if sy.low < 0.0 && sy.high > 0.0 {
-        page.line(
-            [LEFT, py(0.0)],
-            [LEFT + WIDTH, py(0.0)],
-            "stroke=\"#9a9a9a\"",
-        );
+        page.line([LEFT, py(0.0)], [LEFT + WIDTH, py(0.0)], "stroke=\"#9a9a9a\"");
     }
     for (v, text) in sx.ticks(8) {
         page.line([px(v), top], [px(v), bottom], "stroke=\"#e3e3e3\"");
@@ -236,14 +219,8 @@ fn line_style(i: usize, mark: Mark) -> String {
 
 fn legend(page: &mut Page, panel: &Panel, top: f64) {
     let left = LEFT + WIDTH + 10.0;
-    let room = ((panel.height / ROW) as usize)
-        .saturating_sub(panel.notes.len())
-        .max(1);
-    let shown = if panel.curves.len() > room {
-        room - 1
-    } else {
-        panel.curves.len()
-    };
+    let room = ((panel.height / ROW) as usize).saturating_sub(panel.notes.len()).max(1);
+    let shown = if panel.curves.len() > room { room - 1 } else { panel.curves.len() };
     for (i, curve) in panel.curves.iter().take(shown).enumerate() {
         let y = top + 10.0 + ROW * i as f64;
         match curve.mark {
@@ -298,10 +275,7 @@ mod tests {
         points[77_777][1] = 9.0;
         let thin = thinned(points.clone());
         assert!(thin.len() < 3000, "{}", thin.len());
-        assert_eq!(
-            (thin[0], thin[thin.len() - 1]),
-            (points[0], points[n as usize - 1])
-        );
+        assert_eq!((thin[0], thin[thin.len() - 1]), (points[0], points[n as usize - 1]));
         assert!(thin.contains(&points[77_777]));
     }
 }

@@ -38,11 +38,7 @@ const KINDS: [&str; 10] = [
 
 /// Colour of a kind by its number.
 pub(super) fn kind(number: f64) -> &'static str {
-    if number >= 0.0 {
-        KINDS[number.round() as usize % KINDS.len()]
-    } else {
-        "#ffffff"
-    }
+    if number >= 0.0 { KINDS[number.round() as usize % KINDS.len()] } else { "#ffffff" }
 }
 
 /// Whether a colour `#rrggbb` is so dark that black lines are lost on it.
@@ -53,9 +49,8 @@ pub(super) fn is_dark(colour: &str) -> bool {
 }
 
 /// Okabe and Ito's colours, told apart by colour-blind readers too; black first.
-pub(super) const LINES: [&str; 8] = [
-    "#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8a7f00",
-];
+pub(super) const LINES: [&str; 8] =
+    ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8a7f00"];
 
 impl ColourMap {
     /// Colour at `share` (clamped to 0..1; not-a-number is white) as `#rrggbb`.
@@ -88,17 +83,13 @@ mod tests {
         assert_eq!(ColourMap::Light.at(7.0), "#081d58");
         assert_eq!(ColourMap::BlueRed.at(0.5), "#f2efee");
         assert_eq!(ColourMap::BlueRed.at(f64::NAN), "#ffffff");
-        assert_eq!(
-            [kind(0.0), kind(12.0), kind(-1.0)],
-            ["#4e79a7", "#e15759", "#ffffff"]
-        );
+        assert_eq!([kind(0.0), kind(12.0), kind(-1.0)], ["#4e79a7", "#e15759", "#ffffff"]);
     }
 
     #[test]
     fn lines_can_be_told_from_what_they_lie_on() {
-        let dark: Vec<bool> = (0..=10)
-            .map(|k| is_dark(&ColourMap::Light.at(0.1 * f64::from(k))))
-            .collect();
+        let dark: Vec<bool> =
+            (0..=10).map(|k| is_dark(&ColourMap::Light.at(0.1 * f64::from(k)))).collect();
         assert!(!dark[0] && !dark[5] && dark[9] && dark[10], "{dark:?}");
         assert!(is_dark(&ColourMap::BlueRed.at(0.0)) && is_dark(&ColourMap::BlueRed.at(1.0)));
     }

@@ -77,18 +77,10 @@ pub fn compare(
             return Err(PlotError::NothingToDraw { what });
         }
     }
-    let at: Vec<f64> = computed
-        .x
-        .iter()
-        .map(|x| interpolated(reference, *x))
-        .collect();
+    let at: Vec<f64> = computed.x.iter().map(|x| interpolated(reference, *x)).collect();
     let difference: Vec<f64> = computed.y.iter().zip(&at).map(|(a, b)| a - b).collect();
-    let line = |l: &Line, mark| Curve {
-        name: l.name.clone(),
-        x: l.x.clone(),
-        y: l.y.clone(),
-        mark,
-    };
+    let line =
+        |l: &Line, mark| Curve { name: l.name.clone(), x: l.x.clone(), y: l.y.clone(), mark };
     let (name, unit) = labels.y.clone();
     let panels = [
         Panel {

@@ -19,9 +19,7 @@ const SHORTEST: f64 = 1.0;
 
 /// Largest size of a principal stress in the plane of the picture of each block, Pa.
 fn sizes(frames: &[Frame]) -> Vec<f64> {
-    let all = frames
-        .iter()
-        .filter_map(|f| stress::principal(&f.block_columns));
+    let all = frames.iter().filter_map(|f| stress::principal(&f.block_columns));
     let size = |p: Principal| p.values[0].abs().max(p.values[1].abs());
     all.flatten().map(size).filter(|v| v.is_finite()).collect()
 }
@@ -34,10 +32,7 @@ pub(super) fn longest(frames: &[Frame]) -> f64 {
 /// What the crosses are, in words.
 pub(super) fn note(frames: &[Frame]) -> String {
     let longest = longest(frames);
-    let beyond = sizes(frames)
-        .iter()
-        .filter(|v| **v > 1.001 * longest)
-        .count();
+    let beyond = sizes(frames).iter().filter(|v| **v > 1.001 * longest).count();
     let also = match beyond {
         0 => String::new(),
         _ => format!(" or more ({beyond})"),
@@ -104,10 +99,7 @@ mod tests {
 
     /// Unit squares in a row under the stresses xx, yy, xy.
     fn row(stresses: &[[f64; 3]]) -> Frame {
-        let mut frame = Frame {
-            offsets: vec![0],
-            ..Frame::default()
-        };
+        let mut frame = Frame { offsets: vec![0], ..Frame::default() };
         for i in 0..stresses.len() {
             let x = i as f64;
             let corners = [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];

@@ -94,13 +94,7 @@ const MOST_ISOLINES: usize = 50;
 impl BlockOptions {
     /// Refuses what no picture can be drawn by.
     pub(super) fn checked(&self) -> Result<(), PlotError> {
-        let wrong = |option, given, wanted| {
-            Err(PlotError::Option {
-                option,
-                given,
-                wanted,
-            })
-        };
+        let wrong = |option, given, wanted| Err(PlotError::Option { option, given, wanted });
         if let Some(window @ [left, bottom, right, top]) = self.window {
             let finite = window.iter().all(|v| v.is_finite());
             if !finite || left >= right || bottom >= top {
@@ -146,12 +140,7 @@ pub(super) struct Chosen {
 /// Finds `displacement`, `block.displacement`, `block.velocity.x`... A vector without a part is its magnitude.
 pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
     let bare = |s: &str| s.strip_prefix("block.").unwrap_or(s).to_owned();
-    let find = |name: &str| {
-        frame
-            .block_columns
-            .iter()
-            .find(|c| bare(&c.name) == bare(name))
-    };
+    let find = |name: &str| frame.block_columns.iter().find(|c| bare(&c.name) == bare(name));
     let (stem, part) = Part::split(field);
     let (column, part) = match (find(field), find(stem)) {
         (Some(c), _) => (c, Part::Whole),
@@ -166,18 +155,10 @@ pub(super) fn choose(frame: &Frame, field: &str) -> Result<Chosen, FieldError> {
             let known: Vec<String> = frame.block_columns.iter().map(|c| c.name.clone()).collect();
             let suggestion =
                 nearest(&bare(stem), known.iter().map(String::as_str)).map(str::to_owned);
-            return Err(FieldError::Unknown {
-                name: field.to_owned(),
-                suggestion,
-                known,
-            });
+            return Err(FieldError::Unknown { name: field.to_owned(), suggestion, known });
         }
     };
-    let part = if column.components > 1 && part == Part::Whole {
-        Part::Magnitude
-    } else {
-        part
-    };
+    let part = if column.components > 1 && part == Part::Whole { Part::Magnitude } else { part };
     let suffix = match part {
         Part::Whole => "",
         Part::X => ", x",
@@ -198,22 +179,13 @@ pub(super) fn middle(outline: &[[f64; 3]]) -> [f64; 2] {
     let [ox, oy, _] = outline.first().copied().unwrap_or_default();
     let (mut area, mut x, mut y) = (0.0, 0.0, 0.0);
     for pair in outline.windows(2) {
-        let (ax, ay, bx, by) = (
-            pair[0][0] - ox,
-            pair[0][1] - oy,
-            pair[1][0] - ox,
-            pair[1][1] - oy,
-        );
+        let (ax, ay, bx, by) = (pair[0][0] - ox, pair[0][1] - oy, pair[1][0] - ox, pair[1][1] - oy);
         let cross = ax * by - bx * ay;
         area += cross;
         x += cross * (ax + bx) / 3.0;
         y += cross * (ay + by) / 3.0;
     }
-    if area == 0.0 {
-        [ox, oy]
-    } else {
-        [ox + x / area, oy + y / area]
-    }
+    if area == 0.0 { [ox, oy] } else { [ox + x / area, oy + y / area] }
 }
 
 /// A number for people: at most 6 digits.
@@ -221,10 +193,7 @@ pub(super) fn short(v: f64) -> String {
     if v != 0.0 && !(1e-4..1e6).contains(&v.abs()) {
         let text = format!("{v:.3e}");
         let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-        return format!(
-            "{}e{power}",
-            digits.trim_end_matches('0').trim_end_matches('.')
-        );
+        return format!("{}e{power}", digits.trim_end_matches('0').trim_end_matches('.'));
     }
     let text = format!("{v:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
@@ -254,13 +223,8 @@ mod tests {
             (None, None, 51, None, "isolines"),
             (None, None, 0, Some(f64::NAN), "at"),
         ] {
-            let options = BlockOptions {
-                window,
-                exaggeration,
-                isolines,
-                at,
-                ..BlockOptions::default()
-            };
+            let options =
+                BlockOptions { window, exaggeration, isolines, at, ..BlockOptions::default() };
             let text = told(options).unwrap_err();
             assert!(text.starts_with(option) && text.contains("give "), "{text}");
         }

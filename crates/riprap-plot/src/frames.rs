@@ -97,10 +97,8 @@ fn whole_tensor(frame: &Frame, field: &str) -> Result<(), PlotError> {
         [] => String::new(),
         _ => format!(", or for a principal stress: {}", principal.join(", ")),
     };
-    let parts: Vec<String> = parts
-        .iter()
-        .map(|(part, means)| format!("`{bare}.{part}` ({means})"))
-        .collect();
+    let parts: Vec<String> =
+        parts.iter().map(|(part, means)| format!("`{bare}.{part}` ({means})")).collect();
     Err(PlotError::Unsuitable {
         picture: "components of stress together",
         reason: format!(
@@ -143,11 +141,8 @@ pub(super) fn drawn(
     if let Some(factor) = options.exaggeration.filter(|f| *f != 1.0) {
         said.push(format!("displacements \u{d7} {}", short(factor)));
     }
-    let moments = picture
-        .frames
-        .iter()
-        .map(|f| moment(folder, f))
-        .collect::<Result<Vec<_>, _>>()?;
+    let moments =
+        picture.frames.iter().map(|f| moment(folder, f)).collect::<Result<Vec<_>, _>>()?;
     if let [only] = &moments[..] {
         said.push(only.clone());
     }
@@ -168,13 +163,8 @@ pub(super) fn drawn(
 }
 
 fn numbers(frames: &[Frame], fields: &[Chosen], axes: [&str; 2]) -> String {
-    let name = fields
-        .first()
-        .map_or_else(String::new, |f| with_unit(&f.name, &f.unit));
-    let mut csv = format!(
-        "time [s],block,{} [m],{} [m],\"{name}\",step\n",
-        axes[0], axes[1]
-    );
+    let name = fields.first().map_or_else(String::new, |f| with_unit(&f.name, &f.unit));
+    let mut csv = format!("time [s],block,{} [m],{} [m],\"{name}\",step\n", axes[0], axes[1]);
     for (frame, field) in frames.iter().zip(fields) {
         // Removed blocks leave no gap in a frame, so the place in it is not always the block's number.
         let ids = frame.column("block").filter(|c| c.components == 1);
@@ -194,9 +184,7 @@ fn numbers(frames: &[Frame], fields: &[Chosen], axes: [&str; 2]) -> String {
 pub(super) fn listed(folder: &Path) -> Result<Vec<PvdEntry>, PlotError> {
     let list = vtu::read_pvd(&folder.join("run.pvd"))?;
     if list.is_empty() {
-        return Err(PlotError::NoFrames {
-            folder: folder.to_owned(),
-        });
+        return Err(PlotError::NoFrames { folder: folder.to_owned() });
     }
     Ok(list)
 }
@@ -238,11 +226,8 @@ pub fn load_frame(folder: &Path, which: Which) -> Result<Frame, PlotError> {
     let bolts = folder.join(list[at].file.replacen("frame_", "bolts_", 1));
     if bolts.exists() {
         let bars = vtu::read(&bolts)?;
-        frame.bolts = Some(Surfaces {
-            ends: bars.offsets,
-            points: bars.points,
-            columns: bars.cell_columns,
-        });
+        frame.bolts =
+            Some(Surfaces { ends: bars.offsets, points: bars.points, columns: bars.cell_columns });
     }
     Ok(frame)
 }
@@ -261,10 +246,7 @@ fn found(list: &[PvdEntry], which: Which) -> Result<usize, PlotError> {
         Which::Index(index) => match index.checked_sub(1) {
             Some(i) if i < list.len() => i,
             Some(_) | None => {
-                return Err(PlotError::NoSuchFrame {
-                    index,
-                    count: list.len(),
-                });
+                return Err(PlotError::NoSuchFrame { index, count: list.len() });
             }
         },
         Which::Time(t) => {
@@ -275,16 +257,10 @@ fn found(list: &[PvdEntry], which: Which) -> Result<usize, PlotError> {
             // A time in other words, such as 1 min 3 s, differs in its last bits.
             let round_off = ROUND_OFF * first.abs().max(last.abs());
             if !(first - before - round_off..=last + after + round_off).contains(&t) {
-                return Err(PlotError::OutsideTheRun {
-                    time: t,
-                    first,
-                    last,
-                });
+                return Err(PlotError::OutsideTheRun { time: t, first, last });
             }
             let gap = |i: &usize| (list[*i].time - t).abs();
-            (0..list.len())
-                .min_by(|a, b| gap(a).total_cmp(&gap(b)))
-                .unwrap_or(0)
+            (0..list.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0)
         }
     })
 }
@@ -295,10 +271,7 @@ mod tests {
 
     #[test]
     fn the_only_frame_is_found_by_its_time_but_for_round_off() {
-        let at = |time: f64| PvdEntry {
-            time,
-            file: "frames/frame_000001.vtu".to_owned(),
-        };
+        let at = |time: f64| PvdEntry { time, file: "frames/frame_000001.vtu".to_owned() };
         let list = [at(0.1 + 0.2)];
         assert_eq!(found(&list, Which::Time(0.3)).unwrap(), 0);
         assert_eq!(found(&list, Which::Time(0.1 + 0.2)).unwrap(), 0);

@@ -58,9 +58,7 @@ pub(super) fn draw(
 
 /// The rims of all blocks with values at their corners.
 fn carried(frame: &Frame, values: &[f64]) -> Vec<Vec<Corner>> {
-    let boxes: Vec<[f64; 4]> = (0..frame.blocks())
-        .map(|b| around(frame.outline(b)))
-        .collect();
+    let boxes: Vec<[f64; 4]> = (0..frame.blocks()).map(|b| around(frame.outline(b))).collect();
     let mut sizes: Vec<f64> = boxes
         .iter()
         .map(|[x, y, u, v]| (u - x).max(v - y))
@@ -118,10 +116,7 @@ fn carried(frame: &Frame, values: &[f64]) -> Vec<Vec<Corner>> {
         });
         rims.push(own.collect());
     }
-    rims.iter()
-        .zip(&hanging)
-        .map(|(rim, more)| with_hanging(rim, more, near))
-        .collect()
+    rims.iter().zip(&hanging).map(|(rim, more)| with_hanging(rim, more, near)).collect()
 }
 
 /// A rim with further corners that lie on its edges, in their order; those nearer than `near` to its own, m, are left out.
@@ -148,15 +143,10 @@ fn with_hanging(rim: &[Corner], more: &[Corner], near: f64) -> Vec<Corner> {
 
 /// Left, bottom, right and top of an outline.
 fn around(outline: &[[f64; 3]]) -> [f64; 4] {
-    let start = [
-        f64::INFINITY,
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-        f64::NEG_INFINITY,
-    ];
-    outline.iter().fold(start, |[x, y, u, v], p| {
-        [x.min(p[0]), y.min(p[1]), u.max(p[0]), v.max(p[1])]
-    })
+    let start = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    outline
+        .iter()
+        .fold(start, |[x, y, u, v], p| [x.min(p[0]), y.min(p[1]), u.max(p[0]), v.max(p[1])])
 }
 
 /// Distance of a place from the edges of an outline.
@@ -173,11 +163,7 @@ fn distance(outline: &[[f64; 3]], p: [f64; 2]) -> f64 {
         let (x, y) = (r[0] - t * d[0], r[1] - t * d[1]);
         (x * x + y * y).sqrt()
     };
-    outline
-        .iter()
-        .zip(next)
-        .map(to_edge)
-        .fold(f64::INFINITY, f64::min)
+    outline.iter().zip(next).map(to_edge).fold(f64::INFINITY, f64::min)
 }
 
 /// Where the field has a value, in all triangles of middles and edges; those that a hollow outline turns over are left out.
@@ -247,16 +233,11 @@ mod tests {
 
     /// Unit squares in a grid of `n` by `n`, and the values of `f` at their middles.
     fn grid(n: usize, f: impl Fn(f64, f64) -> f64) -> (Frame, Vec<f64>) {
-        let mut frame = Frame {
-            offsets: vec![0],
-            ..Frame::default()
-        };
+        let mut frame = Frame { offsets: vec![0], ..Frame::default() };
         let mut values = Vec::new();
         for (i, j) in (0..n * n).map(|k| ((k % n) as f64, (k / n) as f64)) {
             let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-            frame
-                .points
-                .extend(corners.map(|[x, y]| [i + x, j + y, 0.0]));
+            frame.points.extend(corners.map(|[x, y]| [i + x, j + y, 0.0]));
             frame.offsets.push(frame.points.len() as u32);
             values.push(f(i + 0.5, j + 0.5));
         }
@@ -300,15 +281,10 @@ mod tests {
     #[test]
     fn a_large_base_takes_no_more_room_than_a_stone() {
         // Ten stones of 1 m on a base of 10^6 m by 10^6 m: 10^12 cells.
-        let mut frame = Frame {
-            offsets: vec![0],
-            ..Frame::default()
-        };
+        let mut frame = Frame { offsets: vec![0], ..Frame::default() };
         let stones = (0..10).map(|k| [f64::from(k), 0.0, f64::from(k) + 1.0, 1.0]);
         for [x, y, u, v] in stones.chain([[-5e5, -1e6, 5e5, 0.0]]) {
-            frame
-                .points
-                .extend([[x, y, 0.0], [u, y, 0.0], [u, v, 0.0], [x, v, 0.0]]);
+            frame.points.extend([[x, y, 0.0], [u, y, 0.0], [u, v, 0.0], [x, v, 0.0]]);
             frame.offsets.push(frame.points.len() as u32);
         }
         let values: Vec<f64> = (0..11).map(f64::from).collect();
@@ -325,18 +301,9 @@ mod tests {
     #[test]
     fn a_corner_on_an_edge_counts_that_block_too() {
         // Two squares on a plank.
-        let mut frame = Frame {
-            offsets: vec![0],
-            ..Frame::default()
-        };
-        for [x, y, u, v] in [
-            [0.0, 0.0, 2.0, 1.0],
-            [0.0, 1.0, 1.0, 2.0],
-            [1.0, 1.0, 2.0, 2.0],
-        ] {
-            frame
-                .points
-                .extend([[x, y, 0.0], [u, y, 0.0], [u, v, 0.0], [x, v, 0.0]]);
+        let mut frame = Frame { offsets: vec![0], ..Frame::default() };
+        for [x, y, u, v] in [[0.0, 0.0, 2.0, 1.0], [0.0, 1.0, 1.0, 2.0], [1.0, 1.0, 2.0, 2.0]] {
+            frame.points.extend([[x, y, 0.0], [u, y, 0.0], [u, v, 0.0], [x, v, 0.0]]);
             frame.offsets.push(frame.points.len() as u32);
         }
         let corners = carried(&frame, &[3.0, 6.0, 9.0]);

@@ -31,17 +31,13 @@ impl Lettering {
     pub(super) fn outlines(&self, at: [f64; 2], size: f64, anchor: Anchor, text: &str) -> String {
         let scale = size / f64::from(self.face.units_per_em());
         // What the font lacks is its glyph 0, an empty box.
-        let glyphs: Vec<GlyphId> = (text.chars())
-            .map(|c| self.face.glyph_index(c).unwrap_or_default())
-            .collect();
+        let glyphs: Vec<GlyphId> =
+            (text.chars()).map(|c| self.face.glyph_index(c).unwrap_or_default()).collect();
         let advance =
             |glyph: GlyphId| scale * f64::from(self.face.glyph_hor_advance(glyph).unwrap_or(0));
         let width: f64 = glyphs.iter().map(|&glyph| advance(glyph)).sum();
-        let mut pen = Pen {
-            at: [at[0] - anchor.share() * width, at[1]],
-            scale,
-            path: String::new(),
-        };
+        let mut pen =
+            Pen { at: [at[0] - anchor.share() * width, at[1]], scale, path: String::new() };
         for glyph in glyphs {
             // `None` for what has no outline: a space.
             let _ = self.face.outline_glyph(glyph, &mut pen);
@@ -110,10 +106,7 @@ mod tests {
                         / f64::from(lettering.face.units_per_em())
                 })
                 .sum();
-            assert!(
-                (width - text_width(text, 1.0)).abs() < 1e-3 * width,
-                "{text}"
-            );
+            assert!((width - text_width(text, 1.0)).abs() < 1e-3 * width, "{text}");
         }
     }
 
@@ -125,16 +118,10 @@ mod tests {
             let x = path[1..].split(' ').next().unwrap();
             x.parse::<f64>().unwrap()
         };
-        let (start, middle, end) = (
-            first(Anchor::Start),
-            first(Anchor::Middle),
-            first(Anchor::End),
-        );
+        let (start, middle, end) =
+            (first(Anchor::Start), first(Anchor::Middle), first(Anchor::End));
         let width = text_width("HH", 10.0);
-        assert!(
-            (start - middle - 0.5 * width).abs() < 0.01,
-            "{start} {middle}"
-        );
+        assert!((start - middle - 0.5 * width).abs() < 0.01, "{start} {middle}");
         assert!((start - end - width).abs() < 0.01, "{start} {end}");
     }
 }

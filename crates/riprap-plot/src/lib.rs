@@ -210,21 +210,14 @@ fn source<'a>(
     };
     all.iter().find(|s| s.name == name).ok_or_else(|| {
         let known: Vec<&str> = all.iter().map(|s| s.name.as_str()).collect();
-        let reason = format!(
-            "there is no source `{name}`; sources are: {}",
-            known.join(", ")
-        );
+        let reason = format!("there is no source `{name}`; sources are: {}", known.join(", "));
         PlotError::Unsuitable { picture, reason }
     })
 }
 
 /// The end of a title: after a comma if there is something before it.
 fn suffix(manifest: &Manifest, text: &str) -> String {
-    let comma = if manifest.title.is_empty() || text.is_empty() {
-        ""
-    } else {
-        ", "
-    };
+    let comma = if manifest.title.is_empty() || text.is_empty() { "" } else { ", " };
     format!("{comma}{text}")
 }
 
@@ -266,26 +259,17 @@ fn table_csv(columns: &[&Series]) -> String {
 
 /// A column for [`table_csv`].
 fn column(name: &str, unit: &str, values: Vec<f64>) -> Series {
-    Series {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        values,
-    }
+    Series { name: name.to_owned(), unit: unit.to_owned(), values }
 }
 
 fn write(page: &Page, csv: &str, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
     let ending = out.extension().map(|e| e.to_string_lossy().to_lowercase());
     let (svg, png) = match ending.as_deref() {
-        None => (
-            Some(out.with_extension("svg")),
-            Some(out.with_extension("png")),
-        ),
+        None => (Some(out.with_extension("svg")), Some(out.with_extension("png"))),
         Some("svg") => (Some(out.to_owned()), None),
         Some("png") => (None, Some(out.to_owned())),
         Some(_other) => {
-            return Err(PlotError::Ending {
-                path: out.to_owned(),
-            });
+            return Err(PlotError::Ending { path: out.to_owned() });
         }
     };
     let mut files = Vec::new();

@@ -36,10 +36,7 @@ pub fn histories(
             .filter(|c| c.name != along.name)
             .collect()
     } else {
-        columns
-            .iter()
-            .map(|c| table.column(c))
-            .collect::<Result<_, _>>()?
+        columns.iter().map(|c| table.column(c)).collect::<Result<_, _>>()?
     };
     need_rows(&table, &chosen)?;
     let mut panels: Vec<Panel> = Vec::new();
@@ -48,10 +45,7 @@ pub fn histories(
             && series.values.iter().any(|v| *v > 0.0)
             && series.values.iter().all(|v| *v >= 0.0 || v.is_nan());
         let curve = curve(series, &along.values);
-        match panels
-            .iter_mut()
-            .find(|p| p.unit == series.unit && p.log == log)
-        {
+        match panels.iter_mut().find(|p| p.unit == series.unit && p.log == log) {
             Some(panel) => panel.curves.push(curve),
             None => panels.push(Panel {
                 name: series.name.clone(),
@@ -91,27 +85,15 @@ pub fn energy(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
     need_rows(&table, &terms)?;
     // Terms that are nil throughout only fill the legend; the numbers still have them.
     let alive = |s: &&&Series| s.values.iter().any(|v| *v != 0.0);
-    let mut curves: Vec<Curve> = terms
-        .iter()
-        .filter(alive)
-        .map(|s| curve(s, &time.values))
-        .collect();
+    let mut curves: Vec<Curve> =
+        terms.iter().filter(alive).map(|s| curve(s, &time.values)).collect();
     // Axes need a curve, where all terms are nil too.
     if curves.is_empty() {
-        curves = terms
-            .iter()
-            .take(1)
-            .map(|s| curve(s, &time.values))
-            .collect();
+        curves = terms.iter().take(1).map(|s| curve(s, &time.values)).collect();
     }
     let unit = terms[0].unit.clone();
-    let mut panels = vec![Panel {
-        name: "energy".to_owned(),
-        unit,
-        curves,
-        height: 320.0,
-        ..Panel::default()
-    }];
+    let mut panels =
+        vec![Panel { name: "energy".to_owned(), unit, curves, height: 320.0, ..Panel::default() }];
     let mut columns = vec![time];
     columns.extend(&terms);
     for series in table.columns.iter().filter(|c| c.name.contains("residual")) {
@@ -151,11 +133,7 @@ pub(super) fn curve(series: &Series, time: &[f64]) -> Curve {
 fn quantity(curves: &[Curve]) -> String {
     let tail = |c: &Curve| c.name.rsplit('.').next().unwrap_or_default().to_owned();
     let first = curves.first().map(tail).unwrap_or_default();
-    if curves.iter().all(|c| tail(c) == first) {
-        first
-    } else {
-        "value".to_owned()
-    }
+    if curves.iter().all(|c| tail(c) == first) { first } else { "value".to_owned() }
 }
 
 pub(super) fn need_rows(table: &Table, chosen: &[&Series]) -> Result<(), PlotError> {

@@ -99,17 +99,13 @@ pub fn stereonet(
             if modes { "cracks by tension" } else { "cracks" },
             merged(of_mode(&cracks, &|s| s != Some(true))),
         ),
-        (
-            "cracks by shear",
-            merged(of_mode(&cracks, &|s| s == Some(true))),
-        ),
+        ("cracks by shear", merged(of_mode(&cracks, &|s| s == Some(true)))),
     ];
     let title = suffix(&manifest, &moment(folder, &last)?);
     let page = drawn((&manifest.title, &title), projection, &groups);
     let kinds = groups.iter().enumerate();
-    let all: Vec<(f64, &Dot)> = kinds
-        .flat_map(|(k, g)| g.1.iter().map(move |d| (k as f64, d)))
-        .collect();
+    let all: Vec<(f64, &Dot)> =
+        kinds.flat_map(|(k, g)| g.1.iter().map(move |d| (k as f64, d))).collect();
     let numbers = |name: &str, unit: &str, f: &dyn Fn(&(f64, &Dot)) -> f64| {
         column(name, unit, all.iter().map(f).collect())
     };
@@ -150,11 +146,7 @@ fn merged(planes: impl Iterator<Item = (Vec3, f64)>) -> Vec<Dot> {
     }
     let mut out: Vec<Dot> = cells
         .into_values()
-        .map(|(sum, area, count)| Dot {
-            dip: planes::dip(sum),
-            area,
-            count,
-        })
+        .map(|(sum, area, count)| Dot { dip: planes::dip(sum), area, count })
         .collect();
     out.sort_by(|a, b| b.area.total_cmp(&a.area));
     out
@@ -174,12 +166,7 @@ fn at([east, north]: [f64; 2]) -> [f64; 2] {
 fn drawn((title, end): (&str, &str), projection: Projection, groups: &[(&str, Vec<Dot>)]) -> Page {
     let mut page = Page::new(900.0, 660.0);
     let room = page.width - 50.0 - text_width(end, 15.0);
-    page.text(
-        [30.0, 30.0],
-        15.0,
-        Anchor::Start,
-        &format!("{}{end}", fitted(title, 15.0, room)),
-    );
+    page.text([30.0, 30.0], 15.0, Anchor::Start, &format!("{}{end}", fitted(title, 15.0, room)));
     net(&mut page, projection);
     let largest = |dots: &[Dot]| dots.first().map_or(1.0, |d| d.area);
     for (k, (_, dots)) in groups.iter().enumerate() {
@@ -208,18 +195,12 @@ fn net(page: &mut Page, projection: Projection) {
     let steps = 60;
     let arc = |f: &dyn Fn(f64) -> Vec3| -> Vec<[f64; 2]> {
         let angle = |i: i32| std::f64::consts::PI * f64::from(i) / f64::from(steps);
-        (0..=steps)
-            .map(|i| at(projection.place(f(angle(i)))))
-            .collect()
+        (0..=steps).map(|i| at(projection.place(f(angle(i))))).collect()
     };
     for degrees in (10..180).step_by(10) {
         let a = f64::from(degrees).to_radians();
         let (sin, cos) = libm::sincos(a);
-        let stroke = if degrees % 30 == 0 {
-            "#d0d0d0"
-        } else {
-            "#ececec"
-        };
+        let stroke = if degrees % 30 == 0 { "#d0d0d0" } else { "#ececec" };
         let style = format!("fill=\"none\" stroke=\"{stroke}\"");
         let great = arc(&|t| {
             let (s, c) = libm::sincos(t);
@@ -236,11 +217,7 @@ fn net(page: &mut Page, projection: Projection) {
     let cross = "stroke=\"#bdbdbd\"";
     page.line(at([-1.0, 0.0]), at([1.0, 0.0]), cross);
     page.line(at([0.0, -1.0]), at([0.0, 1.0]), cross);
-    page.circle(
-        MIDDLE,
-        RADIUS,
-        "fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"",
-    );
+    page.circle(MIDDLE, RADIUS, "fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"1.2\"");
     for degrees in (0..360).step_by(30) {
         let (s, c) = libm::sincos(f64::from(degrees).to_radians());
         page.line(at([s, c]), at([1.025 * s, 1.025 * c]), "stroke=\"#1a1a1a\"");
@@ -266,11 +243,7 @@ fn legend(page: &mut Page, projection: Projection, groups: &[(&str, Vec<Dot>)]) 
         page.text([left + 20.0, y], SIZE, Anchor::Start, text);
         y += 18.0;
     };
-    line(
-        page,
-        &format!("lower hemisphere, {}", projection.name()),
-        None,
-    );
+    line(page, &format!("lower hemisphere, {}", projection.name()), None);
     line(page, "poles: dip / dip direction", None);
     line(page, "x east, y north, z up", None);
     line(page, "", None);
@@ -280,25 +253,15 @@ fn legend(page: &mut Page, projection: Projection, groups: &[(&str, Vec<Dot>)]) 
         }
         let count: usize = dots.iter().map(|d| d.count).sum();
         let area: f64 = dots.iter().map(|d| d.area).sum();
-        line(
-            page,
-            &format!("{name}: {count}, {} m\u{b2}", digits(area, 4)),
-            Some(k),
-        );
+        line(page, &format!("{name}: {count}, {} m\u{b2}", digits(area, 4)), Some(k));
         for dot in dots.iter().take(NAMED) {
             let share = 100.0 * dot.area / area;
-            let text = format!(
-                "{:02.0}\u{b0} / {:03.0}\u{b0}   {share:.1} %",
-                dot.dip[0], dot.dip[1]
-            );
+            let text =
+                format!("{:02.0}\u{b0} / {:03.0}\u{b0}   {share:.1} %", dot.dip[0], dot.dip[1]);
             line(page, &text, None);
         }
         if dots.len() > NAMED {
-            line(
-                page,
-                &format!("and {} more directions", dots.len() - NAMED),
-                None,
-            );
+            line(page, &format!("and {} more directions", dots.len() - NAMED), None);
         }
         line(page, "", None);
     }

@@ -33,20 +33,10 @@ pub fn write(folder: &Path, view: View<'_>) -> Result<PathBuf, PlotError> {
     Manifest::read(folder)?;
     let frame = load_frame(folder, Which::Last)?;
     if frame.column(view.by).is_none() {
-        let known: Vec<&str> = frame
-            .block_columns
-            .iter()
-            .map(|c| c.name.as_str())
-            .collect();
-        let reason = format!(
-            "the frames have no column `{}`; they have {}",
-            view.by,
-            known.join(", ")
-        );
-        return Err(PlotError::Unsuitable {
-            picture: "ParaView's view",
-            reason,
-        });
+        let known: Vec<&str> = frame.block_columns.iter().map(|c| c.name.as_str()).collect();
+        let reason =
+            format!("the frames have no column `{}`; they have {}", view.by, known.join(", "));
+        return Err(PlotError::Unsuitable { picture: "ParaView's view", reason });
     }
     let text = STATE.replace("#SETTINGS#", settings(folder, &frame, view)?.trim_end());
     let path = folder.join(FILE);
@@ -68,9 +58,8 @@ fn settings(folder: &Path, frame: &Frame, view: View<'_>) -> Result<String, Plot
     let (mut ranges, mut units, mut vectors) = (String::new(), String::new(), String::new());
     let mut put = |name: &str, unit: &str, values: &[f64]| {
         let finite = values.iter().filter(|v| v.is_finite());
-        let [a, b] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-            [a.min(*v), b.max(*v)]
-        });
+        let [a, b] =
+            finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(*v), b.max(*v)]);
         if a <= b {
             let _ = write!(ranges, "{}: ({a:?}, {b:?}), ", quoted(name));
         }
@@ -93,10 +82,7 @@ fn settings(folder: &Path, frame: &Frame, view: View<'_>) -> Result<String, Plot
             cracked |= column.name == "opening" && !column.data.is_empty();
         }
     }
-    let force = frame
-        .contact_columns
-        .iter()
-        .find(|c| c.name == "force_on_a");
+    let force = frame.contact_columns.iter().find(|c| c.name == "force_on_a");
     let longest = force.map_or(0.0, |c| {
         let sizes = c.numbers(Part::Whole).into_iter();
         sizes.filter(|v| v.is_finite()).fold(0.0, f64::max)
@@ -117,11 +103,8 @@ fn settings(folder: &Path, frame: &Frame, view: View<'_>) -> Result<String, Plot
         let _ = write!(moments, "{}, ", quoted(&said));
     }
     let python = |yes: bool| if yes { "True" } else { "False" };
-    let (planar, by_step, cracked) = (
-        python(frame.solids.is_none()),
-        python(still),
-        python(cracked),
-    );
+    let (planar, by_step, cracked) =
+        (python(frame.solids.is_none()), python(still), python(cracked));
     Ok(format!(
         "BY_STEP = {by_step}\nFRAMES = [{numbers}]\nMOMENTS = [{moments}]\nCRACKED = {cracked}\nCOLOUR = {}\nEXAGGERATION = {:?}\nPLANAR = {planar}\nSIZE = {size:?}\nCENTRE = {centre:?}\n\
          RANGES = {{{ranges}}}\nUNITS = {{{units}}}\nVECTORS = [{vectors}]\nLONGEST_FORCE = {longest:?}\n",
@@ -153,22 +136,13 @@ mod tests {
 
     #[test]
     fn the_script_has_the_numbers_of_the_run() {
-        for (frame, planar) in [
-            (sample(), "PLANAR = True"),
-            (solid_sample(), "PLANAR = False"),
-        ] {
+        for (frame, planar) in [(sample(), "PLANAR = True"), (solid_sample(), "PLANAR = False")] {
             let dir = tempfile::tempdir().unwrap();
             let folder = dir.path().join("a.run");
             let mut run =
                 RunFolder::create(&folder, Existing::Refuse, &Manifest::default()).unwrap();
-            let view = View {
-                by: "velocity",
-                exaggeration: 10.0,
-            };
-            assert!(matches!(
-                write(&folder, view),
-                Err(PlotError::NoFrames { .. })
-            ));
+            let view = View { by: "velocity", exaggeration: 10.0 };
+            assert!(matches!(write(&folder, view), Err(PlotError::NoFrames { .. })));
             let by = frame.block_columns[0].name.clone();
             run.frame(&frame, &Exec::serial()).unwrap();
             let path = write(&folder, View { by: &by, ..view }).unwrap();
@@ -179,21 +153,12 @@ mod tests {
             run.frame(&frame, &Exec::serial()).unwrap();
             let path = write(&folder, View { by: &by, ..view }).unwrap();
             let text = std::fs::read_to_string(path).unwrap();
-            let said = format!(
-                "\"t = {:?} s, {}, step {}\", ",
-                frame.time, frame.phase, frame.step
-            );
+            let said =
+                format!("\"t = {:?} s, {}, step {}\", ", frame.time, frame.phase, frame.step);
             assert!(text.contains("BY_STEP = True") && text.contains("FRAMES = [1, 2, ]"));
             assert!(text.contains(&said.repeat(2)), "{text}");
             assert!(text.contains(&format!("COLOUR = \"{by}\"")) && !text.contains("#SETTINGS#"));
-            let missing = write(
-                &folder,
-                View {
-                    by: "speed",
-                    ..view
-                },
-            )
-            .unwrap_err();
+            let missing = write(&folder, View { by: "speed", ..view }).unwrap_err();
             assert!(missing.to_string().contains(&by), "{missing}");
         }
     }

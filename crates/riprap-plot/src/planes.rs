@@ -51,11 +51,7 @@ pub(super) fn shared(frame: &Frame) -> Vec<Plane> {
             face_overlap(&a.outline, &b.outline, a.normal, least).map(|o| o.area)
         };
         if let Some(area) = area {
-            out.push(Plane {
-                blocks: [a.block, b.block],
-                normal: a.normal,
-                area,
-            });
+            out.push(Plane { blocks: [a.block, b.block], normal: a.normal, area });
         }
     }
     out.sort_by_key(|p| p.blocks);
@@ -87,13 +83,7 @@ fn faces(frame: &Frame) -> Vec<Face> {
             if size > 0.0 && size.is_finite() {
                 let low = outline.iter().fold(Vec3::INFINITY, |l, p| l.min(*p));
                 let high = outline.iter().fold(Vec3::NEG_INFINITY, |h, p| h.max(*p));
-                out.push(Face {
-                    block,
-                    normal: normal / size,
-                    outline,
-                    low,
-                    high,
-                });
+                out.push(Face { block, normal: normal / size, outline, low, high });
             }
         };
         if let Some(solids) = &frame.solids {
@@ -127,10 +117,7 @@ fn edge_overlap(a: &Face, b: &Face) -> Option<f64> {
 /// Pairs of faces of different blocks that look at each other in one plane, each once; the one whose normal points to
 /// the other first.
 fn neighbours(faces: &[Face]) -> Vec<(usize, usize)> {
-    let mut sizes: Vec<f64> = faces
-        .iter()
-        .map(|f| (f.high - f.low).max_element())
-        .collect();
+    let mut sizes: Vec<f64> = faces.iter().map(|f| (f.high - f.low).max_element()).collect();
     sizes.sort_by(f64::total_cmp);
     let side = 2.0 * sizes.get(sizes.len() / 2).copied().unwrap_or(1.0);
     let corner = faces.iter().fold(Vec3::INFINITY, |c, f| c.min(f.low));
@@ -186,9 +173,7 @@ fn facing(a: &Face, b: &Face) -> bool {
     if a.block == b.block || a.normal.dot(b.normal) > -PARALLEL {
         return false;
     }
-    let size = (a.high - a.low)
-        .max_element()
-        .min((b.high - b.low).max_element());
+    let size = (a.high - a.low).max_element().min((b.high - b.low).max_element());
     let slack = Vec3::splat(APART * size);
     let touching =
         (a.low - slack).cmple(b.high + slack).all() && (b.low - slack).cmple(a.high + slack).all();
@@ -215,10 +200,8 @@ pub(super) fn cracks(frame: &Frame, surfaces: Option<&Path>) -> Result<Vec<Crack
         let (areas, modes) = (column("area"), column("mode"));
         let mut first = 0;
         for (k, &end) in file.offsets.iter().enumerate() {
-            let points: Vec<Vec3> = file.points[first..end as usize]
-                .iter()
-                .map(|p| Vec3::from(*p))
-                .collect();
+            let points: Vec<Vec3> =
+                file.points[first..end as usize].iter().map(|p| Vec3::from(*p)).collect();
             first = end as usize;
             let normal = area_vector(&points);
             out.push(Crack {

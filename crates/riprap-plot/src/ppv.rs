@@ -19,10 +19,8 @@ const MM: f64 = 1e3;
 const RISING: f64 = 0.98;
 
 /// Roots of the mass that distances are divided by: cylindrical and spherical charges.
-const ROOTS: [(f64, &str, &str); 2] = [
-    (2.0, "square root", "m/kg^(1/2)"),
-    (3.0, "cube root", "m/kg^(1/3)"),
-];
+const ROOTS: [(f64, &str, &str); 2] =
+    [(2.0, "square root", "m/kg^(1/2)"), (3.0, "cube root", "m/kg^(1/3)")];
 
 /// One block that moved.
 struct Sample {
@@ -50,16 +48,11 @@ pub fn ppv(
     let manifest = Manifest::read(folder)?;
     let frame = load_frame(folder, frame)?;
     need_space(&frame, PICTURE)?;
-    let charges: Vec<&Source> = sources(&manifest, PICTURE)?
-        .iter()
-        .filter(|s| s.mass.is_some_and(|m| m > 0.0))
-        .collect();
+    let charges: Vec<&Source> =
+        sources(&manifest, PICTURE)?.iter().filter(|s| s.mass.is_some_and(|m| m > 0.0)).collect();
     if charges.is_empty() {
         let reason = "no source of the run has a mass, which scaled distance needs".to_owned();
-        return Err(PlotError::Unsuitable {
-            picture: PICTURE,
-            reason,
-        });
+        return Err(PlotError::Unsuitable { picture: PICTURE, reason });
     }
     let samples = samples(&frame, &charges, surface)?;
     let speed: Vec<f64> = samples.iter().map(|s| s.speed).collect();
@@ -67,42 +60,25 @@ pub fn ppv(
     let (mut panels, mut fits) = (Vec::new(), Vec::new());
     let mut columns = vec![
         column("block", "-", samples.iter().map(|s| s.block).collect()),
-        column(
-            "distance",
-            "m",
-            samples.iter().map(|s| s.distance).collect(),
-        ),
+        column("distance", "m", samples.iter().map(|s| s.distance).collect()),
         column("mass", "kg", samples.iter().map(|s| s.mass).collect()),
         column(PICTURE, "mm/s", speed.clone()),
     ];
     for (root, name, unit) in ROOTS {
-        let scaled: Vec<f64> = samples
-            .iter()
-            .map(|s| s.distance / libm::pow(s.mass, 1.0 / root))
-            .collect();
+        let scaled: Vec<f64> =
+            samples.iter().map(|s| s.distance / libm::pow(s.mass, 1.0 / root)).collect();
         let fit = power_law(&scaled, &speed).map_err(|reason| PlotError::Fit {
             what: format!("{PICTURE} of {} {what} that moved", samples.len()),
             reason,
         })?;
         panels.push(panel((name, unit), &scaled, &speed, &fit, what));
         let all = |f: &dyn Fn(f64) -> f64| scaled.iter().map(|x| f(*x)).collect();
-        columns.push(column(
-            &format!("{name} scaled distance"),
-            unit,
-            scaled.clone(),
-        ));
+        columns.push(column(&format!("{name} scaled distance"), unit, scaled.clone()));
         columns.push(column(&format!("{name} fit"), "mm/s", all(&|x| fit.at(x))));
-        columns.push(column(
-            &format!("{name} 95 %"),
-            "mm/s",
-            all(&|x| fit.upper(x)),
-        ));
+        columns.push(column(&format!("{name} 95 %"), "mm/s", all(&|x| fit.upper(x))));
         fits.push((root, fit));
     }
-    let suffix = suffix(
-        &manifest,
-        &format!("peak velocities up to t = {} s", short(frame.time)),
-    );
+    let suffix = suffix(&manifest, &format!("peak velocities up to t = {} s", short(frame.time)));
     let page = chart::draw((&manifest.title, &suffix), ("", ""), &panels);
     let columns: Vec<_> = columns.iter().collect();
     let mut files = write(&page, &table_csv(&columns), out)?;
@@ -115,11 +91,7 @@ pub fn ppv(
 
 fn samples(frame: &Frame, charges: &[&Source], surface: bool) -> Result<Vec<Sample>, PlotError> {
     let speed = choose(frame, "peak_speed")?.values;
-    let up = if surface {
-        Some(choose(frame, "surface")?.values)
-    } else {
-        None
-    };
+    let up = if surface { Some(choose(frame, "surface")?.values) } else { None };
     let ids = frame.column("block").filter(|c| c.components == 1);
     let now = frame.column("velocity").filter(|c| c.components == 3);
     let rising = |i: usize| {
@@ -154,9 +126,7 @@ fn panel(
     fit: &PowerLaw,
     what: &str,
 ) -> Panel {
-    let ends = scaled
-        .iter()
-        .fold([f64::INFINITY, 0.0f64], |e, x| [e[0].min(*x), e[1].max(*x)]);
+    let ends = scaled.iter().fold([f64::INFINITY, 0.0f64], |e, x| [e[0].min(*x), e[1].max(*x)]);
     let line = |name: &str, mark, at: &dyn Fn(f64) -> f64| Curve {
         name: name.to_owned(),
         x: ends.to_vec(),
@@ -187,11 +157,7 @@ fn panel(
         notes: vec![
             "v = K SD\u{207b}\u{207f}".to_owned(),
             format!("K = {} mm/s", digits(fit.factor, 4)),
-            format!(
-                "n = {:.3} ± {}",
-                fit.exponent,
-                digits(fit.exponent_error, 2)
-            ),
+            format!("n = {:.3} ± {}", fit.exponent, digits(fit.exponent_error, 2)),
             format!("R² = {:.3}", fit.r2),
             format!("scatter: factor {:.2}", libm::exp(fit.deviation)),
             format!("K 95 % = {} mm/s", digits(fit.upper_factor, 4)),

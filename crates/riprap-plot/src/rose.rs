@@ -31,13 +31,7 @@ struct Rose {
 
 impl Rose {
     fn new(name: &'static str, colour: &'static str) -> Self {
-        Rose {
-            name,
-            colour,
-            petals: [0.0; PETALS],
-            count: 0,
-            flat: 0.0,
-        }
+        Rose { name, colour, petals: [0.0; PETALS], count: 0, flat: 0.0 }
     }
 
     /// Adds a plane whose strike has this angle, degrees.
@@ -66,10 +60,7 @@ pub fn rose(folder: &Path, frame: Which, out: &Path) -> Result<Vec<PathBuf>, Plo
     let last = load_frame(folder, frame)?;
     let flat = first.solids.is_none();
     let joints = planes::shared(&first);
-    let mut roses = [
-        Rose::new("joints", "#8a8a8a"),
-        Rose::new("cracks", "#d55e00"),
-    ];
+    let mut roses = [Rose::new("joints", "#8a8a8a"), Rose::new("cracks", "#d55e00")];
     let mut add = |k: usize, normal, amount: f64| {
         let rose: &mut Rose = &mut roses[k];
         if flat {
@@ -152,12 +143,7 @@ fn drawn((title, end): (&str, &str), roses: &[Rose; 2], flat: bool) -> Page {
     let width = (90.0 + shown.len() as f64 * (2.0 * RADIUS + 90.0)).max(560.0);
     let mut page = Page::new(width, 540.0);
     let room = page.width - 50.0 - text_width(end, 15.0);
-    page.text(
-        [30.0, 30.0],
-        15.0,
-        Anchor::Start,
-        &format!("{}{end}", fitted(title, 15.0, room)),
-    );
+    page.text([30.0, 30.0], 15.0, Anchor::Start, &format!("{}{end}", fitted(title, 15.0, room)));
     for (k, rose) in shown.iter().enumerate() {
         let middle = [90.0 + RADIUS + k as f64 * (2.0 * RADIUS + 90.0), 270.0];
         one(&mut page, rose, middle, flat);
@@ -241,10 +227,7 @@ fn one(page: &mut Page, rose: &Rose, middle: [f64; 2], flat: bool) {
     let mut text = format!("{}: {}, {} {unit}", rose.name, rose.count, digits(sum, 4));
     if rose.flat > 0.0 {
         let share = 100.0 * rose.flat / (sum + rose.flat);
-        text += &format!(
-            " ({} % more is flatter than {FLAT}\u{b0})",
-            digits(share, 2)
-        );
+        text += &format!(" ({} % more is flatter than {FLAT}\u{b0})", digits(share, 2));
     }
     page.text([middle[0], 52.0], SIZE, Anchor::Middle, &text);
 }

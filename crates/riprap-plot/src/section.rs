@@ -73,10 +73,7 @@ pub(super) fn flattened(
     let (mut cuts, mut chosen) = (Vec::new(), Vec::new());
     for ((frame, bodies), field) in frames.iter().zip(&all).zip(fields) {
         let (cut, kept) = sliced(frame, bodies, normal, at, factor);
-        chosen.push(Chosen {
-            values: kept.iter().map(|&i| field.values[i]).collect(),
-            ..field
-        });
+        chosen.push(Chosen { values: kept.iter().map(|&i| field.values[i]).collect(), ..field });
         cuts.push(cut);
     }
     if cuts.iter().any(|c| c.blocks() == 0) {
@@ -117,9 +114,7 @@ fn reach(bodies: &[Body], k: usize) -> (f64, f64) {
         .iter()
         .map(|b| b.start()[k])
         .filter(|v| v.is_finite())
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
-            (l.min(v), h.max(v))
-        })
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)))
 }
 
 /// The cut as a frame in the plane of the picture, and the block of each line in it.
@@ -172,8 +167,7 @@ fn sliced(
         // Of yz, zx, xy the one whose name lacks the normal.
         let k = normal.index();
         let data = kept.iter().map(|&i| shear.data[3 * i + k]).collect();
-        out.block_columns
-            .push(Column::scalar(stress::SHEAR, "Pa", data));
+        out.block_columns.push(Column::scalar(stress::SHEAR, "Pa", data));
     }
     (out, kept)
 }
@@ -190,11 +184,7 @@ impl<'a> Owners<'a> {
     fn of(frame: &Frame, bodies: &'a [Body], factor: f64) -> Self {
         let numbers = frame.column("block").filter(|c| c.components == 1);
         let number = |i: usize| numbers.map_or(i as u32, |c| c.data[i] as u32);
-        Owners {
-            bodies,
-            places: (0..bodies.len()).map(|i| (number(i), i)).collect(),
-            factor,
-        }
+        Owners { bodies, places: (0..bodies.len()).map(|i| (number(i), i)).collect(), factor }
     }
 
     /// The block of entry `i` of a column of numbers of blocks; none where a frame does not tell.
@@ -238,21 +228,17 @@ fn traces(frame: &Frame, owners: &Owners, normal: Normal, at: f64) -> Surfaces {
         found.next().map(|c| &c.data[..])
     };
     let mut out = Surfaces::default();
-    let (Some(broken), Some(area), Some(directions)) = (
-        column("broken_points", 1),
-        column("area", 1),
-        column("normal", 3),
-    ) else {
+    let (Some(broken), Some(area), Some(directions)) =
+        (column("broken_points", 1), column("area", 1), column("normal", 3))
+    else {
         return out;
     };
     let first = first_blocks(frame);
     let ([h, v], k) = (normal.across(), normal.index());
     for (i, place) in frame.contact_points.iter().enumerate() {
         let owner = owners.owner(first, i);
-        let (now, direction) = (
-            Vec3::from(*place),
-            Vec3::from_slice(&directions[3 * i..3 * i + 3]),
-        );
+        let (now, direction) =
+            (Vec3::from(*place), Vec3::from_slice(&directions[3 * i..3 * i + 3]));
         let (place, direction) = match owner {
             Some(body) => (body.unmoved(now), body.unturned(direction)),
             None => (now, direction),
@@ -292,9 +278,7 @@ fn flows(frame: &Frame, owners: &Owners, normal: Normal, at: f64, out: &mut Fram
     };
     let met: Vec<usize> = (0..frame.contact_points.len()).filter(met).collect();
     out.contact_columns.push(picked(flow, &met, [h, v]));
-    let places = met
-        .iter()
-        .map(|i| owners.carried(owners.owner(first, *i), now(*i)));
+    let places = met.iter().map(|i| owners.carried(owners.owner(first, *i), now(*i)));
     out.contact_points = places.map(|p| [p[h], p[v], 0.0]).collect();
 }
 
@@ -303,15 +287,10 @@ fn picked(column: &Column, kept: &[usize], [h, v]: [usize; 2]) -> Column {
     if column.components < 3 {
         let n = column.components;
         let data = kept.iter().flat_map(|&i| &column.data[n * i..n * (i + 1)]);
-        return Column {
-            data: data.copied().collect(),
-            ..column.clone()
-        };
+        return Column { data: data.copied().collect(), ..column.clone() };
     }
-    let data: Vec<[f64; 2]> = kept
-        .iter()
-        .map(|&i| [column.data[3 * i + h], column.data[3 * i + v]])
-        .collect();
+    let data: Vec<[f64; 2]> =
+        kept.iter().map(|&i| [column.data[3 * i + h], column.data[3 * i + v]]).collect();
     Column::vector(&column.name, &column.unit, data)
 }
 
@@ -363,26 +342,16 @@ mod tests {
                 Column::vector3(
                     "normal",
                     "-",
-                    [
-                        [1.0, 0.0, 0.0],
-                        [1.0, 0.0, 0.0],
-                        [0.0, 1.0, 0.0],
-                        [1.0, 0.0, 0.0],
-                    ],
+                    [[1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]],
                 ),
             ],
             ..Frame::default()
         };
         let found = traces(&frame, &Owners::of(&frame, &[], 1.0), Normal::Y, 0.0);
         assert_eq!(found.ends, [2]);
-        let [a, b] = found.points[..] else {
-            panic!("{found:?}")
-        };
+        let [a, b] = found.points[..] else { panic!("{found:?}") };
         assert!((a[0] - 0.2).abs() < 1e-12 && (b[0] - 0.2).abs() < 1e-12);
-        assert!(
-            (a[1] - 0.2).abs() < 1e-12 && (b[1] - 0.4).abs() < 1e-12,
-            "{a:?} {b:?}"
-        );
+        assert!((a[1] - 0.2).abs() < 1e-12 && (b[1] - 0.4).abs() < 1e-12, "{a:?} {b:?}");
         let none = Frame::default();
         let found = traces(&none, &Owners::of(&none, &[], 1.0), Normal::X, 0.0);
         assert!(found.points.is_empty());
@@ -392,11 +361,7 @@ mod tests {
     fn joints_and_bolts_go_with_their_blocks() {
         // A brick that has moved by 1 m along the normal and 0.1 m up, with a broken face at its end and a bar.
         let lift = Vec3::new(0.0, 1.0, 0.1);
-        let body = Body {
-            now: lift,
-            displacement: lift,
-            rotation: Vec3::ZERO,
-        };
+        let body = Body { now: lift, displacement: lift, rotation: Vec3::ZERO };
         let frame = Frame {
             contact_points: vec![[0.5, 1.0, 0.1]],
             contact_columns: vec![
@@ -452,16 +417,8 @@ mod tests {
 
     #[test]
     fn traces_in_the_plane_are_refused() {
-        let options = BlockOptions {
-            cracks: true,
-            ..BlockOptions::default()
-        };
-        let refused = flattened(
-            vec![Frame::default()],
-            Vec::new(),
-            &Manifest::default(),
-            options,
-        );
+        let options = BlockOptions { cracks: true, ..BlockOptions::default() };
+        let refused = flattened(vec![Frame::default()], Vec::new(), &Manifest::default(), options);
         let text = refused.map(|_| ()).unwrap_err().to_string();
         assert!(text.contains("in the plane"), "{text}");
     }

@@ -75,9 +75,7 @@ impl Sizes {
             return Vec::new();
         };
         let step = libm::log(high / low) / (count - 1) as f64;
-        let mut all: Vec<f64> = (0..count)
-            .map(|k| low * libm::exp(step * k as f64))
-            .collect();
+        let mut all: Vec<f64> = (0..count).map(|k| low * libm::exp(step * k as f64)).collect();
         // Not a hair below the largest.
         if let Some(last) = all.last_mut() {
             *last = high;
@@ -107,21 +105,14 @@ pub fn fragments(
         let reason = "the run has no fragments.csv: it has no joints that hold blocks together, has not ended a phase, or was \
              written by an earlier riprap"
             .to_owned();
-        return Err(PlotError::Unsuitable {
-            picture: PICTURE,
-            reason,
-        });
+        return Err(PlotError::Unsuitable { picture: PICTURE, reason });
     }
     let table = Table::read(&path)?;
     let flat = table.columns.iter().any(|c| c.name == "area_m2");
-    let amounts = &table
-        .column(if flat { "area_m2" } else { "volume_m3" })?
-        .values;
+    let amounts = &table.column(if flat { "area_m2" } else { "volume_m3" })?.values;
     // Tables of earlier versions do not say what is held.
     let held = table.columns.iter().find(|c| c.name == "held");
-    let wanted = group
-        .map(|group| with_blocks_of(folder, group))
-        .transpose()?;
+    let wanted = group.map(|group| with_blocks_of(folder, group)).transpose()?;
     let counts = |k: usize| {
         held.is_none_or(|held| held.values[k] == 0.0)
             && wanted.as_ref().is_none_or(|w| w.contains(&(k as u32 + 1)))
@@ -131,10 +122,7 @@ pub fn fragments(
     let sizes = Sizes::of(&amounts, flat);
     if sizes.size.is_empty() {
         let of = group.map_or_else(String::new, |group| format!(" with a block of {group:?}"));
-        let what = format!(
-            "{} lists no fragments{of} that nothing holds",
-            path.display()
-        );
+        let what = format!("{} lists no fragments{of} that nothing holds", path.display());
         return Err(PlotError::NothingToDraw { what });
     }
     let count = amounts.iter().filter(|v| **v > 0.0).count();
@@ -143,9 +131,7 @@ pub fn fragments(
     let fits = if sizes.size.len() < 4 {
         None
     } else {
-        rosin_rammler_fit(&sieves, &passing)
-            .ok()
-            .zip(swebrec_fit(&sieves, &passing).ok())
+        rosin_rammler_fit(&sieves, &passing).ok().zip(swebrec_fit(&sieves, &passing).ok())
     };
     let of = group.map_or_else(String::new, |group| format!(" of {group}"));
     let title = suffix(&manifest, &format!("{count} fragments{of}"));
@@ -164,10 +150,7 @@ pub fn fragments(
     let stem = out.file_stem().unwrap_or_default().to_string_lossy();
     let path = out.with_file_name(format!("{stem}_fit.csv"));
     let text = numbers(&sizes, fits.as_ref());
-    write_whole(
-        &path,
-        table_csv(&text.iter().collect::<Vec<_>>()).as_bytes(),
-    )?;
+    write_whole(&path, table_csv(&text.iter().collect::<Vec<_>>()).as_bytes())?;
     files.push(path);
     Ok(files)
 }
@@ -179,18 +162,13 @@ fn with_blocks_of(folder: &Path, group: &str) -> Result<BTreeSet<u32>, PlotError
     if !path.exists() {
         let reason =
             "the run has no fragment_blocks.csv: it was written by an earlier riprap".to_owned();
-        return Err(PlotError::Unsuitable {
-            picture: PICTURE,
-            reason,
-        });
+        return Err(PlotError::Unsuitable { picture: PICTURE, reason });
     }
     let one = names.number(group);
     if one.is_none() && !names.groups.iter().any(|g| g.name == group) {
         let known: Vec<&str> = names.groups.iter().map(|g| g.name.as_str()).collect();
-        let what = format!(
-            "the run has no block or group {group:?}; its groups are {}",
-            known.join(", ")
-        );
+        let what =
+            format!("the run has no block or group {group:?}; its groups are {}", known.join(", "));
         return Err(PlotError::NothingToDraw { what });
     }
     let belongs = |b: u32| one == Some(b) || names.groups_of(b).contains(&group);
@@ -208,11 +186,7 @@ fn numbers(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Vec<Series>
         one("x20", "m", sizes.quantile(0.2)),
         one("x50", "m", sizes.quantile(0.5)),
         one("x80", "m", sizes.quantile(0.8)),
-        one(
-            "largest",
-            "m",
-            sizes.size.last().copied().unwrap_or(f64::NAN),
-        ),
+        one("largest", "m", sizes.size.last().copied().unwrap_or(f64::NAN)),
     ];
     if let Some((rr, sw)) = fits {
         out.extend([
@@ -236,17 +210,10 @@ fn panel(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
     let (mut x, mut y) = (vec![sizes.size[0]], vec![0.0]);
     x.extend(&sizes.size);
     y.extend(sizes.passing.iter().map(percent));
-    let mut curves = vec![Curve {
-        name: "volume passing".to_owned(),
-        x,
-        y,
-        mark: Mark::Line,
-    }];
+    let mut curves = vec![Curve { name: "volume passing".to_owned(), x, y, mark: Mark::Line }];
     let (x50, x80) = (sizes.quantile(0.5), sizes.quantile(0.8));
-    let mut notes = vec![
-        format!("x50 = {} m", digits(x50, 3)),
-        format!("x80 = {} m", digits(x80, 3)),
-    ];
+    let mut notes =
+        vec![format!("x50 = {} m", digits(x50, 3)), format!("x80 = {} m", digits(x80, 3))];
     let fine = sizes.sieves(POINTS);
     if let Some((rr, sw)) = fits {
         let line = |name: &str, mark, f: &dyn Fn(f64) -> f64| Curve {
@@ -285,11 +252,7 @@ fn panel(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
         unit: "%".to_owned(),
         curves,
         height: 380.0,
-        x: Some(Abscissa {
-            name: "fragment size".to_owned(),
-            unit: "m".to_owned(),
-            log: true,
-        }),
+        x: Some(Abscissa { name: "fragment size".to_owned(), unit: "m".to_owned(), log: true }),
         notes,
         ..Panel::default()
     }

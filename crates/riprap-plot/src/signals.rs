@@ -34,11 +34,8 @@ pub fn cavity(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
         (".expansion", "expansion V/V\u{2080}"),
         (".volume_ratio", "volume ratio"),
     ] {
-        let found: Vec<&Series> = table
-            .columns
-            .iter()
-            .filter(|c| c.name.ends_with(ending))
-            .collect();
+        let found: Vec<&Series> =
+            table.columns.iter().filter(|c| c.name.ends_with(ending)).collect();
         let Some(first) = found.first() else {
             continue;
         };
@@ -60,10 +57,7 @@ pub fn cavity(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
     }
     if panels.is_empty() {
         let reason = "no history of the run ends in .pressure, .volume, .expansion or .volume_ratio; ask for some in the scene: [[histories]]".to_owned();
-        return Err(PlotError::Unsuitable {
-            picture: CAVITY,
-            reason,
-        });
+        return Err(PlotError::Unsuitable { picture: CAVITY, reason });
     }
     let page = chart::draw((&manifest.title, ""), ("time", "s"), &panels);
     write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out)
@@ -80,10 +74,8 @@ fn fitted(panel: &mut Panel, series: &Series, time: &[f64]) -> Vec<Series> {
             return Vec::new();
         }
     };
-    let y: Vec<f64> = time
-        .iter()
-        .map(|t| if *t < fit.start { f64::NAN } else { fit.at(*t) })
-        .collect();
+    let y: Vec<f64> =
+        time.iter().map(|t| if *t < fit.start { f64::NAN } else { fit.at(*t) }).collect();
     panel.curves.push(Curve {
         name: format!("{bare}: fit"),
         x: time.to_vec(),
@@ -91,9 +83,7 @@ fn fitted(panel: &mut Panel, series: &Series, time: &[f64]) -> Vec<Series> {
         mark: Mark::Dashed,
     });
     panel.notes.extend(words(bare, &fit, &series.unit));
-    panel.height = panel
-        .height
-        .max(17.0 * (panel.curves.len() + panel.notes.len() + 1) as f64);
+    panel.height = panel.height.max(17.0 * (panel.curves.len() + panel.notes.len() + 1) as f64);
     let one = |name: &str, unit: &str, v: f64| column(&format!("{bare} {name}"), unit, vec![v]);
     vec![
         column(&format!("{bare} fit"), &series.unit, y),
@@ -107,10 +97,7 @@ fn fitted(panel: &mut Panel, series: &Series, time: &[f64]) -> Vec<Series> {
 
 /// The samples from the last quiet one before the pressure comes.
 fn from_onset<'a>(time: &'a [f64], p: &'a [f64]) -> (&'a [f64], &'a [f64]) {
-    let top = p
-        .iter()
-        .filter(|v| v.is_finite())
-        .fold(0.0, |m: f64, v| m.max(v.abs()));
+    let top = p.iter().filter(|v| v.is_finite()).fold(0.0, |m: f64, v| m.max(v.abs()));
     let first = p.iter().position(|v| v.abs() > ONSET * top).unwrap_or(0);
     let start = first.saturating_sub(1);
     (&time[start..], &p[start..])
@@ -143,21 +130,14 @@ pub fn spectrum(folder: &Path, history: &str, out: &Path) -> Result<Vec<PathBuf>
     let time = table.column("time")?;
     let series = table.column(history)?;
     let s = fits::amplitude_spectrum(&time.values, &series.values).map_err(|reason| {
-        PlotError::Fit {
-            what: format!("a spectrum to `{}`", series.name),
-            reason,
-        }
+        PlotError::Fit { what: format!("a spectrum to `{}`", series.name), reason }
     })?;
     let unit = match series.unit.as_str() {
         "-" | "" => "1/Hz".to_owned(),
         u => format!("({u})/Hz"),
     };
     let own = |name: &str, unit: &str, log| {
-        Some(Abscissa {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            log,
-        })
+        Some(Abscissa { name: name.to_owned(), unit: unit.to_owned(), log })
     };
     let panels = [
         Panel {
@@ -206,10 +186,7 @@ fn spectrum_curves(s: &Spectrum) -> Vec<Curve> {
         Curve {
             name: "amplitude".to_owned(),
             x: s.frequency[first..end].to_vec(),
-            y: s.amplitude[first..end]
-                .iter()
-                .map(|a| a.max(least))
-                .collect(),
+            y: s.amplitude[first..end].iter().map(|a| a.max(least)).collect(),
             mark: Mark::Line,
         },
         Curve {

@@ -94,9 +94,7 @@ fn centroid(frame: &Frame, i: usize) -> Vec3 {
     if volume > 0.0 {
         origin + sum / volume
     } else {
-        let all = points
-            .iter()
-            .fold(Vec3::ZERO, |s, p| s + Vec3::from(*p) - origin);
+        let all = points.iter().fold(Vec3::ZERO, |s, p| s + Vec3::from(*p) - origin);
         origin + all / points.len() as f64
     }
 }
@@ -107,11 +105,7 @@ fn centroid(frame: &Frame, i: usize) -> Vec3 {
 ///
 /// A plane that runs along faces between blocks cuts those below it, each once.
 pub(super) fn cut(frame: &Frame, i: usize, body: &Body, normal: usize, at: f64) -> Vec<Vec<Vec3>> {
-    let points: Vec<Vec3> = frame
-        .outline(i)
-        .iter()
-        .map(|p| body.unmoved(Vec3::from(*p)))
-        .collect();
+    let points: Vec<Vec3> = frame.outline(i).iter().map(|p| body.unmoved(Vec3::from(*p))).collect();
     let heights: Vec<f64> = points.iter().map(|p| p[normal] - at).collect();
     let size = heights.iter().fold(f64::NEG_INFINITY, |s, h| s.max(*h))
         - heights.iter().fold(f64::INFINITY, |s, h| s.min(*h));
@@ -227,9 +221,7 @@ mod tests {
         assert!((found - trapezoids).abs() < 1e-12, "{found}, {trapezoids}");
         let along: Vec<f64> = section[0].iter().map(|p| p.z).collect();
         for (x, z) in row.iter().enumerate() {
-            let there = section[0]
-                .iter()
-                .any(|p| p.x == x as f64 && (p.z - z).abs() < 1e-12);
+            let there = section[0].iter().any(|p| p.x == x as f64 && (p.z - z).abs() < 1e-12);
             assert!(there, "({x}, {z}) is no corner: {along:?}");
         }
     }
@@ -245,10 +237,7 @@ mod tests {
         ];
         let frame = ground(&crater, -1.0);
         let plan = cut(&frame, 0, &bodies(&frame)[0], 2, 1.0);
-        let mut areas: Vec<f64> = plan
-            .iter()
-            .map(|l| area(std::slice::from_ref(l), 2))
-            .collect();
+        let mut areas: Vec<f64> = plan.iter().map(|l| area(std::slice::from_ref(l), 2)).collect();
         areas.sort_by(f64::total_cmp);
         assert_eq!(areas.len(), 2, "{areas:?}");
         assert!(areas[0] < -0.4 && areas[1] > 8.0, "{areas:?}");
@@ -301,10 +290,8 @@ mod tests {
             *p = (turned(Vec3::from(*p), turn) + shift).to_array();
         }
         (body.now, body.displacement, body.rotation) = (shift, shift, turn);
-        let (before, after) = (
-            cut(&frame, 0, &bodies(&frame)[0], 1, 0.25),
-            cut(&moved, 0, &body, 1, 0.25),
-        );
+        let (before, after) =
+            (cut(&frame, 0, &bodies(&frame)[0], 1, 0.25), cut(&moved, 0, &body, 1, 0.25));
         for (a, b) in before[0].iter().zip(&after[0]) {
             assert!((*a - *b).length() < 1e-12);
             let now = turned(*a, turn) + shift;

@@ -55,17 +55,10 @@ fn tops(frame: &Frame, source: &Source, picture: &'static str) -> Result<Vec<Top
             (low, high) = (low.min(p), high.max(p));
         }
         let width = high - low;
-        out.push(Top {
-            place,
-            uplift: uplift[i],
-            width: [width.x, width.y],
-        });
+        out.push(Top { place, uplift: uplift[i], width: [width.x, width.y] });
     }
     if out.is_empty() {
-        let what = format!(
-            "no block above the source `{}` has `surface` = 1",
-            source.name
-        );
+        let what = format!("no block above the source `{}` has `surface` = 1", source.name);
         return Err(PlotError::NothingToDraw { what });
     }
     Ok(out)
@@ -91,11 +84,7 @@ fn rings(samples: &[[f64; 2]], width: f64) -> Vec<Ring> {
         .chunk_by(|a, b| number(a[0]) == number(b[0]))
         .map(|ring| {
             let mean = |k: usize| ring.iter().map(|s| s[k]).sum::<f64>() / ring.len() as f64;
-            Ring {
-                radius: mean(0),
-                uplift: mean(1),
-                count: ring.len(),
-            }
+            Ring { radius: mean(0), uplift: mean(1), count: ring.len() }
         })
         .collect()
 }
@@ -151,27 +140,16 @@ pub fn crater(
             "the source `{}` has no depth to take the threshold from; give the uplift that bounds it",
             source.name
         );
-        return Err(PlotError::Unsuitable {
-            picture: CRATER,
-            reason,
-        });
+        return Err(PlotError::Unsuitable { picture: CRATER, reason });
     };
     let tops = tops(&frame, source, CRATER)?;
     let [x, y, _] = source.centre();
-    let samples: Vec<[f64; 2]> = tops
-        .iter()
-        .map(|t| [libm::hypot(t.place.x - x, t.place.y - y), t.uplift])
-        .collect();
-    let width = tops
-        .iter()
-        .flat_map(|t| t.width)
-        .fold(f64::INFINITY, f64::min);
+    let samples: Vec<[f64; 2]> =
+        tops.iter().map(|t| [libm::hypot(t.place.x - x, t.place.y - y), t.uplift]).collect();
+    let width = tops.iter().flat_map(|t| t.width).fold(f64::INFINITY, f64::min);
     let rings = rings(&samples, width);
     let edge = edge(&rings, threshold);
-    let title = suffix(
-        &manifest,
-        &format!("t = {} s: {}", short(frame.time), said(edge, source)),
-    );
+    let title = suffix(&manifest, &format!("t = {} s: {}", short(frame.time), said(edge, source)));
     let panel = crater_panel(&samples, &rings, threshold, (edge, width));
     let page = chart::draw((&manifest.title, &title), ("", ""), &[panel]);
     let all = |f: &dyn Fn(&Ring) -> f64| rings.iter().map(f).collect();
@@ -286,10 +264,7 @@ pub fn heave(
     let [along, _] = normal.across();
     if normal == Normal::Z {
         let reason = "a profile runs along x or y; take the normal y or x".to_owned();
-        return Err(PlotError::Unsuitable {
-            picture: HEAVE,
-            reason,
-        });
+        return Err(PlotError::Unsuitable { picture: HEAVE, reason });
     }
     let spread: Vec<Which>;
     let frames = if frames.is_empty() {
@@ -306,12 +281,7 @@ pub fn heave(
         let axis = normal.axes()[0];
         columns.push(column(&format!("{axis}, {name}"), "m", x.clone()));
         columns.push(column(&format!("uplift, {name}"), "m", y.clone()));
-        curves.push(Curve {
-            name,
-            x,
-            y,
-            mark: Mark::Line,
-        });
+        curves.push(Curve { name, x, y, mark: Mark::Line });
     }
     let [axis, _] = normal.axes();
     let across = 1 - along;
@@ -320,11 +290,7 @@ pub fn heave(
         unit: "m".to_owned(),
         curves,
         height: 340.0,
-        notes: vec![format!(
-            "{} = {} m",
-            ["x", "y"][across],
-            digits(source.centre()[across], 4)
-        )],
+        notes: vec![format!("{} = {} m", ["x", "y"][across], digits(source.centre()[across], 4))],
         ..Panel::default()
     };
     let title = suffix(&manifest, &format!("heave over `{}`", source.name));
@@ -369,15 +335,11 @@ mod tests {
     #[test]
     fn the_edge_of_a_cone_is_where_it_crosses() {
         // Uplift 0.1 m - 0.02 r: 0.04 m at r = 3 m.
-        let samples: Vec<[f64; 2]> = (0..100)
-            .map(|i| 0.1 * f64::from(i))
-            .map(|r| [r, 0.1 - 0.02 * r])
-            .collect();
+        let samples: Vec<[f64; 2]> =
+            (0..100).map(|i| 0.1 * f64::from(i)).map(|r| [r, 0.1 - 0.02 * r]).collect();
         let all = rings(&samples, 0.5);
         assert_eq!(all.len(), 20);
-        let Edge::At(r) = edge(&all, 0.04) else {
-            panic!("no edge")
-        };
+        let Edge::At(r) = edge(&all, 0.04) else { panic!("no edge") };
         assert!((r - 3.0).abs() < 1e-9, "{r}");
         assert_eq!(edge(&all, 0.2), Edge::None);
         assert!(matches!(edge(&all, -9.0), Edge::Beyond(_)));

@@ -124,19 +124,11 @@ macro_rules! put {
 
 impl Page {
     pub(super) fn new(width: f64, height: f64) -> Self {
-        Page {
-            width,
-            height,
-            lines: Vec::new(),
-            tail: String::new(),
-        }
+        Page { width, height, lines: Vec::new(), tail: String::new() }
     }
 
     pub(super) fn rect(&mut self, x: f64, y: f64, w: f64, h: f64, style: &str) {
-        put!(
-            self,
-            "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\" {style}/>"
-        );
+        put!(self, "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{w:.2}\" height=\"{h:.2}\" {style}/>");
     }
 
     pub(super) fn line(&mut self, a: [f64; 2], b: [f64; 2], style: &str) {
@@ -151,12 +143,7 @@ impl Page {
     }
 
     pub(super) fn circle(&mut self, c: [f64; 2], r: f64, style: &str) {
-        put!(
-            self,
-            "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"{r:.2}\" {style}/>",
-            c[0],
-            c[1]
-        );
+        put!(self, "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"{r:.2}\" {style}/>", c[0], c[1]);
     }
 
     pub(super) fn polyline(&mut self, points: &[[f64; 2]], style: &str) {
@@ -175,21 +162,11 @@ impl Page {
         let mut path = String::new();
         for ring in rings {
             for (k, p) in ring.iter().enumerate() {
-                let _ = write!(
-                    path,
-                    "{}{:.2},{:.2} ",
-                    if k == 0 { "M" } else { "L" },
-                    p[0],
-                    p[1]
-                );
+                let _ = write!(path, "{}{:.2},{:.2} ", if k == 0 { "M" } else { "L" }, p[0], p[1]);
             }
             path.push_str("Z ");
         }
-        put!(
-            self,
-            "<path d=\"{}\" fill-rule=\"evenodd\" {style}/>",
-            path.trim_end()
-        );
+        put!(self, "<path d=\"{}\" fill-rule=\"evenodd\" {style}/>", path.trim_end());
     }
 
     fn points(&mut self, tag: &str, points: &[[f64; 2]], style: &str) {
@@ -223,13 +200,7 @@ impl Page {
 
     fn write(&mut self, at: [f64; 2], upright: bool, size: f64, anchor: Anchor, text: &str) {
         let before = std::mem::take(&mut self.tail);
-        let text = Text {
-            at,
-            upright,
-            size,
-            anchor,
-            text: text.to_owned(),
-        };
+        let text = Text { at, upright, size, anchor, text: text.to_owned() };
         self.lines.push((before, text));
     }
 

@@ -14,22 +14,14 @@ impl Scale {
         let (low, high) = range(values).unwrap_or((0.0, 1.0));
         let (low, high) = opened(low, high);
         let step = round_step(high - low, 6);
-        Scale {
-            low: (low / step).floor() * step,
-            high: (high / step).ceil() * step,
-            log: false,
-        }
+        Scale { low: (low / step).floor() * step, high: (high / step).ceil() * step, log: false }
     }
 
     /// Covers exactly the range of the values, opened if it is a point.
     pub(super) fn exact(values: impl IntoIterator<Item = f64>) -> Self {
         let (low, high) = range(values).unwrap_or((0.0, 1.0));
         let (low, high) = opened(low, high);
-        Scale {
-            low,
-            high,
-            log: false,
-        }
+        Scale { low, high, log: false }
     }
 
     /// Covers the positive values by whole decades, 12 at most (the upper ones).
@@ -38,11 +30,7 @@ impl Scale {
         let (low, high) = range(positive).unwrap_or((0.1, 1.0));
         let high = high.log10().ceil();
         let low = low.log10().floor().min(high - 1.0).max(high - 12.0);
-        Scale {
-            low: 10f64.powf(low),
-            high: 10f64.powf(high),
-            log: true,
-        }
+        Scale { low: 10f64.powf(low), high: 10f64.powf(high), log: true }
     }
 
     /// Covers the positive values on a logarithmic axis whose ends are 1, 2 or 5 times a power of ten.
@@ -51,20 +39,13 @@ impl Scale {
         let (low, high) = range(positive).unwrap_or((0.1, 1.0));
         let last = |v: f64, fits: &dyn Fn(f64) -> bool| {
             let power = v.log10().floor() as i32;
-            round_numbers(power - 1, power + 1)
-                .into_iter()
-                .filter(|n| fits(*n))
-                .collect::<Vec<_>>()
+            round_numbers(power - 1, power + 1).into_iter().filter(|n| fits(*n)).collect::<Vec<_>>()
         };
         let below = last(low, &|n| n <= low * 1.000_001);
         let above = last(high, &|n| n >= high * 0.999_999);
         let low = below.last().copied().unwrap_or(low);
         let high = above.first().copied().unwrap_or(high);
-        Scale {
-            low,
-            high: if high > low { high } else { 10.0 * low },
-            log: true,
-        }
+        Scale { low, high: if high > low { high } else { 10.0 * low }, log: true }
     }
 
     /// Places of fine lines between the ticks of a logarithmic axis of few decades: 2, 3, ... 9 times powers of ten.
@@ -72,10 +53,7 @@ impl Scale {
         if !self.log || self.high > 1e5 * self.low {
             return Vec::new();
         }
-        let (first, last) = (
-            self.low.log10().floor() as i32,
-            self.high.log10().ceil() as i32,
-        );
+        let (first, last) = (self.low.log10().floor() as i32, self.high.log10().ceil() as i32);
         (first..last)
             .flat_map(|n| (2..10).map(move |k| f64::from(k) * 10f64.powi(n)))
             .filter(|v| (self.low..=self.high).contains(v))
@@ -136,10 +114,8 @@ impl Scale {
         let (unit, offset) = (10f64.powi(self.power()), self.offset());
         // The logarithm of a power of ten is off by a rounding, which would add a decimal.
         let decimals = (-(step / unit).log10() - 1e-9).ceil().clamp(0.0, 9.0) as usize;
-        let (first, last) = (
-            (self.low / step - 1e-6).ceil() as i64,
-            (self.high / step + 1e-6).floor() as i64,
-        );
+        let (first, last) =
+            ((self.low / step - 1e-6).ceil() as i64, (self.high / step + 1e-6).floor() as i64);
         // A range beyond the precision of its own ends has no ticks worth counting.
         (first..=last.min(first.saturating_add(50)))
             .map(|n| {
@@ -152,12 +128,9 @@ impl Scale {
 }
 
 fn range(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
-    values
-        .into_iter()
-        .filter(|v| v.is_finite())
-        .fold(None, |r: Option<(f64, f64)>, v| {
-            Some(r.map_or((v, v), |(low, high)| (low.min(v), high.max(v))))
-        })
+    values.into_iter().filter(|v| v.is_finite()).fold(None, |r: Option<(f64, f64)>, v| {
+        Some(r.map_or((v, v), |(low, high)| (low.min(v), high.max(v))))
+    })
 }
 
 /// A point or a range lost in rounding gets a width.
@@ -166,29 +139,20 @@ fn opened(low: f64, high: f64) -> (f64, f64) {
     if high - low > 1e-12 * size {
         return (low, high);
     }
-    if size == 0.0 {
-        (-1.0, 1.0)
-    } else {
-        (low - 0.05 * size, high + 0.05 * size)
-    }
+    if size == 0.0 { (-1.0, 1.0) } else { (low - 0.05 * size, high + 0.05 * size) }
 }
 
 /// 1, 2 or 5 times a power of ten, about `width / count`.
 fn round_step(width: f64, count: usize) -> f64 {
     let rough = (width / count.max(1) as f64).max(f64::MIN_POSITIVE);
     let power = 10f64.powf(rough.log10().floor());
-    let factor = [1.0, 2.0, 5.0]
-        .into_iter()
-        .find(|f| f * power >= rough * 0.999)
-        .unwrap_or(10.0);
+    let factor = [1.0, 2.0, 5.0].into_iter().find(|f| f * power >= rough * 0.999).unwrap_or(10.0);
     factor * power
 }
 
 /// 1, 2 and 5 times the powers of ten from `first` to `last`.
 fn round_numbers(first: i32, last: i32) -> Vec<f64> {
-    (first..=last)
-        .flat_map(|n| [1.0, 2.0, 5.0].map(|f| f * 10f64.powi(n)))
-        .collect()
+    (first..=last).flat_map(|n| [1.0, 2.0, 5.0].map(|f| f * 10f64.powi(n))).collect()
 }
 
 /// A round number without noise in its last digits: `0.02`, `500`, `2e-7`.
@@ -210,10 +174,7 @@ pub(super) fn superscript(n: i32) -> String {
             '1' => '\u{b9}',
             '2' => '\u{b2}',
             '3' => '\u{b3}',
-            c => c
-                .to_digit(10)
-                .and_then(|d| char::from_u32(0x2070 + d))
-                .unwrap_or(c),
+            c => c.to_digit(10).and_then(|d| char::from_u32(0x2070 + d)).unwrap_or(c),
         })
         .collect()
 }
@@ -252,15 +213,7 @@ mod tests {
         let s = Scale::covering([-0.0123, 0.031]);
         assert_eq!(
             texts(s, 6),
-            [
-                "\u{2212}0.02",
-                "\u{2212}0.01",
-                "0.00",
-                "0.01",
-                "0.02",
-                "0.03",
-                "0.04"
-            ]
+            ["\u{2212}0.02", "\u{2212}0.01", "0.00", "0.01", "0.02", "0.03", "0.04"]
         );
     }
 
@@ -296,14 +249,7 @@ mod tests {
     #[test]
     fn odd_ranges() {
         assert!(Scale::covering([2.0, 2.0]).share(2.0).is_finite());
-        assert_eq!(
-            Scale::covering([f64::NAN]),
-            Scale {
-                low: 0.0,
-                high: 1.0,
-                log: false
-            }
-        );
+        assert_eq!(Scale::covering([f64::NAN]), Scale { low: 0.0, high: 1.0, log: false });
         for s in [
             Scale::covering([0.0, 0.0]),
             Scale::exact([1e300, 1e300]),

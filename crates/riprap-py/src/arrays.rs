@@ -18,9 +18,7 @@ fn vector<T: Element>(py: Python<'_>, data: Vec<T>) -> Bound<'_, PyAny> {
 /// Numbers as an array of rows.
 fn rows(py: Python<'_>, data: Vec<f64>, width: usize) -> PyResult<Bound<'_, PyAny>> {
     let count = data.len() / width.max(1);
-    Ok(PyArray1::from_vec(py, data)
-        .reshape([count, width])?
-        .into_any())
+    Ok(PyArray1::from_vec(py, data).reshape([count, width])?.into_any())
 }
 
 fn columns(py: Python<'_>, columns: Vec<Column>) -> PyResult<Bound<'_, PyDict>> {
@@ -45,18 +43,11 @@ pub fn frame(py: Python<'_>, frame: Frame) -> PyResult<Bound<'_, PyDict>> {
     out.set_item("offsets", vector(py, frame.offsets))?;
     out.set_item("points", rows(py, frame.points.into_flattened(), 3)?)?;
     out.set_item("blocks", columns(py, frame.block_columns)?)?;
-    out.set_item(
-        "contact_points",
-        rows(py, frame.contact_points.into_flattened(), 3)?,
-    )?;
+    out.set_item("contact_points", rows(py, frame.contact_points.into_flattened(), 3)?)?;
     out.set_item("contacts", columns(py, frame.contact_columns)?)?;
     let solids = match frame.solids {
         None => None,
-        Some(s) => Some((
-            vector(py, s.faces),
-            vector(py, s.ends),
-            vector(py, s.corners),
-        )),
+        Some(s) => Some((vector(py, s.faces), vector(py, s.ends), vector(py, s.corners))),
     };
     out.set_item("solids", solids)?;
     Ok(out)
@@ -79,9 +70,7 @@ pub fn read_frame(
 /// Reads a CSV file of a run: a list of (name, unit, values).
 #[pyfunction]
 pub fn read_table(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyList>> {
-    let table = py
-        .detach(|| Table::read(&path))
-        .map_err(|e| errors::folder(py, &e))?;
+    let table = py.detach(|| Table::read(&path)).map_err(|e| errors::folder(py, &e))?;
     let out = PyList::empty(py);
     for column in table.columns {
         out.append((column.name, column.unit, vector(py, column.values)))?;

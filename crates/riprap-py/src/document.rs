@@ -27,9 +27,8 @@ pub fn to_value(value: &Bound<'_, PyAny>) -> PyResult<String> {
 /// The text of a scenario with `[sweep]` replaced: keys with dots and the lists of their values.
 #[pyfunction]
 pub fn with_sweep(text: &str, over: &Bound<'_, PyDict>) -> PyResult<String> {
-    let mut document: DocumentMut = text
-        .parse()
-        .map_err(|e: toml_edit::TomlError| PyValueError::new_err(e.to_string()))?;
+    let mut document: DocumentMut =
+        text.parse().map_err(|e: toml_edit::TomlError| PyValueError::new_err(e.to_string()))?;
     document.insert("sweep", Item::Table(table(over, "sweep", 0)?));
     Ok(document.to_string())
 }
@@ -61,10 +60,8 @@ fn table(dict: &Bound<'_, PyDict>, path: &str, depth: usize) -> PyResult<Table> 
 /// A non-empty list of dictionaries.
 fn rows<'py>(value: &Bound<'py, PyAny>) -> Option<Vec<Bound<'py, PyDict>>> {
     let items = items(value)?;
-    let rows: Vec<Bound<'py, PyDict>> = items
-        .iter()
-        .map_while(|item| item.cast::<PyDict>().ok().cloned())
-        .collect();
+    let rows: Vec<Bound<'py, PyDict>> =
+        items.iter().map_while(|item| item.cast::<PyDict>().ok().cloned()).collect();
     (!rows.is_empty() && rows.len() == items.len()).then_some(rows)
 }
 
@@ -144,11 +141,7 @@ fn key_of(key: &Bound<'_, PyAny>, path: &str) -> PyResult<String> {
     match key.cast::<PyString>() {
         Ok(text) => Ok(text.to_str()?.to_owned()),
         Err(_) => {
-            let place = if path.is_empty() {
-                "the scenario"
-            } else {
-                path
-            };
+            let place = if path.is_empty() { "the scenario" } else { path };
             Err(PyTypeError::new_err(format!(
                 "{place}: the key {} is no text",
                 key.repr()?.to_str()?
@@ -158,11 +151,7 @@ fn key_of(key: &Bound<'_, PyAny>, path: &str) -> PyResult<String> {
 }
 
 fn joined(path: &str, key: &str) -> String {
-    if path.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{path}.{key}")
-    }
+    if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
 }
 
 fn deep(path: &str, depth: usize) -> PyResult<()> {

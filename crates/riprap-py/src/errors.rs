@@ -33,12 +33,7 @@ pub fn scenario(py: Python<'_>, wrong: &Diagnostics) -> PyErr {
         Ok(extras)
     };
     match build() {
-        Ok(extras) => raise(
-            py,
-            "ScenarioError",
-            wrong.render().trim_end(),
-            Some(&extras),
-        ),
+        Ok(extras) => raise(py, "ScenarioError", wrong.render().trim_end(), Some(&extras)),
         Err(error) => error,
     }
 }
@@ -83,11 +78,7 @@ pub fn job_after(py: Python<'_>, error: &JobError, there: &str) -> PyErr {
 }
 
 fn job_name(error: &JobError) -> &'static str {
-    if error.is_output() {
-        "OutputError"
-    } else {
-        "RunError"
-    }
+    if error.is_output() { "OutputError" } else { "RunError" }
 }
 
 /// A file that could not be written.

@@ -47,8 +47,7 @@ impl Simulation {
 }
 
 fn open(live: &mut Option<Live>) -> PyResult<&mut Live> {
-    live.as_mut()
-        .ok_or_else(|| PyValueError::new_err("the simulation is closed"))
+    live.as_mut().ok_or_else(|| PyValueError::new_err("the simulation is closed"))
 }
 
 /// `running`, or how it ended, and one sentence more.
@@ -82,10 +81,7 @@ impl Simulation {
                 None => Live::unrecorded(job, threads)?,
             };
             // Forces at the start.
-            let here = Pause {
-                step: Some(0),
-                time: None,
-            };
+            let here = Pause { step: Some(0), time: None };
             live.advance(here, &mut |_| riprap::run::drive::Control::Continue)?;
             Ok(live)
         });
@@ -114,9 +110,7 @@ impl Simulation {
                 time: time.map(|span| now.time() + span),
             };
             let ended = live.advance(pause, &mut |progress| asked.ask(progress));
-            ended
-                .map(|_| state(live))
-                .map_err(|error| Python::attach(|py| errors::job(py, &error)))
+            ended.map(|_| state(live)).map_err(|error| Python::attach(|py| errors::job(py, &error)))
         });
         match look.raised {
             Some(raised) => Err(raised),
@@ -177,9 +171,7 @@ impl Simulation {
         self.read(py, |live| {
             let s = live.simulation();
             let balance = s.view().balance().times(s.view().slice());
-            let all = ledger::COLUMNS
-                .iter()
-                .map(|(name, get)| (*name, get(&balance)));
+            let all = ledger::COLUMNS.iter().map(|(name, get)| (*name, get(&balance)));
             Ok((all.collect(), s.kind().energy_unit()))
         })
     }

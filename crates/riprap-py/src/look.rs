@@ -43,9 +43,7 @@ pub struct Progress {
 #[pymethods]
 impl Progress {
     fn __repr__(&self) -> String {
-        let share = self
-            .share
-            .map_or("?".to_owned(), |s| format!("{:.0}", 100.0 * s));
+        let share = self.share.map_or("?".to_owned(), |s| format!("{:.0}", 100.0 * s));
         format!(
             "Progress(phase={:?}, step={}, time={:e}, share={share} %)",
             self.phase, self.step, self.time
@@ -87,10 +85,7 @@ pub struct Look {
 
 impl Look {
     pub fn new(callback: Option<Py<PyAny>>) -> Self {
-        Self {
-            callback,
-            raised: None,
-        }
+        Self { callback, raised: None }
     }
 
     pub fn ask(&mut self, look: &mut drive::Look<'_>) -> Control {

@@ -110,11 +110,7 @@ impl Options {
         out: &std::path::Path,
     ) -> Result<Vec<PathBuf>, PlotError> {
         let given: Vec<Which> = self.times.iter().map(|t| Which::Time(*t)).collect();
-        let frames = if given.is_empty() {
-            vec![Which::Last]
-        } else {
-            given.clone()
-        };
+        let frames = if given.is_empty() { vec![Which::Last] } else { given.clone() };
         let source = self.source.as_deref();
         match what {
             "energy" => drawn::energy(folder, out),
@@ -125,18 +121,12 @@ impl Options {
                     what: "a line has two ends: line=((0, 3), (0, 12))".to_owned(),
                 };
                 let [from, to] = self.line.as_ref().ok_or_else(nowhere)?;
-                let line = Along {
-                    from: from.clone(),
-                    to: to.clone(),
-                };
+                let line = Along { from: from.clone(), to: to.clone() };
                 drawn::along(folder, &frames, &self.by, &line, out)
             }
             "ppv" => drawn::ppv(folder, frames[0], self.surface, out),
             "crater" => {
-                let options = CraterOptions {
-                    uplift: self.uplift,
-                    source,
-                };
+                let options = CraterOptions { uplift: self.uplift, source };
                 drawn::crater(folder, frames[0], options, out)
             }
             "heave" => drawn::heave(folder, &given, source, blocks.normal, out),

@@ -40,14 +40,8 @@ pub fn run(
     // Errors have places in it, and the job takes the rest.
     let parsed = prepared.parsed.clone();
     let job = prepared.job();
-    let outcome = with_look(py, callback, |look| {
-        job::run(job, &folder, existing, threads, look)
-    })?;
-    json(
-        &outcome
-            .map_err(|e| errors::job_of(py, &e, &parsed))?
-            .manifest,
-    )
+    let outcome = with_look(py, callback, |look| job::run(job, &folder, existing, threads, look))?;
+    json(&outcome.map_err(|e| errors::job_of(py, &e, &parsed))?.manifest)
 }
 
 /// Goes on with a run that was stopped; gives the manifest at the end as JSON text.

@@ -69,9 +69,9 @@ pub fn safety(
     };
     let moved = options.moved.map(|text| match units::parse(&text) {
         Ok((length, Dim::LENGTH)) => Ok(length),
-        Ok(_) | Err(_) => Err(PyValueError::new_err(format!(
-            "moved={text:?}; write a length such as '5 mm'"
-        ))),
+        Ok(_) | Err(_) => {
+            Err(PyValueError::new_err(format!("moved={text:?}; write a length such as '5 mm'")))
+        }
     });
     let rules = Rules {
         width,
@@ -136,24 +136,17 @@ pub fn safety(
         let text = format!("could not make {}: {e}", folder.display());
         errors::output(py, &text)
     })?;
-    let files = [
-        ("safety.json", format!("{text}\n")),
-        ("safety.csv", table.clone()),
-    ];
+    let files = [("safety.json", format!("{text}\n")), ("safety.csv", table.clone())];
     for (name, text) in files {
         let written = riprap::record::write_whole(&folder.join(name), text.as_bytes());
         written.map_err(|e| errors::output(py, &e.to_string()))?;
     }
-    let kept = format!(
-        "the answer is in {}, without the mechanism",
-        folder.display()
-    );
+    let kept = format!("the answer is in {}, without the mechanism", folder.display());
     let shown = factor::mechanism_job(job, rules, &answer, FRAMES);
     if let Some(job) = shown.map_err(|wrong| errors::run(py, &format!("{wrong}; {kept}")))? {
         let target = folder.join("mechanism.run");
-        let ran = with_look(py, None, |look| {
-            job::run(job, &target, existing, options.threads, look)
-        })?;
+        let ran =
+            with_look(py, None, |look| job::run(job, &target, existing, options.threads, look))?;
         ran.map_err(|wrong| errors::job_after(py, &wrong, &kept))?;
     }
     let mut words = answer.words();

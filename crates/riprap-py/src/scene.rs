@@ -22,8 +22,7 @@ impl Scene {
     /// Builds the model of a case; lets go of the interpreter meanwhile.
     pub fn prepare(&self, py: Python<'_>, case: Option<&str>) -> PyResult<Prepared> {
         let case = self.case(case)?;
-        py.detach(|| self.0.prepare(&case))
-            .map_err(|wrong| errors::scenario(py, &wrong))
+        py.detach(|| self.0.prepare(&case)).map_err(|wrong| errors::scenario(py, &wrong))
     }
 
     /// The case of that name, the plain one without.
@@ -95,9 +94,7 @@ impl Scene {
     fn plain_text(&self, py: Python<'_>) -> PyResult<String> {
         let source = &self.0.parsed.source;
         let plain = self.0.plain().source(source, &[]);
-        plain
-            .map(|source| source.text)
-            .map_err(|wrong| errors::scenario(py, &wrong))
+        plain.map(|source| source.text).map_err(|wrong| errors::scenario(py, &wrong))
     }
 
     /// `planar` or `spatial`.
@@ -120,13 +117,11 @@ impl Scene {
     fn check<'py>(&self, py: Python<'py>, case: Option<&str>) -> PyResult<Bound<'py, PyDict>> {
         let prepared = self.prepare(py, case)?;
         let model = &prepared.model;
-        let expected = py
-            .detach(|| forecast(&model.setup, &model.plan))
-            .map_err(|e| match e {
-                ForecastError::Build(e) => errors::run(py, &e.to_string()),
-                ForecastError::Step(e) => errors::scenario(py, &e.at(&prepared.parsed)),
-                ForecastError::Physics(e) => errors::run(py, &e.to_string()),
-            })?;
+        let expected = py.detach(|| forecast(&model.setup, &model.plan)).map_err(|e| match e {
+            ForecastError::Build(e) => errors::run(py, &e.to_string()),
+            ForecastError::Step(e) => errors::scenario(py, &e.at(&prepared.parsed)),
+            ForecastError::Physics(e) => errors::run(py, &e.to_string()),
+        })?;
         let out = PyDict::new(py);
         out.set_item("model", json(&model.summary)?)?;
         out.set_item("expected", json(&expected)?)?;

@@ -40,15 +40,11 @@ pub fn read_tess(py: Python<'_>, path: PathBuf) -> PyResult<Vec<Cell>> {
     Ok(match cells {
         Cells::Plane(cells) => {
             let cells = cells.into_iter();
-            cells
-                .map(|cell| (cell.number, lists(cell.points), None))
-                .collect()
+            cells.map(|cell| (cell.number, lists(cell.points), None)).collect()
         }
         Cells::Space(cells) => {
             let cells = cells.into_iter();
-            cells
-                .map(|cell| (cell.number, lists(cell.vertices), Some(cell.faces)))
-                .collect()
+            cells.map(|cell| (cell.number, lists(cell.vertices), Some(cell.faces))).collect()
         }
     })
 }
@@ -66,8 +62,7 @@ fn file<T: Send>(
     path: PathBuf,
     parse: impl FnOnce(&[u8]) -> Result<T, FileError> + Send,
 ) -> PyResult<T> {
-    py.detach(|| read(&path, parse))
-        .map_err(|refused| errors::shape(py, &refused.message))
+    py.detach(|| read(&path, parse)).map_err(|refused| errors::shape(py, &refused.message))
 }
 
 fn lists<const N: usize>(points: Vec<[f64; N]>) -> Vec<Vec<f64>> {

@@ -30,8 +30,7 @@ pub fn sweep(
 ) -> PyResult<String> {
     let existing = existing(existing_folder)?;
     let scene = &scene.0;
-    py.detach(|| sweeps::check_all(scene))
-        .map_err(|wrong| errors::scenario(py, &wrong))?;
+    py.detach(|| sweeps::check_all(scene)).map_err(|wrong| errors::scenario(py, &wrong))?;
     // Of an earlier sweep into this folder: what has finished is kept.
     let earlier = (existing == Existing::Refuse)
         .then(|| riprap::record::read_plain_text(&folder.join("sweep.csv")).ok())

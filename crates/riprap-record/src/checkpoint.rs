@@ -219,10 +219,8 @@ pub struct Latest<T> {
 /// # Errors
 /// See [`CheckpointError`]; never panics, never allocates more than the file can unpack to.
 pub fn read<T: DeserializeOwned>(path: &Path, kind: &str) -> Result<T, CheckpointError> {
-    let bytes = crate::read_plain(path).map_err(|source| CheckpointError::Read {
-        path: path.to_owned(),
-        source,
-    })?;
+    let bytes = crate::read_plain(path)
+        .map_err(|source| CheckpointError::Read { path: path.to_owned(), source })?;
     decode(&bytes, kind, path)
 }
 
@@ -258,10 +256,9 @@ pub fn decode<T: DeserializeOwned>(
             Ordering::Less => return Err(CheckpointError::Older { path, found }),
         }
     }
-    let (Some(claimed), Some(packed)) = (
-        number::<8>(bytes, SUM_AT - 16),
-        number::<8>(bytes, SUM_AT - 8),
-    ) else {
+    let (Some(claimed), Some(packed)) =
+        (number::<8>(bytes, SUM_AT - 16), number::<8>(bytes, SUM_AT - 8))
+    else {
         return Err(CheckpointError::Truncated {
             path: path(),
             found: have,
@@ -271,25 +268,14 @@ pub fn decode<T: DeserializeOwned>(
     let (claimed, packed) = (u64::from_le_bytes(claimed), u64::from_le_bytes(packed));
     let expected = packed.saturating_add(HEAD as u64);
     if have < expected {
-        return Err(CheckpointError::Truncated {
-            path: path(),
-            found: have,
-            expected,
-        });
+        return Err(CheckpointError::Truncated { path: path(), found: have, expected });
     }
     if have > expected {
-        return Err(CheckpointError::Trailing {
-            path: path(),
-            extra: have - expected,
-        });
+        return Err(CheckpointError::Trailing { path: path(), extra: have - expected });
     }
     // Before anything is unpacked by what the head claims.
     if claimed > packed.saturating_mul(MAX_RATIO) {
-        return Err(CheckpointError::Absurd {
-            path: path(),
-            claimed,
-            compressed: packed,
-        });
+        return Err(CheckpointError::Absurd { path: path(), claimed, compressed: packed });
     }
     let payload = &bytes[HEAD..];
     // Before the head is believed any further: it is in the sum.
@@ -300,16 +286,9 @@ pub fn decode<T: DeserializeOwned>(
     let name = &name[..name.iter().position(|b| *b == 0).unwrap_or(KIND_BYTES)];
     if name != kind.as_bytes() {
         let found = String::from_utf8_lossy(name).into_owned();
-        return Err(CheckpointError::Kind {
-            path: path(),
-            found,
-            wanted: kind.to_owned(),
-        });
+        return Err(CheckpointError::Kind { path: path(), found, wanted: kind.to_owned() });
     }
-    let wrong = |reason: String| CheckpointError::Decode {
-        path: path(),
-        reason,
-    };
+    let wrong = |reason: String| CheckpointError::Decode { path: path(), reason };
     let mut plain = Vec::new();
     ZlibDecoder::new(payload)
         // One byte beyond what is claimed shows that there is more, and no more than that is held.
@@ -320,11 +299,7 @@ pub fn decode<T: DeserializeOwned>(
         return Err(wrong(format!("{} bytes instead of {claimed}", plain.len())));
     }
     let (value, rest) = postcard::take_from_bytes(&plain).map_err(|e| wrong(e.to_string()))?;
-    if rest.is_empty() {
-        Ok(value)
-    } else {
-        Err(wrong(format!("{} bytes left over", rest.len())))
-    }
+    if rest.is_empty() { Ok(value) } else { Err(wrong(format!("{} bytes left over", rest.len()))) }
 }
 
 fn number<const N: usize>(bytes: &[u8], at: usize) -> Option<[u8; N]> {
@@ -333,9 +308,7 @@ fn number<const N: usize>(bytes: &[u8], at: usize) -> Option<[u8; N]> {
 
 /// The file of the checkpoint after `step` steps inside `folder/checkpoints/`.
 pub fn path_for(folder: &Path, step: u64) -> PathBuf {
-    folder
-        .join("checkpoints")
-        .join(format!("checkpoint_{step:012}.rck"))
+    folder.join("checkpoints").join(format!("checkpoint_{step:012}.rck"))
 }
 
 /// All checkpoint files of a run folder with their steps, oldest first. A missing folder has none.
@@ -409,28 +382,19 @@ pub fn latest_of<T: DeserializeOwned>(
     kind: &str,
     admit: impl Fn(&Path, &T) -> Result<(), CheckpointError>,
 ) -> Result<Latest<T>, CheckpointError> {
-    let files = all(folder).map_err(|source| CheckpointError::Read {
-        path: folder.to_owned(),
-        source,
-    })?;
+    let files =
+        all(folder).map_err(|source| CheckpointError::Read { path: folder.to_owned(), source })?;
     let mut broken = Vec::new();
     for (_, path) in files.into_iter().rev() {
         let found = read(&path, kind).and_then(|value| admit(&path, &value).map(|()| value));
         match found {
             Ok(value) => {
-                return Ok(Latest {
-                    path,
-                    value,
-                    broken,
-                });
+                return Ok(Latest { path, value, broken });
             }
             Err(e) => broken.push(e),
         }
     }
-    Err(CheckpointError::None {
-        folder: folder.to_owned(),
-        broken,
-    })
+    Err(CheckpointError::None { folder: folder.to_owned(), broken })
 }
 
 /// Writes the checkpoint after `step` steps and keeps only it and the one before it.

@@ -15,10 +15,7 @@ pub const FILE: &str = "conditions.json";
 /// A file that cannot be read or is damaged: its path and why.
 pub fn read(folder: &Path) -> Result<Option<Conditions>, ConditionsError> {
     let path = folder.join(FILE);
-    let unusable = |reason: String| ConditionsError {
-        path: path.clone(),
-        reason,
-    };
+    let unusable = |reason: String| ConditionsError { path: path.clone(), reason };
     let text = match crate::read_plain_text(&path) {
         Ok(text) => text,
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
@@ -42,10 +39,8 @@ pub fn read(folder: &Path) -> Result<Option<Conditions>, ConditionsError> {
 /// Whatever the disk says.
 pub fn write(conditions: &Conditions, folder: &Path) -> Result<(), OutputError> {
     let path = folder.join(FILE);
-    let mut text = serde_json::to_string(conditions).map_err(|e| OutputError {
-        path: path.clone(),
-        source: e.into(),
-    })?;
+    let mut text = serde_json::to_string(conditions)
+        .map_err(|e| OutputError { path: path.clone(), source: e.into() })?;
     text.push('\n');
     write_whole(&path, text.as_bytes())
 }

@@ -21,10 +21,7 @@ pub(crate) trait AtPath<T> {
 
 impl<T> AtPath<T> for io::Result<T> {
     fn at(self, path: &Path) -> Result<T, OutputError> {
-        self.map_err(|source| OutputError {
-            path: path.to_owned(),
-            source,
-        })
+        self.map_err(|source| OutputError { path: path.to_owned(), source })
     }
 }
 
@@ -150,11 +147,7 @@ impl AppendFile {
     /// Starts an empty file.
     pub(crate) fn create(path: &Path) -> Result<Self, OutputError> {
         let file = File::create(path).at(path)?;
-        Ok(AppendFile {
-            path: path.to_owned(),
-            file,
-            length: 0,
-        })
+        Ok(AppendFile { path: path.to_owned(), file, length: 0 })
     }
 
     /// Opens a file and cuts it back to `length` bytes, which must be the end of a line.
@@ -196,19 +189,13 @@ impl AppendFile {
                 )));
             }
         }
-        Ok(AppendFile {
-            path: path.to_owned(),
-            file,
-            length,
-        })
+        Ok(AppendFile { path: path.to_owned(), file, length })
     }
 
     /// Cuts the file back to where it is continued.
     pub(crate) fn cut(&mut self) -> Result<(), OutputError> {
         self.file.set_len(self.length).at(&self.path)?;
-        self.file
-            .seek(SeekFrom::Start(self.length))
-            .at(&self.path)?;
+        self.file.seek(SeekFrom::Start(self.length)).at(&self.path)?;
         Ok(())
     }
 
@@ -221,10 +208,7 @@ impl AppendFile {
             // Best effort: readers skip a part of a line anyway, and the write error is what the user must see.
             let _ = self.file.set_len(self.length);
             let _ = self.file.seek(SeekFrom::Start(self.length));
-            return Err(OutputError {
-                path: self.path.clone(),
-                source,
-            });
+            return Err(OutputError { path: self.path.clone(), source });
         }
         self.length += bytes.len() as u64;
         Ok(())
@@ -252,11 +236,7 @@ mod tests {
         write_whole(&path, b"one").unwrap();
         write_whole(&path, b"two").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"two");
-        assert_eq!(
-            fs::read_dir(dir.path()).unwrap().count(),
-            1,
-            "nothing left aside"
-        );
+        assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1, "nothing left aside");
         let error = write_whole(&dir.path().join("no/such/a.json"), b"x").unwrap_err();
         assert!(error.to_string().contains("a.json"), "{error}");
     }
@@ -274,18 +254,8 @@ mod tests {
         let mut f = AppendFile::reopen(&path, mark).unwrap();
         f.line("3,4").unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "a,b\n3,4\n");
-        assert!(
-            AppendFile::reopen(&path, 99)
-                .unwrap_err()
-                .to_string()
-                .contains("99 bytes")
-        );
-        assert!(
-            AppendFile::reopen(&path, 2)
-                .unwrap_err()
-                .to_string()
-                .contains("end of a line")
-        );
+        assert!(AppendFile::reopen(&path, 99).unwrap_err().to_string().contains("99 bytes"));
+        assert!(AppendFile::reopen(&path, 2).unwrap_err().to_string().contains("end of a line"));
     }
 
     #[cfg(target_os = "linux")]

@@ -125,15 +125,9 @@ impl RunFolder {
     /// The first of `name`, `name-2`, `name-3`, ... that is not taken by more than a run that was stopped before it had computed
     /// anything: `slope.run`, `slope-2.run`.
     pub fn free_name(wanted: &Path) -> PathBuf {
-        let stem = wanted
-            .file_stem()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
-        let extension = wanted
-            .extension()
-            .map(|e| format!(".{}", e.to_string_lossy()))
-            .unwrap_or_default();
+        let stem = wanted.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let extension =
+            wanted.extension().map(|e| format!(".{}", e.to_string_lossy())).unwrap_or_default();
         let mut path = wanted.to_owned();
         let mut n = 2u32;
         while path.exists() && !only_begun(&path) {
@@ -153,27 +147,18 @@ impl RunFolder {
         manifest: &Manifest,
     ) -> Result<Self, FolderError> {
         if path.exists() && !path.is_dir() {
-            return Err(FolderError::NotAFolder {
-                path: path.to_owned(),
-            });
+            return Err(FolderError::NotAFolder { path: path.to_owned() });
         }
         if path.is_dir() && fs::read_dir(path).at(path)?.next().is_some() {
             // A manifest of a newer format is still a run that must not be lost.
-            let run = matches!(
-                Manifest::read(path),
-                Ok(_) | Err(ManifestError::Newer { .. })
-            );
+            let run = matches!(Manifest::read(path), Ok(_) | Err(ManifestError::Newer { .. }));
             match (existing, run) {
                 _ if only_begun(path) => clear(path)?,
                 (Existing::Refuse, true) => {
-                    return Err(FolderError::Run {
-                        path: path.to_owned(),
-                    });
+                    return Err(FolderError::Run { path: path.to_owned() });
                 }
                 (Existing::Refuse | Existing::ReplaceRun, false) => {
-                    return Err(FolderError::Occupied {
-                        path: path.to_owned(),
-                    });
+                    return Err(FolderError::Occupied { path: path.to_owned() });
                 }
                 (Existing::ReplaceRun, true) | (Existing::Force, _) => {
                     // Refuses a folder that another process writes; not held, since its file goes too.
@@ -251,10 +236,9 @@ impl RunFolder {
         };
         let old = frame_files(path)?;
         // All that may be refused has been looked at: nothing is cut in a folder that is not continued.
-        for (name, series) in [
-            ("histories.csv", &mut run.histories),
-            ("energy.csv", &mut run.energy),
-        ] {
+        for (name, series) in
+            [("histories.csv", &mut run.histories), ("energy.csv", &mut run.energy)]
+        {
             match series {
                 Some(series) => series.file.cut()?,
                 // The run had not begun this file: it will, and then creates it.
@@ -323,11 +307,7 @@ impl RunFolder {
         &mut self,
         columns: &[(S, S)],
     ) -> Result<(), OutputError> {
-        begin(
-            &mut self.histories,
-            &self.path.join("histories.csv"),
-            columns,
-        )
+        begin(&mut self.histories, &self.path.join("histories.csv"), columns)
     }
 
     /// Begins `energy.csv` with a head of `(name, unit)`; does nothing in a run continued after that.
@@ -348,13 +328,7 @@ impl RunFolder {
         time: f64,
         row: &[Option<f64>],
     ) -> Result<(), OutputError> {
-        append(
-            &mut self.histories,
-            &self.path.join("histories.csv"),
-            step,
-            time,
-            row,
-        )
+        append(&mut self.histories, &self.path.join("histories.csv"), step, time, row)
     }
 
     /// Appends a row to `energy.csv`.
@@ -363,13 +337,7 @@ impl RunFolder {
     /// As [`RunFolder::history_row`].
     pub fn energy_row(&mut self, step: u64, time: f64, row: &[f64]) -> Result<(), OutputError> {
         let row: Vec<Option<f64>> = row.iter().copied().map(Some).collect();
-        append(
-            &mut self.energy,
-            &self.path.join("energy.csv"),
-            step,
-            time,
-            &row,
-        )
+        append(&mut self.energy, &self.path.join("energy.csv"), step, time, &row)
     }
 
     /// Appends an event, one JSON object, to `events.jsonl`.
@@ -378,9 +346,7 @@ impl RunFolder {
     /// The disk, or a value that JSON cannot hold.
     pub fn event<T: Serialize>(&mut self, event: &T) -> Result<(), OutputError> {
         let path = self.path.join("events.jsonl");
-        let text = serde_json::to_string(event)
-            .map_err(io::Error::from)
-            .at(&path)?;
+        let text = serde_json::to_string(event).map_err(io::Error::from).at(&path)?;
         self.events.line(&text)
     }
 
@@ -406,10 +372,8 @@ impl RunFolder {
     /// The disk, or a frame whose parts do not fit together.
     pub fn frame(&mut self, frame: &Frame, exec: &Exec) -> Result<&FrameEntry, OutputError> {
         let index = self.frames.last().map_or(1, |f| f.index + 1);
-        let (blocks, contacts) = (
-            self.path.join(block_file(index)),
-            self.path.join(contact_file(index)),
-        );
+        let (blocks, contacts) =
+            (self.path.join(block_file(index)), self.path.join(contact_file(index)));
         write_whole(&blocks, &vtu::blocks(frame, exec).at(&blocks)?)?;
         write_whole(&contacts, &vtu::contacts(frame, exec).at(&contacts)?)?;
         let cracks = self.path.join(crack_file(index));
@@ -424,11 +388,7 @@ impl RunFolder {
         if let Some(bytes) = vtu::tetrahedra(frame, exec).at(&tetrahedra)? {
             write_whole(&tetrahedra, &bytes)?;
         }
-        self.frames.push(FrameEntry {
-            index,
-            step: frame.step,
-            time: frame.time,
-        });
+        self.frames.push(FrameEntry { index, step: frame.step, time: frame.time });
         // Last, so that the lists never name a file that is not whole.
         files::extend_lists(&self.path, &self.frames)?;
         Ok(&self.frames[self.frames.len() - 1])
@@ -439,8 +399,7 @@ impl RunFolder {
         let bytes = |s: &Option<Series>| s.as_ref().map_or(0, |s| s.file.len());
         // A table of 2^32 columns does not fit into a file.
         let columns = |s: &Option<Series>| {
-            s.as_ref()
-                .map_or(0, |s| u32::try_from(s.columns).unwrap_or(u32::MAX))
+            s.as_ref().map_or(0, |s| u32::try_from(s.columns).unwrap_or(u32::MAX))
         };
         Marks {
             step,

@@ -62,10 +62,7 @@ impl InputFile {
     #[must_use]
     pub fn read(folder: &Path, name: &str) -> Option<Self> {
         let bytes = crate::read_plain(&folder.join(name)).ok()?;
-        Some(Self {
-            name: name.to_owned(),
-            blake3: blake3::hash(&bytes).to_hex().to_string(),
-        })
+        Some(Self { name: name.to_owned(), blake3: blake3::hash(&bytes).to_hex().to_string() })
     }
 }
 
@@ -87,10 +84,7 @@ impl Machine {
     pub fn this() -> Self {
         // Linux only; elsewhere the name stays empty, which is allowed.
         let cpu = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-        let cpu = cpu
-            .lines()
-            .find_map(|l| l.strip_prefix("model name"))
-            .unwrap_or("");
+        let cpu = cpu.lines().find_map(|l| l.strip_prefix("model name")).unwrap_or("");
         Machine {
             os: std::env::consts::OS.to_owned(),
             arch: std::env::consts::ARCH.to_owned(),
@@ -188,11 +182,7 @@ impl Source {
             Place::Line([a, b]) => (a, minus(b, a)),
         };
         let (way, length2) = (minus(p, from), dot(along, along));
-        let share = if length2 > 0.0 {
-            (dot(way, along) / length2).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
+        let share = if length2 > 0.0 { (dot(way, along) / length2).clamp(0.0, 1.0) } else { 0.0 };
         let rest = [0, 1, 2].map(|k| way[k] - share * along[k]);
         dot(rest, rest).sqrt()
     }
@@ -335,14 +325,9 @@ impl Manifest {
     /// Missing, foreign or newer manifests.
     pub fn read(folder: &Path) -> Result<Self, ManifestError> {
         let path = folder.join("manifest.json");
-        let text = crate::read_plain_text(&path).map_err(|source| ManifestError::Read {
-            path: path.clone(),
-            source,
-        })?;
-        let foreign = |reason: String| ManifestError::Foreign {
-            path: path.clone(),
-            reason,
-        };
+        let text = crate::read_plain_text(&path)
+            .map_err(|source| ManifestError::Read { path: path.clone(), source })?;
+        let foreign = |reason: String| ManifestError::Foreign { path: path.clone(), reason };
         // Only the two marks first: a newer manifest may have another shape.
         let value: serde_json::Value =
             serde_json::from_str(&text).map_err(|e| foreign(e.to_string()))?;
@@ -352,10 +337,7 @@ impl Manifest {
         let found = value["format_version"].as_u64().unwrap_or(0);
         if found > u64::from(FORMAT_VERSION) {
             let found = u32::try_from(found).unwrap_or(u32::MAX);
-            return Err(ManifestError::Newer {
-                path: path.clone(),
-                found,
-            });
+            return Err(ManifestError::Newer { path: path.clone(), found });
         }
         serde_json::from_value(value).map_err(|e| foreign(e.to_string()))
     }
@@ -366,10 +348,8 @@ impl Manifest {
     /// Whatever the disk says.
     pub fn write(&self, folder: &Path) -> Result<(), OutputError> {
         let path = folder.join("manifest.json");
-        let mut text = serde_json::to_string_pretty(self).map_err(|e| OutputError {
-            path: path.clone(),
-            source: e.into(),
-        })?;
+        let mut text = serde_json::to_string_pretty(self)
+            .map_err(|e| OutputError { path: path.clone(), source: e.into() })?;
         text.push('\n');
         write_whole(&path, text.as_bytes())
     }
@@ -400,22 +380,12 @@ mod tests {
     #[test]
     fn round_trip_and_refusals() {
         let dir = tempfile::tempdir().unwrap();
-        assert!(matches!(
-            Manifest::read(dir.path()),
-            Err(ManifestError::Read { .. })
-        ));
+        assert!(matches!(Manifest::read(dir.path()), Err(ManifestError::Read { .. })));
         let m = Manifest {
             title: "sliding block".to_owned(),
             ended: Ended::Interrupted,
-            overrides: vec![Override {
-                key: "a.b".to_owned(),
-                value: "5 deg".to_owned(),
-            }],
-            profile: vec![StageTime {
-                name: "gather".to_owned(),
-                seconds: 0.25,
-                calls: 7,
-            }],
+            overrides: vec![Override { key: "a.b".to_owned(), value: "5 deg".to_owned() }],
+            profile: vec![StageTime { name: "gather".to_owned(), seconds: 0.25, calls: 7 }],
             machine: Machine::this(),
             ..Manifest::default()
         };
@@ -424,25 +394,13 @@ mod tests {
         let path = dir.path().join("manifest.json");
         let text = std::fs::read_to_string(&path).unwrap();
         assert!(text.contains("\"ended\": \"interrupted\""), "{text}");
-        std::fs::write(
-            &path,
-            text.replace("\"format_version\": 1", "\"format_version\": 7"),
-        )
-        .unwrap();
-        assert!(matches!(
-            Manifest::read(dir.path()),
-            Err(ManifestError::Newer { found: 7, .. })
-        ));
+        std::fs::write(&path, text.replace("\"format_version\": 1", "\"format_version\": 7"))
+            .unwrap();
+        assert!(matches!(Manifest::read(dir.path()), Err(ManifestError::Newer { found: 7, .. })));
         std::fs::write(&path, "{\"name\": \"npm\"}").unwrap();
-        assert!(matches!(
-            Manifest::read(dir.path()),
-            Err(ManifestError::Foreign { .. })
-        ));
+        assert!(matches!(Manifest::read(dir.path()), Err(ManifestError::Foreign { .. })));
         std::fs::write(&path, &text[..40]).unwrap();
-        assert!(matches!(
-            Manifest::read(dir.path()),
-            Err(ManifestError::Foreign { .. })
-        ));
+        assert!(matches!(Manifest::read(dir.path()), Err(ManifestError::Foreign { .. })));
     }
 
     #[test]
@@ -450,10 +408,7 @@ mod tests {
         let text = r#"[{"name": "a", "centre": [0, 0, -2], "mass": 8.0, "depth": 2.0},
             {"name": "b", "line": [[0, 0, 0], [0, 0, -4]], "cavity_volume": 0.5}]"#;
         let sources: Vec<Source> = serde_json::from_str(text).unwrap();
-        let m = Manifest {
-            sources: sources.clone(),
-            ..Manifest::default()
-        };
+        let m = Manifest { sources: sources.clone(), ..Manifest::default() };
         let again = serde_json::to_string(&m).unwrap();
         assert_eq!(serde_json::from_str::<Manifest>(&again).unwrap(), m);
         assert_eq!(sources[0].distance([3.0, 0.0, 2.0]), 5.0);
@@ -462,12 +417,7 @@ mod tests {
         assert_eq!(sources[1].distance([0.0, 0.0, -6.0]), 2.0);
         assert_eq!((sources[1].mass, sources[1].depth), (None, None));
         // A folder of an earlier riprap has no sources.
-        assert!(
-            serde_json::from_str::<Manifest>("{}")
-                .unwrap()
-                .sources
-                .is_empty()
-        );
+        assert!(serde_json::from_str::<Manifest>("{}").unwrap().sources.is_empty());
     }
 
     #[test]

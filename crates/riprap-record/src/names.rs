@@ -29,10 +29,7 @@ fn one() -> u32 {
     1
 }
 
-#[allow(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde asks for a reference"
-)]
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
 fn is_one(n: &u32) -> bool {
     *n == 1
 }
@@ -72,12 +69,7 @@ impl Names {
                 last.count += 1;
                 continue;
             }
-            out.blocks.push(Run {
-                first: i as u32,
-                name: base.to_owned(),
-                from: number,
-                count: 1,
-            });
+            out.blocks.push(Run { first: i as u32, name: base.to_owned(), from: number, count: 1 });
         }
         for (name, members) in groups {
             let mut blocks: Vec<[u32; 2]> = Vec::new();
@@ -161,10 +153,8 @@ impl Names {
                 return Err(NamesError { path, reason });
             }
         };
-        let names: Names = serde_json::from_str(&text).map_err(|e| NamesError {
-            path: path.clone(),
-            reason: e.to_string(),
-        })?;
+        let names: Names = serde_json::from_str(&text)
+            .map_err(|e| NamesError { path: path.clone(), reason: e.to_string() })?;
         let ordered = names.blocks.is_sorted_by_key(|r| r.first)
             && names.groups.iter().all(|g| g.blocks.is_sorted());
         if ordered {
@@ -180,10 +170,8 @@ impl Names {
     /// Whatever the disk says.
     pub fn write(&self, folder: &Path) -> Result<(), OutputError> {
         let path = folder.join(FILE);
-        let mut text = serde_json::to_string(self).map_err(|e| OutputError {
-            path: path.clone(),
-            source: e.into(),
-        })?;
+        let mut text = serde_json::to_string(self)
+            .map_err(|e| OutputError { path: path.clone(), source: e.into() })?;
         text.push('\n');
         write_whole(&path, text.as_bytes())
     }
@@ -255,11 +243,7 @@ mod tests {
         assert_eq!(Names::read(dir.path()).unwrap(), Names::default());
         sample().write(dir.path()).unwrap();
         assert_eq!(Names::read(dir.path()).unwrap(), sample());
-        for text in [
-            "{",
-            "[1]",
-            r#"{"blocks":[{"first":4,"name":"a"},{"first":0,"name":"b"}]}"#,
-        ] {
+        for text in ["{", "[1]", r#"{"blocks":[{"first":4,"name":"a"},{"first":0,"name":"b"}]}"#] {
             std::fs::write(dir.path().join(FILE), text).unwrap();
             assert!(Names::read(dir.path()).is_err(), "{text}");
         }

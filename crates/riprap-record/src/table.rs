@@ -71,10 +71,8 @@ impl Table {
     /// # Errors
     /// Unreadable files and cells that are not numbers.
     pub fn read(path: &Path) -> Result<Self, TableError> {
-        let bytes = crate::read_plain(path).map_err(|source| TableError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
+        let bytes = crate::read_plain(path)
+            .map_err(|source| TableError::Read { path: path.to_owned(), source })?;
         Self::parse(&bytes, path)
     }
 
@@ -97,30 +95,20 @@ impl Table {
     pub fn parse(bytes: &[u8], path: &Path) -> Result<Self, TableError> {
         let whole = bytes.iter().rposition(|b| *b == b'\n').map_or(0, |i| i + 1);
         let cut = whole < bytes.len();
-        let wrong = |line: usize, reason: String| TableError::Row {
-            path: path.to_owned(),
-            line,
-            reason,
-        };
-        let mut reader = csv::ReaderBuilder::new()
-            .has_headers(false)
-            .from_reader(&bytes[..whole]);
+        let wrong =
+            |line: usize, reason: String| TableError::Row { path: path.to_owned(), line, reason };
+        let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(&bytes[..whole]);
         let mut columns: Vec<Series> = Vec::new();
         for (i, record) in reader.records().enumerate() {
             let record = record.map_err(|e| wrong(i + 1, e.to_string()))?;
-            let line = record
-                .position()
-                .map_or(i + 1, |p| usize::try_from(p.line()).unwrap_or(i + 1));
+            let line =
+                record.position().map_or(i + 1, |p| usize::try_from(p.line()).unwrap_or(i + 1));
             if i == 0 {
                 columns = record
                     .iter()
                     .map(|head| {
                         let (name, unit) = split_unit(head);
-                        Series {
-                            name: name.to_owned(),
-                            unit: unit.to_owned(),
-                            values: Vec::new(),
-                        }
+                        Series { name: name.to_owned(), unit: unit.to_owned(), values: Vec::new() }
                     })
                     .collect();
                 continue;
@@ -135,11 +123,7 @@ impl Table {
                 });
             }
         }
-        Ok(Table {
-            path: path.to_owned(),
-            columns,
-            cut,
-        })
+        Ok(Table { path: path.to_owned(), columns, cut })
     }
 
     /// Finds a column by its name, or by its whole head.
@@ -148,18 +132,15 @@ impl Table {
     /// [`TableError::NoColumn`] with the nearest name and all names.
     pub fn column(&self, name: &str) -> Result<&Series, TableError> {
         let (bare, _) = split_unit(name);
-        self.columns
-            .iter()
-            .find(|c| c.name == name || c.name == bare)
-            .ok_or_else(|| {
-                let known: Vec<String> = self.columns.iter().map(|c| c.name.clone()).collect();
-                TableError::NoColumn {
-                    path: self.path.clone(),
-                    name: name.to_owned(),
-                    suggestion: nearest(bare, known.iter().map(String::as_str)).map(str::to_owned),
-                    known,
-                }
-            })
+        self.columns.iter().find(|c| c.name == name || c.name == bare).ok_or_else(|| {
+            let known: Vec<String> = self.columns.iter().map(|c| c.name.clone()).collect();
+            TableError::NoColumn {
+                path: self.path.clone(),
+                name: name.to_owned(),
+                suggestion: nearest(bare, known.iter().map(String::as_str)).map(str::to_owned),
+                known,
+            }
+        })
     }
 }
 
@@ -194,22 +175,12 @@ mod tests {
 
     #[test]
     fn errors_say_where_and_what_instead() {
-        let e = parsed("step,time [s]\n1,0.1\n2,abc\n")
-            .unwrap_err()
-            .to_string();
+        let e = parsed("step,time [s]\n1,0.1\n2,abc\n").unwrap_err().to_string();
         assert!(e.contains("line 3") && e.contains("abc"), "{e}");
-        assert!(
-            parsed("a,b\n1\n")
-                .unwrap_err()
-                .to_string()
-                .contains("line 2")
-        );
+        assert!(parsed("a,b\n1\n").unwrap_err().to_string().contains("line 2"));
         let t = parsed("step,time [s],slip [m]\n").unwrap();
         let e = t.column("slp").unwrap_err().to_string();
-        assert!(
-            e.contains("did you mean `slip`?") && e.contains("step, time, slip"),
-            "{e}"
-        );
+        assert!(e.contains("did you mean `slip`?") && e.contains("step, time, slip"), "{e}");
     }
 
     proptest! {

@@ -51,14 +51,7 @@ impl<'a> Column<'a> {
     /// A column without which a file is of no use; `usual` is the unit of one that names none.
     #[must_use]
     pub const fn needed(names: &'a [&'a str], dim: Dim, usual: &'a str) -> Self {
-        Column {
-            names,
-            dim,
-            usual: Some(usual),
-            needed: true,
-            chosen: false,
-            given: None,
-        }
+        Column { names, dim, usual: Some(usual), needed: true, chosen: false, given: None }
     }
 
     /// A column that may be missing.
@@ -141,10 +134,7 @@ impl<const N: usize> Table<N> {
             }
         }
         for (unit, names) in units {
-            words.push_str(&format!(
-                "; {} without a unit, read in {unit}",
-                names.join(", ")
-            ));
+            words.push_str(&format!("; {} without a unit, read in {unit}", names.join(", ")));
         }
         if self.decimal_comma {
             words.push_str("; commas are decimal signs");
@@ -159,10 +149,8 @@ impl<const N: usize> Table<N> {
 /// A text for the user: no plain file, too large, a column that is missing or in a wrong unit, a cell that is no finite
 /// number.
 pub fn csv_table<const N: usize>(path: &Path, columns: &[Column; N]) -> Result<Table<N>, CsvError> {
-    let bytes = plain_file::read(path, MAX_CSV_SIZE).map_err(|error| CsvError {
-        message: error.message,
-        help: error.help,
-    })?;
+    let bytes = plain_file::read(path, MAX_CSV_SIZE)
+        .map_err(|error| CsvError { message: error.message, help: error.help })?;
     parse_table(&bytes, columns).map_err(|error| CsvError {
         message: format!("`{}`, {}", path.display(), error.message),
         help: error.help,
@@ -174,10 +162,8 @@ pub fn csv_table<const N: usize>(path: &Path, columns: &[Column; N]) -> Result<T
 /// # Errors
 /// As [`csv_table`]; a row without a text there.
 pub fn csv_labels(path: &Path, name: &str) -> Result<Vec<(usize, String)>, CsvError> {
-    let bytes = plain_file::read(path, MAX_CSV_SIZE).map_err(|error| CsvError {
-        message: error.message,
-        help: error.help,
-    })?;
+    let bytes = plain_file::read(path, MAX_CSV_SIZE)
+        .map_err(|error| CsvError { message: error.message, help: error.help })?;
     labels(&bytes, name).map_err(|error| CsvError {
         message: format!("`{}`, {}", path.display(), error.message),
         help: error.help,
@@ -246,12 +232,7 @@ pub fn parse_table<const N: usize>(
             "give at least one row",
         ));
     }
-    Ok(Table {
-        columns: found,
-        lines,
-        empty: rows.empty,
-        decimal_comma: decimals.comma.is_some(),
-    })
+    Ok(Table { columns: found, lines, empty: rows.empty, decimal_comma: decimals.comma.is_some() })
 }
 
 impl Rows<'_> {
@@ -295,11 +276,7 @@ fn take_units<const N: usize>(
         }
     }
     // Cells that are all plain numbers are a row of numbers.
-    if !columns
-        .iter()
-        .zip(&factors)
-        .any(|(c, f)| c.dim != Dim::NONE && f.is_some())
-    {
+    if !columns.iter().zip(&factors).any(|(c, f)| c.dim != Dim::NONE && f.is_some()) {
         return Ok(false);
     }
     for (cell, factor) in cells.iter_mut().zip(factors) {
@@ -343,20 +320,13 @@ struct Decimals {
 
 impl Decimals {
     fn new(separator: u8) -> Self {
-        Decimals {
-            commas: separator != b',',
-            point: None,
-            comma: None,
-        }
+        Decimals { commas: separator != b',', point: None, comma: None }
     }
 
     fn number(&mut self, line: usize, name: &str, text: &str) -> Result<f64, CsvError> {
         let wrong = |what: &str, help: &str| {
             let (name, text) = (short(name), short(text));
-            CsvError::new(
-                &format!("line {line}, column `{name}`: \"{text}\" is {what}"),
-                help,
-            )
+            CsvError::new(&format!("line {line}, column `{name}`: \"{text}\" is {what}"), help)
         };
         let commas = text.matches(',').count();
         let number = match commas {
@@ -366,10 +336,7 @@ impl Decimals {
         let number = match number {
             Ok(number) if number.is_finite() => number,
             Ok(_) => {
-                return Err(wrong(
-                    "not a finite number",
-                    "correct the row, or leave it out",
-                ));
+                return Err(wrong("not a finite number", "correct the row, or leave it out"));
             }
             Err(_) if text.is_empty() => {
                 let message = format!("line {line}, column `{}`: the cell is empty", short(name));
@@ -426,9 +393,6 @@ pub struct CsvError {
 
 impl CsvError {
     fn new(message: &str, help: &str) -> Self {
-        CsvError {
-            message: message.to_owned(),
-            help: (!help.is_empty()).then(|| help.to_owned()),
-        }
+        CsvError { message: message.to_owned(), help: (!help.is_empty()).then(|| help.to_owned()) }
     }
 }

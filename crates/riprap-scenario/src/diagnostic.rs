@@ -44,10 +44,7 @@ impl Diagnostic {
 
     /// A warning without place.
     pub fn warning(code: &'static str, message: impl Into<String>) -> Self {
-        Diagnostic {
-            severity: Severity::Warning,
-            ..Self::error(code, message)
-        }
+        Diagnostic { severity: Severity::Warning, ..Self::error(code, message) }
     }
 
     /// The place it is about.
@@ -84,10 +81,7 @@ pub struct Source {
 impl Source {
     /// A text with a name.
     pub fn new(name: impl Into<String>, text: impl Into<String>) -> Self {
-        Source {
-            name: name.into(),
-            text: text.into(),
-        }
+        Source { name: name.into(), text: text.into() }
     }
 
     /// Line and column of a byte, both from 1; columns count characters.
@@ -95,10 +89,7 @@ impl Source {
         let byte = self.floor(byte);
         let before = &self.text[..byte];
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);
-        (
-            before.matches('\n').count() + 1,
-            before[line_start..].chars().count() + 1,
-        )
+        (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
     }
 
     /// The last character boundary at or before a byte.
@@ -129,10 +120,7 @@ impl Diagnostics {
 
     /// Number of errors.
     pub fn errors(&self) -> usize {
-        self.list
-            .iter()
-            .filter(|diagnostic| diagnostic.severity == Severity::Error)
-            .count()
+        self.list.iter().filter(|diagnostic| diagnostic.severity == Severity::Error).count()
     }
 
     /// Number of warnings.
@@ -158,11 +146,7 @@ impl Diagnostics {
             Severity::Warning => "warning",
         };
         // Writing to a String cannot fail.
-        let _ = writeln!(
-            out,
-            "{severity}[{}]: {}",
-            diagnostic.code, diagnostic.message
-        );
+        let _ = writeln!(out, "{severity}[{}]: {}", diagnostic.code, diagnostic.message);
         let Some(span) = &diagnostic.span else {
             let _ = writeln!(out, "  --> {}", self.source.name);
             if let Some(help) = &diagnostic.help {
@@ -178,11 +162,8 @@ impl Diagnostics {
         let _ = writeln!(out, "{gap} |");
         let _ = writeln!(out, "{number} | {shown}");
         let label = diagnostic.label.as_deref().unwrap_or_default();
-        let mark = format!(
-            "{gap} | {}{} {label}",
-            " ".repeat(mark_at),
-            "^".repeat(mark_length.max(1))
-        );
+        let mark =
+            format!("{gap} | {}{} {label}", " ".repeat(mark_at), "^".repeat(mark_length.max(1)));
         let _ = writeln!(out, "{}", mark.trim_end());
         if let Some(help) = &diagnostic.help {
             let _ = writeln!(out, "{gap} = help: {help}");
@@ -279,29 +260,18 @@ pub fn suggest<'a>(word: &str, known: impl IntoIterator<Item = &'a str> + Clone)
     match all.len() {
         0 => None,
         1..=30 => Some(format!("there is {}", list(&all))),
-        more => Some(format!(
-            "there is {}, ... ({more} in all)",
-            list(&all[..20])
-        )),
+        more => Some(format!("there is {}, ... ({more} in all)", list(&all[..20]))),
     }
 }
 
 /// "one of `a`, `b`", or "`a`" if there is only one.
 pub fn one_of(words: &[&str]) -> String {
-    if words.len() == 1 {
-        list(words)
-    } else {
-        format!("one of {}", list(words))
-    }
+    if words.len() == 1 { list(words) } else { format!("one of {}", list(words)) }
 }
 
 /// `a`, `b`, `c`
 pub fn list(words: &[&str]) -> String {
-    words
-        .iter()
-        .map(|word| format!("`{word}`"))
-        .collect::<Vec<_>>()
-        .join(", ")
+    words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
@@ -313,10 +283,7 @@ mod tests {
         let source = Source::new("a.toml", "x = 1\n\työung = \"30 deg\"\n");
         let at = source.text.find('"').unwrap();
         let list = vec![
-            Diagnostic::error("unit.dimension", "wrong")
-                .at(at..at + 8)
-                .label("angle")
-                .help("do"),
+            Diagnostic::error("unit.dimension", "wrong").at(at..at + 8).label("angle").help("do"),
         ];
         let text = Diagnostics::new(source, list).render();
         assert_eq!(
@@ -328,14 +295,8 @@ mod tests {
     #[test]
     fn the_word_that_is_meant_comes_before_the_nearest_one() {
         let known = ["friction_law", "friction_angle"];
-        assert_eq!(
-            closest("friction", known).as_deref(),
-            Some("friction_angle")
-        );
-        assert_eq!(
-            closest("friction_lw", known).as_deref(),
-            Some("friction_law")
-        );
+        assert_eq!(closest("friction", known).as_deref(), Some("friction_angle"));
+        assert_eq!(closest("friction_lw", known).as_deref(), Some("friction_law"));
         assert_eq!(closest("jkn", known), None);
     }
 
@@ -345,10 +306,7 @@ mod tests {
         for span in [
             0..0,
             1..2,
-            Range {
-                start: 99_999,
-                end: 5,
-            },
+            Range { start: 99_999, end: 5 },
             usize::MAX - 1..usize::MAX,
             200_000..200_000,
         ] {
@@ -360,18 +318,9 @@ mod tests {
     #[test]
     fn suggests_only_what_is_close() {
         let known = ["friction_angle", "cohesion", "density"];
-        assert_eq!(
-            closest("fricton_angle", known).as_deref(),
-            Some("friction_angle")
-        );
-        assert_eq!(
-            closest("friction", known).as_deref(),
-            Some("friction_angle")
-        );
+        assert_eq!(closest("fricton_angle", known).as_deref(), Some("friction_angle"));
+        assert_eq!(closest("friction", known).as_deref(), Some("friction_angle"));
         assert_eq!(closest("wall", known), None);
-        assert_eq!(
-            suggest("wall", ["a", "b"]).as_deref(),
-            Some("there is `a`, `b`")
-        );
+        assert_eq!(suggest("wall", ["a", "b"]).as_deref(), Some("there is `a`, `b`"));
     }
 }

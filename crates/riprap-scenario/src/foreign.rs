@@ -54,30 +54,20 @@ pub fn read_up_to<T>(
     most: u64,
     parse: impl FnOnce(&[u8]) -> Result<T, FileError>,
 ) -> Result<T, Refused> {
-    let bytes = plain_file::read(path, most).map_err(|error| Refused {
-        message: error.message,
-        help: error.help,
-    })?;
-    parse(&bytes).map_err(|error| Refused {
-        message: format!("`{}`, {error}", path.display()),
-        help: None,
-    })
+    let bytes = plain_file::read(path, most)
+        .map_err(|error| Refused { message: error.message, help: error.help })?;
+    parse(&bytes)
+        .map_err(|error| Refused { message: format!("`{}`, {error}", path.display()), help: None })
 }
 
 /// An error at a line, counted from 1.
 fn at_line(line: usize, text: impl Into<String>) -> FileError {
-    FileError {
-        place: Place::Line(line),
-        text: text.into(),
-    }
+    FileError { place: Place::Line(line), text: text.into() }
 }
 
 /// An error at a byte, counted from 0.
 fn at_byte(byte: usize, text: impl Into<String>) -> FileError {
-    FileError {
-        place: Place::Byte(byte),
-        text: text.into(),
-    }
+    FileError { place: Place::Byte(byte), text: text.into() }
 }
 
 /// The bytes of a text without a byte order mark, which editors on Windows put before it.

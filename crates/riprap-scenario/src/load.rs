@@ -110,19 +110,13 @@ pub(crate) fn read(path: &Path) -> Result<Source, Diagnostics> {
     // The length may be unknown (a pipe) or grow: never read more than allowed.
     let mut bytes = Vec::new();
     let file = std::fs::File::open(path).map_err(|error| cannot(&error))?;
-    file.take(MAX_SIZE + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|error| cannot(&error))?;
+    file.take(MAX_SIZE + 1).read_to_end(&mut bytes).map_err(|error| cannot(&error))?;
     if bytes.len() as u64 > MAX_SIZE {
         return Err(too_large());
     }
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        let line = error.as_bytes()[..at]
-            .iter()
-            .filter(|byte| **byte == b'\n')
-            .count()
-            + 1;
+        let line = error.as_bytes()[..at].iter().filter(|byte| **byte == b'\n').count() + 1;
         fail(
             Diagnostic::error(
                 "file.text",
@@ -155,10 +149,7 @@ pub fn parse(mut source: Source) -> Result<Parsed, Diagnostics> {
     }
     let text = source.text.as_str();
     let fail = |list| Err(Diagnostics::new(source.clone(), list));
-    let marks = text
-        .bytes()
-        .filter(|byte| b"[]{},=.\n".contains(byte))
-        .count();
+    let marks = text.bytes().filter(|byte| b"[]{},=.\n".contains(byte)).count();
     if marks > MAX_MARKS {
         let diagnostic = Diagnostic::error("file.size", "the scenario has too many values")
             .help("put long lists of points into CSV files, or let a generator make the blocks");
@@ -182,12 +173,7 @@ pub fn parse(mut source: Source) -> Result<Parsed, Diagnostics> {
             if diagnostics.errors() > 0 {
                 return Err(diagnostics);
             }
-            Ok(Parsed {
-                scenario,
-                source,
-                folder: PathBuf::new(),
-                warnings: diagnostics.list,
-            })
+            Ok(Parsed { scenario, source, folder: PathBuf::new(), warnings: diagnostics.list })
         }
         Err(error) => {
             // The validation should have found it; if not, the parser's own words must do.
@@ -220,11 +206,7 @@ pub(super) fn syntax_error(text: &str, message: &str, span: Option<Span>) -> Dia
             .help("keep one; repeated tables are written with double brackets, [[blocks]]");
     }
     // Control characters, or no equals sign at all: another kind of file, whose first error would mean nothing.
-    let odd = text
-        .chars()
-        .take(2000)
-        .filter(|c| c.is_control() && !"\t\r\n".contains(*c))
-        .count();
+    let odd = text.chars().take(2000).filter(|c| c.is_control() && !"\t\r\n".contains(*c)).count();
     if odd > 0 || !text.contains('=') && !text.trim().is_empty() {
         return Diagnostic::error("toml.syntax", format!("this is not a TOML text: {message}"))
             .at(span)
@@ -245,9 +227,7 @@ pub(super) fn syntax_error(text: &str, message: &str, span: Option<Span>) -> Dia
     } else {
         "write key = value, one on a line; values with units stand in quotes"
     };
-    Diagnostic::error("toml.syntax", format!("this is not TOML: {message}"))
-        .at(span)
-        .help(help)
+    Diagnostic::error("toml.syntax", format!("this is not TOML: {message}")).at(span).help(help)
 }
 
 impl Parsed {

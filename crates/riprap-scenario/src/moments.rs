@@ -12,10 +12,8 @@ use super::units::{self, Dim, UnitError};
 pub(crate) fn read_interval(raw: &Raw) -> Result<Every, UnitError> {
     let help =
         "write a time (\"1 ms\"), a number of steps (\"10 steps\"), \"1 phase\" or \"never\"";
-    let wrong = |message: &str| UnitError {
-        message: message.to_owned(),
-        help: Some(help.to_owned()),
-    };
+    let wrong =
+        |message: &str| UnitError { message: message.to_owned(), help: Some(help.to_owned()) };
     let Raw::Text(text) = raw else {
         return Err(wrong("a bare number: is it a time or a number of steps?"));
     };
@@ -25,18 +23,15 @@ pub(crate) fn read_interval(raw: &Raw) -> Result<Every, UnitError> {
         ["phase"] | ["1", "phase"] => Ok(Every::Phase),
         [count, "step" | "steps"] => match count.parse::<u64>() {
             Ok(count) if count > 0 => Ok(Every::Steps(count)),
-            _ => Err(wrong(
-                "the number of steps must be a whole number of at least 1",
-            )),
+            _ => Err(wrong("the number of steps must be a whole number of at least 1")),
         },
         _ => match units::parse(text) {
             Ok((time, Dim::TIME)) if time > 0.0 => Ok(Every::Time(time)),
             Ok((_, Dim::TIME)) => Err(wrong("the time between outputs must be greater than zero")),
             Ok((_, Dim::NONE)) => Err(wrong("the unit is missing")),
-            Ok((_, dim)) => Err(wrong(&format!(
-                "this is {}, an interval is expected",
-                dim.describe()
-            ))),
+            Ok((_, dim)) => {
+                Err(wrong(&format!("this is {}, an interval is expected", dim.describe())))
+            }
             // What begins with a digit was meant as a time, whose own error says more.
             Err(error) if text.starts_with(|c: char| c.is_ascii_digit()) => Err(error),
             Err(_) => Err(wrong("this is no interval")),
@@ -115,10 +110,7 @@ impl When {
         if dim == Dim::NONE {
             Err(wrong("the unit is missing"))
         } else if dim != Dim::TIME {
-            Err(wrong(&format!(
-                "this is {}, a time is expected",
-                dim.describe()
-            )))
+            Err(wrong(&format!("this is {}, a time is expected", dim.describe())))
         } else if !time.is_finite() || time < 0.0 {
             Err(wrong("a moment of the run is zero or more"))
         } else {

@@ -125,9 +125,8 @@ fn header(reader: &mut Reader) -> Result<Version, FileError> {
             }
         }
         other => {
-            return Err(reader.wrong(format!(
-                "the kind of file is {other}; it must be 0 (text) or 1 (binary)"
-            )));
+            return Err(reader
+                .wrong(format!("the kind of file is {other}; it must be 0 (text) or 1 (binary)")));
         }
     }
     reader.end("MeshFormat")?;

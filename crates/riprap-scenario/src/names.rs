@@ -50,10 +50,7 @@ impl fmt::Display for Name {
 
 impl From<&str> for Name {
     fn from(text: &str) -> Self {
-        Name {
-            text: text.to_owned(),
-            span: 0..0,
-        }
+        Name { text: text.to_owned(), span: 0..0 }
     }
 }
 
@@ -61,10 +58,7 @@ impl<'de> Deserialize<'de> for Name {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let text = toml::Spanned::<String>::deserialize(deserializer)?;
         let span = text.span();
-        Ok(Name {
-            text: text.into_inner(),
-            span,
-        })
+        Ok(Name { text: text.into_inner(), span })
     }
 }
 
@@ -116,21 +110,11 @@ impl<'de> Deserialize<'de> for Names {
         let whole = toml::Spanned::<Inner>::deserialize(deserializer)?;
         let span = whole.span();
         let place = |inner: Span| {
-            if inner.is_empty() {
-                span.clone()
-            } else {
-                inner
-            }
+            if inner.is_empty() { span.clone() } else { inner }
         };
         let names = whole.into_inner().0;
         Ok(Names(
-            names
-                .into_iter()
-                .map(|(text, inner)| Name {
-                    text,
-                    span: place(inner),
-                })
-                .collect(),
+            names.into_iter().map(|(text, inner)| Name { text, span: place(inner) }).collect(),
         ))
     }
 }
@@ -160,10 +144,7 @@ impl<T> Default for Table<T> {
 impl<T> Table<T> {
     /// The entry of that name.
     pub fn get(&self, name: &str) -> Option<&T> {
-        self.0
-            .iter()
-            .find(|(key, _)| key.text == name)
-            .map(|(_, value)| value)
+        self.0.iter().find(|(key, _)| key.text == name).map(|(_, value)| value)
     }
     /// Entries in file order.
     pub fn iter(&self) -> impl Iterator<Item = (&Name, &T)> {

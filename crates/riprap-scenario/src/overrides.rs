@@ -64,16 +64,11 @@ impl Case {
             let Some(names) = only.and_then(Value::as_array) else {
                 return true;
             };
-            names.is_empty()
-                || names
-                    .iter()
-                    .any(|name| name.as_str() == Some(&self.variant))
+            names.is_empty() || names.iter().any(|name| name.as_str() == Some(&self.variant))
         };
         if let Some(tables) = checks.as_array_of_tables_mut() {
             tables.retain(|check| own(check.get("only").and_then(Item::as_value)));
-            tables
-                .iter_mut()
-                .for_each(|check| drop(check.remove("only")));
+            tables.iter_mut().for_each(|check| drop(check.remove("only")));
         }
         // The same written in one line: `checks = [{ ... }]`.
         if let Some(list) = checks.as_array_mut() {
@@ -192,10 +187,7 @@ fn set(source: &Source, key: &str, value: &str) -> Result<DocumentMut, Diagnosti
     resolve(root.get_ref(), key).map_err(unknown)?;
     let words = split(key).map_err(unknown)?;
     let mut document = edit(source)?;
-    let value: Value = value
-        .trim()
-        .parse()
-        .unwrap_or_else(|_| Value::from(value.trim()));
+    let value: Value = value.trim().parse().unwrap_or_else(|_| Value::from(value.trim()));
     if put(document.as_item_mut(), &words, value).is_none() {
         let message = format!("cannot set `{key}`: a value stands where a table is needed");
         return Err(fail(Diagnostic::error("set.key", message)));
@@ -222,13 +214,7 @@ fn put(item: &mut Item, words: &[String], value: Value) -> Option<()> {
     if let Item::Value(Value::Array(array)) = item {
         let names: Vec<Option<Item>> = array
             .iter()
-            .map(|entry| {
-                entry
-                    .as_inline_table()?
-                    .get("name")
-                    .cloned()
-                    .map(Item::Value)
-            })
+            .map(|entry| entry.as_inline_table()?.get("name").cloned().map(Item::Value))
             .collect();
         let index = position(names.iter().map(Option::as_ref), first)?;
         let entry = array.get_mut(index)?;
@@ -289,10 +275,8 @@ pub fn cases(source: &Source, scenario: &Scenario) -> Result<Vec<Case>, Diagnost
         variants.push(("default".to_owned(), plain));
     }
     for (name, changes) in scenario.variants.iter() {
-        let changes = changes
-            .iter()
-            .map(|(key, value)| (key.text.clone(), value.to_string()))
-            .collect();
+        let changes =
+            changes.iter().map(|(key, value)| (key.text.clone(), value.to_string())).collect();
         variants.push((name.text.clone(), changes));
     }
     let mut count = variants.len();
@@ -318,11 +302,8 @@ pub fn cases(source: &Source, scenario: &Scenario) -> Result<Vec<Case>, Diagnost
         })
         .collect();
     let name_variant = cases.len() > 1;
-    let lasts: Vec<&str> = scenario
-        .sweep
-        .names()
-        .map(|key| key.rsplit('.').next().unwrap_or(key))
-        .collect();
+    let lasts: Vec<&str> =
+        scenario.sweep.names().map(|key| key.rsplit('.').next().unwrap_or(key)).collect();
     for (index, (key, values)) in scenario.sweep.iter().enumerate() {
         let last = lasts[index];
         // The last word of a key will do as long as no other swept key ends with it.
@@ -333,9 +314,7 @@ pub fn cases(source: &Source, scenario: &Scenario) -> Result<Vec<Case>, Diagnost
             .flat_map(|case| {
                 values.iter().map(move |value| {
                     let mut case = case.clone();
-                    let shown = value
-                        .as_str()
-                        .map_or_else(|| value.to_string(), str::to_owned);
+                    let shown = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
                     let part = folder_name(&format!("{label}={shown}"));
                     case.name = if index == 0 && !name_variant {
                         part
@@ -366,20 +345,10 @@ fn folder_name(text: &str) -> String {
     let kept: String = text
         .chars()
         .filter(|c| !c.is_whitespace())
-        .map(|c| {
-            if c.is_ascii_alphanumeric() || "._=+-".contains(c) {
-                c
-            } else {
-                '-'
-            }
-        })
+        .map(|c| if c.is_ascii_alphanumeric() || "._=+-".contains(c) { c } else { '-' })
         .take(120)
         .collect();
-    if kept.trim_matches('.').is_empty() {
-        "case".to_owned()
-    } else {
-        kept
-    }
+    if kept.trim_matches('.').is_empty() { "case".to_owned() } else { kept }
 }
 
 #[cfg(test)]
@@ -390,10 +359,8 @@ mod tests {
         [interfaces.default]\n[[blocks]]\nname = \"slope\"\nrectangle = { size = [\"1 m\", \"2 m\"] }\n";
 
     fn with(changes: &[(&str, &str)]) -> Result<String, String> {
-        let changes: Vec<(String, String)> = changes
-            .iter()
-            .map(|(k, v)| ((*k).to_owned(), (*v).to_owned()))
-            .collect();
+        let changes: Vec<(String, String)> =
+            changes.iter().map(|(k, v)| ((*k).to_owned(), (*v).to_owned())).collect();
         apply_overrides(&Source::new("a.toml", TEXT), &changes)
             .map(|source| source.text)
             .map_err(|diagnostics| diagnostics.render())
@@ -411,10 +378,7 @@ mod tests {
         };
         let source = Source::new("a.toml", text);
         let text = case.source(&source, &[]).unwrap().text;
-        assert_eq!(
-            text,
-            "title = \"b\"\n[[checks]]\nname = \"x\"\n[[checks]]\nname = \"z\"\n"
-        );
+        assert_eq!(text, "title = \"b\"\n[[checks]]\nname = \"x\"\n[[checks]]\nname = \"z\"\n");
         // The command line wins over the variant, a trial of a search over both.
         let set = [("title".to_owned(), "\"c\"".to_owned())];
         let text = case.source(&source, &set).unwrap().text;

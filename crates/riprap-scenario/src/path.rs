@@ -69,11 +69,7 @@ pub(super) fn resolve<'a, 'i>(
     let mut value: Option<&'a Spanned<DeValue<'i>>> = None;
     let mut walked: Vec<&str> = Vec::new();
     for word in &words {
-        let here = if walked.is_empty() {
-            "the scenario".to_owned()
-        } else {
-            walked.join(".")
-        };
+        let here = if walked.is_empty() { "the scenario".to_owned() } else { walked.join(".") };
         node = node.towards(word);
         let variants = node.variants();
         if let Some((_, schema)) = node.properties().find(|(key, _)| key == word) {
@@ -85,11 +81,8 @@ pub(super) fn resolve<'a, 'i>(
         } else if let Some(schema) = node.free_values() {
             value = table.and_then(|table| table.get(word.as_str()));
             if value.is_none() {
-                let known: Vec<&str> = table
-                    .into_iter()
-                    .flatten()
-                    .map(|(key, _)| key.get_ref().as_ref())
-                    .collect();
+                let known: Vec<&str> =
+                    table.into_iter().flatten().map(|(key, _)| key.get_ref().as_ref()).collect();
                 return Err(PathError {
                     message: format!("there is no `{}` in {here}", short(word)),
                     help: suggest(word, known),
@@ -129,10 +122,7 @@ pub(super) fn resolve<'a, 'i>(
 
 fn entry_name(entry: &Spanned<DeValue<'_>>) -> Option<String> {
     let table = entry.get_ref().as_table()?;
-    table
-        .get("name")
-        .and_then(|name| name.get_ref().as_str())
-        .map(str::to_owned)
+    table.get("name").and_then(|name| name.get_ref().as_str()).map(str::to_owned)
 }
 
 fn find_entry<'a, 'i>(
@@ -140,12 +130,8 @@ fn find_entry<'a, 'i>(
     word: &str,
 ) -> Option<&'a Spanned<DeValue<'i>>> {
     // A name first, so that an entry whose name is a number can be reached.
-    let named = entries
-        .iter()
-        .find(|entry| entry_name(entry).as_deref() == Some(word));
-    named
-        .copied()
-        .or_else(|| entries.get(word.parse::<usize>().ok()?).copied())
+    let named = entries.iter().find(|entry| entry_name(entry).as_deref() == Some(word));
+    named.copied().or_else(|| entries.get(word.parse::<usize>().ok()?).copied())
 }
 
 /// A TOML value as comparable plain data.
@@ -159,10 +145,7 @@ pub(super) fn plain(value: &DeValue<'_>) -> Option<toml::Value> {
         DeValue::Boolean(value) => toml::Value::Boolean(*value),
         DeValue::Datetime(value) => toml::Value::Datetime(*value),
         DeValue::Array(items) => toml::Value::Array(
-            items
-                .iter()
-                .map(|item| plain(item.get_ref()))
-                .collect::<Option<Vec<_>>>()?,
+            items.iter().map(|item| plain(item.get_ref())).collect::<Option<Vec<_>>>()?,
         ),
         DeValue::Table(table) => toml::Value::Table(
             table
@@ -180,10 +163,7 @@ mod tests {
     #[test]
     fn splits_keys() {
         assert_eq!(split("a.b.0").unwrap(), ["a", "b", "0"]);
-        assert_eq!(
-            split("blocks.\"wall.3\".name").unwrap(),
-            ["blocks", "wall.3", "name"]
-        );
+        assert_eq!(split("blocks.\"wall.3\".name").unwrap(), ["blocks", "wall.3", "name"]);
         for bad in ["", ".", "a..b", "a.", "a.\"b"] {
             assert!(split(bad).is_err(), "{bad}");
         }
@@ -194,18 +174,8 @@ mod tests {
         let text = "[materials.rock]\ndensity = \"1 kg/m3\"\n[[blocks]]\nname = \"slope\"\n";
         let root = DeTable::parse(text).unwrap();
         let root = root.get_ref();
-        assert!(
-            resolve(root, "materials.rock.density")
-                .unwrap()
-                .value
-                .is_some()
-        );
-        assert!(
-            resolve(root, "materials.rock.young")
-                .unwrap()
-                .value
-                .is_none()
-        );
+        assert!(resolve(root, "materials.rock.density").unwrap().value.is_some());
+        assert!(resolve(root, "materials.rock.young").unwrap().value.is_none());
         assert!(resolve(root, "blocks.slope.name").unwrap().value.is_some());
         assert!(resolve(root, "blocks.0.velocity").unwrap().value.is_none());
         let error = resolve(root, "materials.rok.density").unwrap_err();

@@ -22,10 +22,7 @@ pub(crate) struct NotRead {
 /// No such file, a folder, a pipe or a device, a file that is too large, or what the system says.
 pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, NotRead> {
     let shown = path.display();
-    let refused = |message: String, help: &str| NotRead {
-        message,
-        help: Some(help.to_owned()),
-    };
+    let refused = |message: String, help: &str| NotRead { message, help: Some(help.to_owned()) };
     let cannot = |error: io::Error| NotRead {
         help: (error.kind() == ErrorKind::NotFound)
             .then(|| "paths are seen from the folder of the scenario file".to_owned()),
@@ -51,9 +48,7 @@ pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, NotRead> {
     let file = File::open(path).map_err(cannot)?;
     plain(&file.metadata().map_err(cannot)?)?;
     let mut bytes = Vec::new();
-    file.take(most + 1)
-        .read_to_end(&mut bytes)
-        .map_err(cannot)?;
+    file.take(most + 1).read_to_end(&mut bytes).map_err(cannot)?;
     if bytes.len() as u64 > most {
         return Err(too_large(path, most));
     }

@@ -122,17 +122,8 @@ const ALL: Bounds = Bounds {
     high_closed: false,
     text: "any finite value",
 };
-const POSITIVE: Bounds = Bounds {
-    low: 0.0,
-    text: "greater than zero",
-    ..ALL
-};
-const NOT_NEGATIVE: Bounds = Bounds {
-    low: 0.0,
-    low_closed: true,
-    text: "zero or more",
-    ..ALL
-};
+const POSITIVE: Bounds = Bounds { low: 0.0, text: "greater than zero", ..ALL };
+const NOT_NEGATIVE: Bounds = Bounds { low: 0.0, low_closed: true, text: "zero or more", ..ALL };
 const RIGHT_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 
 /// The constants of a [`Kind`] as data.
@@ -333,20 +324,12 @@ pub struct Quantity<K: Kind> {
 impl<K: Kind> Quantity<K> {
     /// A quantity as it stands in the file.
     pub fn new(raw: Raw, span: Span) -> Self {
-        Quantity {
-            raw,
-            span,
-            kind: PhantomData,
-        }
+        Quantity { raw, span, kind: PhantomData }
     }
 
     /// A quantity from text, at no place; for tests and defaults.
     pub fn from_text(text: &str) -> Self {
-        Quantity {
-            raw: Raw::Text(text.to_owned()),
-            span: 0..0,
-            kind: PhantomData,
-        }
+        Quantity { raw: Raw::Text(text.to_owned()), span: 0..0, kind: PhantomData }
     }
 
     /// SI value and dimension without looking at the range. A bare number has dimension `None`:
@@ -414,11 +397,7 @@ impl<'de, K: Kind> Deserialize<'de> for Quantity<K> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let raw = toml::Spanned::<Raw>::deserialize(deserializer)?;
         let span = raw.span();
-        Ok(Quantity {
-            raw: raw.into_inner(),
-            span,
-            kind: PhantomData,
-        })
+        Ok(Quantity { raw: raw.into_inner(), span, kind: PhantomData })
     }
 }
 
@@ -436,10 +415,7 @@ fn quantity_schema<K: Kind>() -> Schema {
         Some(dim) if dim == Dim::NONE => format!("A number without unit, {}.", K::BOUNDS.text),
         Some(_) => {
             let other = K::SPATIAL.map_or_else(String::new, |other| {
-                format!(
-                    " In [space.spatial] {}, for example \"{}\".",
-                    other.what, other.example
-                )
+                format!(" In [space.spatial] {}, for example \"{}\".", other.what, other.example)
             });
             format!(
                 "{}, for example \"{}\"; {}.{other}",
@@ -455,18 +431,10 @@ fn quantity_schema<K: Kind>() -> Schema {
     // Of bare numbers, which are SI; in texts the unit decides.
     for (end, closed, word, open_word) in [
         (bounds.low, bounds.low_closed, "minimum", "exclusiveMinimum"),
-        (
-            bounds.high,
-            bounds.high_closed,
-            "maximum",
-            "exclusiveMaximum",
-        ),
+        (bounds.high, bounds.high_closed, "maximum", "exclusiveMaximum"),
     ] {
         if end.is_finite() {
-            schema.insert(
-                (if closed { word } else { open_word }).to_owned(),
-                end.into(),
-            );
+            schema.insert((if closed { word } else { open_word }).to_owned(), end.into());
         }
     }
     schema
@@ -475,9 +443,7 @@ fn quantity_schema<K: Kind>() -> Schema {
 /// First letter in upper case.
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 #[cfg(test)]
@@ -490,14 +456,8 @@ mod tests {
             let words = ["minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum"];
             words.map(|word| schema.get(word).and_then(serde_json::Value::as_f64))
         };
-        assert_eq!(
-            range(quantity_schema::<Poisson>()),
-            [None, Some(-1.0), None, Some(0.5)]
-        );
-        assert_eq!(
-            range(quantity_schema::<Share>()),
-            [None, Some(0.0), Some(1.0), None]
-        );
+        assert_eq!(range(quantity_schema::<Poisson>()), [None, Some(-1.0), None, Some(0.5)]);
+        assert_eq!(range(quantity_schema::<Share>()), [None, Some(0.0), Some(1.0), None]);
         assert_eq!(
             range(quantity_schema::<FrictionAngle>()),
             [Some(0.0), None, None, Some(RIGHT_ANGLE)]

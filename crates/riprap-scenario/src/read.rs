@@ -60,11 +60,7 @@ pub fn with_unit(value: f64, unit: &str) -> String {
         let text = format!("{value:.6}");
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     };
-    if unit.is_empty() || unit == "-" {
-        number
-    } else {
-        format!("{number} {unit}")
-    }
+    if unit.is_empty() || unit == "-" { number } else { format!("{number} {unit}") }
 }
 
 /// A value in the unit of its kind; angles in degrees.
@@ -94,22 +90,12 @@ impl<'a, T> Read<'a, T> {
         explained: &'a mut Vec<Explained>,
     ) -> Self {
         let path = path.into();
-        Read {
-            said,
-            space,
-            path,
-            explained,
-        }
+        Read { said, space, path, explained }
     }
 
     /// A table within this one.
     pub fn within<'b, U>(&'b mut self, word: &str, said: &'b U) -> Read<'b, U> {
-        Read::new(
-            said,
-            self.space,
-            format!("{}.{word}", self.path),
-            self.explained,
-        )
+        Read::new(said, self.space, format!("{}.{word}", self.path), self.explained)
     }
 
     /// What the file says.
@@ -126,17 +112,9 @@ impl<'a, T> Read<'a, T> {
 
     /// Writes down a value of this table.
     pub fn note(&mut self, word: &str, value: impl Into<String>, from: Provenance, why: &str) {
-        let key = if self.path.is_empty() {
-            word.to_owned()
-        } else {
-            format!("{}.{word}", self.path)
-        };
-        self.explained.push(Explained {
-            key,
-            value: value.into(),
-            from,
-            why: why.to_owned(),
-        });
+        let key =
+            if self.path.is_empty() { word.to_owned() } else { format!("{}.{word}", self.path) };
+        self.explained.push(Explained { key, value: value.into(), from, why: why.to_owned() });
     }
 
     /// Says how the value that was written down last was derived, or what it means.
@@ -293,11 +271,7 @@ impl TableSchema {
         if let Some(of) = change_of {
             head.insert("x-change-of".to_owned(), json!(of));
         }
-        TableSchema {
-            head,
-            keys: Map::new(),
-            required: Vec::new(),
-        }
+        TableSchema { head, keys: Map::new(), required: Vec::new() }
     }
 
     pub(crate) fn key(&mut self, key: KeySchema) {
@@ -327,11 +301,9 @@ impl TableSchema {
     }
 
     pub(crate) fn finish(mut self) -> Schema {
-        self.head
-            .insert("properties".to_owned(), Value::Object(self.keys));
+        self.head.insert("properties".to_owned(), Value::Object(self.keys));
         if !self.required.is_empty() {
-            self.head
-                .insert("required".to_owned(), json!(self.required));
+            self.head.insert("required".to_owned(), json!(self.required));
         }
         Schema::from(self.head)
     }
@@ -353,10 +325,9 @@ mod tests {
 
     /// (defaults checked, wrong ones).
     fn look(schema: &Value, found: &mut (usize, Vec<String>)) {
-        if let (Some(defaults), Some(kind)) = (
-            schema.get("x-default").and_then(Value::as_array),
-            of_kind(schema),
-        ) {
+        if let (Some(defaults), Some(kind)) =
+            (schema.get("x-default").and_then(Value::as_array), of_kind(schema))
+        {
             for text in defaults.iter().filter_map(Value::as_str) {
                 found.0 += 1;
                 let raw = Raw::Text(text.to_owned());
@@ -433,19 +404,10 @@ mod tests {
         assert!(toml::from_str::<InterfaceChange>("elastic = true").is_err());
         let schema = schema();
         let of = |name: &str, key: &str| schema["$defs"][name]["properties"][key].clone();
-        let keys = schema["$defs"]["InterfaceChange"]["properties"]
-            .as_object()
-            .unwrap();
+        let keys = schema["$defs"]["InterfaceChange"]["properties"].as_object().unwrap();
         for key in keys.keys() {
-            assert_eq!(
-                of("InterfaceChange", key)["anyOf"],
-                of("Interface", key)["anyOf"],
-                "{key}"
-            );
-            assert!(
-                of("InterfaceChange", key).get("x-default").is_none(),
-                "{key}"
-            );
+            assert_eq!(of("InterfaceChange", key)["anyOf"], of("Interface", key)["anyOf"], "{key}");
+            assert!(of("InterfaceChange", key).get("x-default").is_none(), "{key}");
         }
         let text = of("Interface", "cohesion")["description"].clone();
         assert_eq!(text, "Cohesion, Pa. Default 0 Pa.");

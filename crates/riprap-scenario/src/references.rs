@@ -16,26 +16,12 @@ pub const NO_WATER: &str = "none";
 
 /// What stands for nothing, or twice.
 pub(super) fn check(scenario: &Scenario, root: &DeTable<'_>, found: &mut Vec<Diagnostic>) {
-    let blocks: BTreeMap<&str, bool> = scenario
-        .blocks
-        .iter()
-        .map(|block| (block.name.as_str(), block.is_generator()))
-        .collect();
+    let blocks: BTreeMap<&str, bool> =
+        scenario.blocks.iter().map(|block| (block.name.as_str(), block.is_generator())).collect();
     let mut groups: BTreeSet<&str> = blocks.keys().copied().collect();
-    groups.extend(
-        scenario
-            .blocks
-            .iter()
-            .flat_map(|block| &block.groups)
-            .map(Name::as_str),
-    );
+    groups.extend(scenario.blocks.iter().flat_map(|block| &block.groups).map(Name::as_str));
     groups.extend(scenario.groups.names());
-    let mut references = References {
-        scenario,
-        blocks,
-        groups,
-        found,
-    };
+    let mut references = References { scenario, blocks, groups, found };
     references.unique();
     references.materials();
     references.targets();
@@ -123,15 +109,8 @@ impl<'a> References<'a> {
     fn materials(&mut self) {
         let scenario = self.scenario;
         let known: BTreeSet<&str> = scenario.materials.names().collect();
-        let between = scenario
-            .interfaces
-            .iter()
-            .filter_map(|(_, one)| one.between.as_ref());
-        let used = scenario
-            .blocks
-            .iter()
-            .map(|block| &block.material)
-            .chain(between.flatten());
+        let between = scenario.interfaces.iter().filter_map(|(_, one)| one.between.as_ref());
+        let used = scenario.blocks.iter().map(|block| &block.material).chain(between.flatten());
         for name in used {
             if !known.contains(name.as_str()) {
                 self.unknown("material", name, known.iter().copied());
@@ -159,11 +138,7 @@ impl<'a> References<'a> {
     /// Whether it is a group, or may be one: the groups of meshes and drawings are in their files, and the model looks there.
     fn is_group(&self, name: &str) -> bool {
         self.groups.contains(name)
-            || self
-                .scenario
-                .blocks
-                .iter()
-                .any(|b| b.mesh.is_some() || b.polygons.is_some())
+            || self.scenario.blocks.iter().any(|b| b.mesh.is_some() || b.polygons.is_some())
     }
 
     fn block_or_group(&mut self, name: &Name) {
@@ -241,11 +216,7 @@ impl<'a> References<'a> {
         let scenario = self.scenario;
         for (name, group) in scenario.groups.iter() {
             if let Some(&many) = self.blocks.get(name.as_str()) {
-                let what = if many {
-                    "a generator of blocks"
-                } else {
-                    "a block"
-                };
+                let what = if many { "a generator of blocks" } else { "a block" };
                 let message = format!("`{}` is the name of {what} already", short(&name.text));
                 self.found.push(
                     Diagnostic::error("name.twice", message)
@@ -346,11 +317,8 @@ impl<'a> References<'a> {
             self.of(check.of.as_ref());
             for name in &check.only {
                 if name.as_str() != "default" && scenario.variants.get(name.as_str()).is_none() {
-                    let known: Vec<&str> = scenario
-                        .variants
-                        .names()
-                        .chain(std::iter::once("default"))
-                        .collect();
+                    let known: Vec<&str> =
+                        scenario.variants.names().chain(std::iter::once("default")).collect();
                     self.unknown("variant", name, known);
                 }
             }

@@ -64,10 +64,7 @@ fn lost(source: &Source, key: &str, value: &str) -> Option<Diagnostic> {
     key_by_key(&new, key, levels, &mut instead);
     Some(match &instead[..] {
         [] => warning,
-        _ => warning.help(format!(
-            "to keep them write key by key: {}",
-            instead.join(", ")
-        )),
+        _ => warning.help(format!("to keep them write key by key: {}", instead.join(", "))),
     })
 }
 
@@ -121,26 +118,11 @@ mod tests {
         };
         let said = of("interfaces.default", "{ friction_angle = \"20 deg\" }");
         assert_eq!(said.len(), 1);
-        assert!(
-            said[0].contains("`normal_stiffness` of the scene falls away"),
-            "{said:?}"
-        );
-        assert!(
-            said[0].contains("\"interfaces.default.friction_angle\" = \"20 deg\""),
-            "{said:?}"
-        );
-        let bare = of(
-            "interfaces",
-            "{ default = { friction_angle = \"20 deg\" } }",
-        );
-        assert!(
-            bare[0].contains("`default.normal_stiffness` of the scene falls"),
-            "{bare:?}"
-        );
-        assert!(
-            bare[0].contains("\"interfaces.default.friction_angle\" = \"20 deg\""),
-            "{bare:?}"
-        );
+        assert!(said[0].contains("`normal_stiffness` of the scene falls away"), "{said:?}");
+        assert!(said[0].contains("\"interfaces.default.friction_angle\" = \"20 deg\""), "{said:?}");
+        let bare = of("interfaces", "{ default = { friction_angle = \"20 deg\" } }");
+        assert!(bare[0].contains("`default.normal_stiffness` of the scene falls"), "{bare:?}");
+        assert!(bare[0].contains("\"interfaces.default.friction_angle\" = \"20 deg\""), "{bare:?}");
         for (key, value) in [
             ("interfaces.default.friction_angle", "\"20 deg\""),
             (

@@ -137,10 +137,7 @@ fn wrong_dimension(
         // Force per volume has the dimension of pressure per length.
         (Dim::DENSITY, Dim::STIFFNESS_PER_AREA) => (
             label("a unit weight (force per volume)"),
-            format!(
-                "divide it by 9.81 m/s2: {key} = \"{:.0} kg/m3\"",
-                value / 9.81
-            ),
+            format!("divide it by 9.81 m/s2: {key} = \"{:.0} kg/m3\"", value / 9.81),
         ),
         (Dim::STIFFNESS_PER_AREA, Dim::PRESSURE) => (
             label("a modulus or pressure"),
@@ -150,10 +147,9 @@ fn wrong_dimension(
             label("the stiffness of a single spring (force per length)"),
             format!("divide it by the area on which the spring acts: {example}"),
         ),
-        (Dim::PRESSURE, Dim::STIFFNESS_PER_AREA) => (
-            label("a pressure per length"),
-            format!("without the \"/m\": {example}"),
-        ),
+        (Dim::PRESSURE, Dim::STIFFNESS_PER_AREA) => {
+            (label("a pressure per length"), format!("without the \"/m\": {example}"))
+        }
         (Dim::FORCE_PER_LENGTH, Dim::FORCE) => (
             label("a force"),
             format!("in two dimensions forces are per metre of thickness: {example}"),
@@ -162,18 +158,15 @@ fn wrong_dimension(
             label("an energy or moment"),
             format!("in two dimensions it is per metre of thickness: {example}"),
         ),
-        (Dim::ACCELERATION, Dim::MASS) if unit == "g" => (
-            label("a mass: g is gram"),
-            format!("write accelerations in m/s2: {example}"),
-        ),
-        (Dim::SPIN, Dim::RATE) => (
-            label("a rate (1 per time)"),
-            format!("say which angle: {example}"),
-        ),
-        (Dim::RATE, Dim::SPIN) => (
-            label("a spin (angle per time)"),
-            format!("count full waves: {example}"),
-        ),
+        (Dim::ACCELERATION, Dim::MASS) if unit == "g" => {
+            (label("a mass: g is gram"), format!("write accelerations in m/s2: {example}"))
+        }
+        (Dim::SPIN, Dim::RATE) => {
+            (label("a rate (1 per time)"), format!("say which angle: {example}"))
+        }
+        (Dim::RATE, Dim::SPIN) => {
+            (label("a spin (angle per time)"), format!("count full waves: {example}"))
+        }
         _ => (label(&dim.describe()), format!("write {example}")),
     }
 }

@@ -78,54 +78,21 @@ impl FormInfo {
 }
 
 const fn single() -> Accepts {
-    Accepts {
-        single: true,
-        list: 0,
-    }
+    Accepts { single: true, list: 0 }
 }
 
 const fn list(list: usize) -> Accepts {
-    Accepts {
-        single: false,
-        list,
-    }
+    Accepts { single: false, list }
 }
 
 /// All forms.
 pub const FORMS: &[FormInfo] = &[
-    FormInfo {
-        name: "Vector",
-        planar: list(2),
-        spatial: list(3),
-    },
-    FormInfo {
-        name: "Axial",
-        planar: single(),
-        spatial: list(3),
-    },
-    FormInfo {
-        name: "Down",
-        planar: list(2),
-        spatial: Accepts {
-            single: true,
-            list: 3,
-        },
-    },
-    FormInfo {
-        name: "Tensor",
-        planar: list(3),
-        spatial: list(6),
-    },
-    FormInfo {
-        name: "Moments",
-        planar: single(),
-        spatial: list(6),
-    },
-    FormInfo {
-        name: "Direction",
-        planar: single(),
-        spatial: list(3),
-    },
+    FormInfo { name: "Vector", planar: list(2), spatial: list(3) },
+    FormInfo { name: "Axial", planar: single(), spatial: list(3) },
+    FormInfo { name: "Down", planar: list(2), spatial: Accepts { single: true, list: 3 } },
+    FormInfo { name: "Tensor", planar: list(3), spatial: list(6) },
+    FormInfo { name: "Moments", planar: single(), spatial: list(6) },
+    FormInfo { name: "Direction", planar: single(), spatial: list(3) },
 ];
 
 /// A form as a type.
@@ -195,12 +162,7 @@ pub struct Components<K: Kind, F: Form> {
 impl<K: Kind, F: Form> Components<K, F> {
     /// A list of values.
     pub fn list(items: Vec<Quantity<K>>, span: Span) -> Self {
-        Components {
-            items,
-            is_single: false,
-            span,
-            form: PhantomData,
-        }
+        Components { items, is_single: false, span, form: PhantomData }
     }
 
     fn part(&self, k: usize) -> f64 {
@@ -239,11 +201,7 @@ impl<K: Kind, F: Form> Components<K, F> {
 
 fn raw<K: Kind>(items: &[Quantity<K>], is_single: bool) -> String {
     let words: Vec<String> = items.iter().map(|item| item.raw.to_string()).collect();
-    if is_single {
-        words.join("")
-    } else {
-        format!("[{}]", words.join(", "))
-    }
+    if is_single { words.join("") } else { format!("[{}]", words.join(", ")) }
 }
 
 /// What stands in the text: a single value or a list.
@@ -292,12 +250,7 @@ impl<'de, K: Kind, F: Form> Deserialize<'de> for Components<K, F> {
             Either::Single(raw, _) => (vec![Quantity::new(raw, span.clone())], true),
             Either::List(items) => (items, false),
         };
-        Ok(Components {
-            items,
-            is_single,
-            span,
-            form: PhantomData,
-        })
+        Ok(Components { items, is_single, span, form: PhantomData })
     }
 }
 
@@ -381,10 +334,8 @@ impl JsonSchema for Direction {
         Cow::Borrowed("Direction_Angle")
     }
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let (angle, plain) = (
-            generator.subschema_for::<Angle>(),
-            generator.subschema_for::<Plain>(),
-        );
+        let (angle, plain) =
+            (generator.subschema_for::<Angle>(), generator.subschema_for::<Plain>());
         form_schema("Direction", angle, plain)
     }
 }

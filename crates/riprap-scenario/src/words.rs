@@ -24,10 +24,7 @@ impl Word for Name {
     const NAME: &'static str = "Name";
     const WORDS: &'static [(&'static str, &'static str)] = &[];
     fn read(text: &str, span: &Span) -> Option<Self> {
-        Some(Name {
-            text: text.to_owned(),
-            span: span.clone(),
-        })
+        Some(Name { text: text.to_owned(), span: span.clone() })
     }
 }
 
@@ -127,10 +124,7 @@ impl<'de, W: Word> Deserialize<'de> for OneWord<W> {
         let span = text.span();
         match W::read(text.get_ref(), &span) {
             Some(word) => Ok(OneWord(word, span)),
-            None => Err(D::Error::custom(format!(
-                "`{}` is not possible here",
-                text.get_ref()
-            ))),
+            None => Err(D::Error::custom(format!("`{}` is not possible here", text.get_ref()))),
         }
     }
 }

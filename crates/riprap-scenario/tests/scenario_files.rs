@@ -11,19 +11,14 @@ use riprap_scenario::diagnostic::{Diagnostics, Source};
 use riprap_scenario::{apply_overrides, cases, load, parse};
 
 fn folder(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/scenarios")
-        .join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenarios").join(name)
 }
 
 fn toml_files(name: &str) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = fs::read_dir(folder(name))
         .unwrap()
         .map(|entry| entry.unwrap().path())
-        .filter(|path| {
-            path.extension()
-                .is_some_and(|extension| extension == "toml")
-        })
+        .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
         .collect();
     files.sort();
     files
@@ -90,25 +85,15 @@ fn bad_files_are_refused_with_their_message() {
         };
         for (line, expected) in wanted {
             let found = diagnostics.list.iter().any(|one| {
-                let at = one
-                    .span
-                    .as_ref()
-                    .map(|span| diagnostics.source.line_column(span.start).0);
-                let alone = Diagnostics {
-                    source: diagnostics.source.clone(),
-                    list: vec![one.clone()],
-                };
+                let at = one.span.as_ref().map(|span| diagnostics.source.line_column(span.start).0);
+                let alone =
+                    Diagnostics { source: diagnostics.source.clone(), list: vec![one.clone()] };
                 // A remark about the whole file has no line.
                 (line == 0 || at == Some(line) || at.is_none())
-                    && alone
-                        .render()
-                        .replace(&format!("#^ {expected}"), "")
-                        .contains(&expected)
+                    && alone.render().replace(&format!("#^ {expected}"), "").contains(&expected)
             });
             if !found {
-                wrong.push(format!(
-                    "{name}: not \"{expected}\" at line {line}\n{diagnostics}"
-                ));
+                wrong.push(format!("{name}: not \"{expected}\" at line {line}\n{diagnostics}"));
             }
         }
     }
@@ -119,11 +104,7 @@ fn bad_files_are_refused_with_their_message() {
 fn bad_files_have_few_remarks() {
     for path in toml_files("bad") {
         if let Err(diagnostics) = load(&path, &[]) {
-            assert!(
-                diagnostics.list.len() <= 4,
-                "{}\n{diagnostics}",
-                path.display()
-            );
+            assert!(diagnostics.list.len() <= 4, "{}\n{diagnostics}", path.display());
         }
     }
 }
@@ -139,11 +120,7 @@ fn refused(bytes: &[u8]) -> String {
     fs::write(&path, bytes).unwrap();
     let start = Instant::now();
     let message = load(&path, &[]).expect_err("should be refused").render();
-    assert!(
-        start.elapsed() < Duration::from_secs(20),
-        "{:?}: {message}",
-        start.elapsed()
-    );
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}: {message}", start.elapsed());
     assert!(message.len() < 20_000, "{} bytes of message", message.len());
     message
 }
@@ -164,9 +141,7 @@ fn a_file_of_100_mb_is_refused_without_reading_it() {
 
 #[test]
 fn what_is_no_scenario_is_refused() {
-    let missing = load(Path::new("/nowhere/x.toml"), &[])
-        .unwrap_err()
-        .render();
+    let missing = load(Path::new("/nowhere/x.toml"), &[]).unwrap_err().render();
     assert!(missing.contains("cannot read the file"), "{missing}");
     let directory = load(&std::env::temp_dir(), &[]).unwrap_err().render();
     assert!(directory.contains("this is a folder"), "{directory}");
@@ -211,26 +186,14 @@ fn long_lines_are_refused_with_short_messages() {
     refused(megabyte.as_bytes());
     refused(format!("title = \"{megabyte}").as_bytes());
     refused(format!("{megabyte} = 1\n").as_bytes());
+    refused(slope().replace("\"30 deg\"", &format!("\"{megabyte}\"")).as_bytes());
+    refused(slope().replace("name = \"block\"", &format!("name = \"{megabyte}\"")).as_bytes());
     refused(
-        slope()
-            .replace("\"30 deg\"", &format!("\"{megabyte}\""))
-            .as_bytes(),
-    );
-    refused(
-        slope()
-            .replace("name = \"block\"", &format!("name = \"{megabyte}\""))
-            .as_bytes(),
-    );
-    refused(
-        slope()
-            .replace("material = \"rock\"", &format!("material = \"{megabyte}\""))
-            .as_bytes(),
+        slope().replace("material = \"rock\"", &format!("material = \"{megabyte}\"")).as_bytes(),
     );
     let many = format!("{}oops = 1\n", "# a\n".repeat(100_000));
     refused(many.as_bytes());
-    let unknown: String = (0..100_000)
-        .map(|index| format!("k{index} = 1\n"))
-        .collect();
+    let unknown: String = (0..100_000).map(|index| format!("k{index} = 1\n")).collect();
     refused(unknown.as_bytes());
     let points = "[\"0 m\", \"0\"], ".repeat(100_000);
     refused(slope().replace("[\"10 m\", \"0 m\"],", &points).as_bytes());
@@ -250,11 +213,7 @@ fn many_blocks_take_no_time_beyond_their_number() {
     let parsed = parse(Source::new("a.toml", text)).unwrap();
     assert_eq!(parsed.scenario.blocks.len(), 20_002);
     // Seconds at most; a search through all names for each name would take minutes.
-    assert!(
-        start.elapsed() < Duration::from_secs(20),
-        "{:?}",
-        start.elapsed()
-    );
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
     let message = refused("[".repeat(8 << 20).as_bytes());
     assert!(message.contains("too many values"), "{message}");
 }
@@ -267,20 +226,11 @@ fn a_long_formula_is_refused() {
             + formula
             + "\"\n"
     };
-    for formula in [
-        "(".repeat(100_000),
-        "-".repeat(100_000),
-        "sin(".repeat(1_000),
-    ] {
+    for formula in ["(".repeat(100_000), "-".repeat(100_000), "sin(".repeat(1_000)] {
         assert!(refused(text(&formula).as_bytes()).contains("formula"));
     }
     // Short enough to reach the parser of formulas.
-    for formula in [
-        "-".repeat(1_900),
-        "sin ".repeat(450),
-        "1+".repeat(900),
-        "2^".repeat(900),
-    ] {
+    for formula in ["-".repeat(1_900), "sin ".repeat(450), "1+".repeat(900), "2^".repeat(900)] {
         let _ = parse(Source::new("a.toml", text(&formula)));
     }
 }
@@ -294,9 +244,7 @@ fn a_sweep_cannot_explode() {
             values.join(", ")
         );
     let parsed = parse(Source::new("a.toml", text)).unwrap();
-    let error = cases(&parsed.source, &parsed.scenario)
-        .unwrap_err()
-        .render();
+    let error = cases(&parsed.source, &parsed.scenario).unwrap_err().render();
     assert!(error.contains("more than 1000 cases"), "{error}");
 }
 
@@ -334,22 +282,11 @@ fn overrides_reach_the_scenario() {
     let path = folder("good").join("slope.toml");
     let set = |key: &str, value: &str| load(&path, &[(key.to_owned(), value.to_owned())]);
     let parsed = set("interfaces.default.friction_angle", "10 deg").unwrap();
-    let angle = parsed
-        .scenario
-        .interfaces
-        .get("default")
-        .unwrap()
-        .friction_angle
-        .as_ref()
-        .unwrap();
+    let angle = parsed.scenario.interfaces.get("default").unwrap().friction_angle.as_ref().unwrap();
     assert!((angle.si() - 10.0_f64.to_radians()).abs() < 1e-15);
-    let error = set("interfaces.default.friction_angle", "10")
-        .unwrap_err()
-        .render();
+    let error = set("interfaces.default.friction_angle", "10").unwrap_err().render();
     assert!(error.contains("has no unit"), "{error}");
-    let error = set("interfaces.default.frction_angle", "10 deg")
-        .unwrap_err()
-        .render();
+    let error = set("interfaces.default.frction_angle", "10 deg").unwrap_err().render();
     assert!(error.contains("did you mean `friction_angle`?"), "{error}");
     assert!(set("phases.slide.time_step", "10 us").is_ok());
     assert!(set("blocks.block.rectangle.size.0", "2 m").is_ok());

@@ -296,15 +296,9 @@ mod tests {
             Anchor::Block { block: 0, arm },
             Anchor::Block { block: 1, arm },
             Anchor::node(4),
-            Anchor::Nodes {
-                nodes: [1, 5, 2],
-                weights: [0.2, 0.5, 0.3],
-            },
+            Anchor::Nodes { nodes: [1, 5, 2], weights: [0.2, 0.5, 0.3] },
         ] {
-            let mut to = Account {
-                blocks: vec![Wrench::default(); 2],
-                nodes: vec![[0.0; 3]; 6],
-            };
+            let mut to = Account { blocks: vec![Wrench::default(); 2], nodes: vec![[0.0; 3]; 6] };
             freedoms.push(&mut to, &anchor, f);
             let on_blocks = (0..2).map(|b| to.blocks[b].power(bodies.velocity(b), bodies.spin(b)));
             let on_nodes = to.nodes.iter().zip(&velocity);
@@ -318,39 +312,21 @@ mod tests {
     #[test]
     fn a_force_in_a_tetrahedron_does_the_work_of_its_nodes() {
         let (bodies, turned, nodes) = moving();
-        let freedoms = Freedoms {
-            bodies: &bodies,
-            turned: &turned,
-            displacement: &nodes,
-            velocity: &nodes,
-        };
-        let inside = Inside::Tetrahedron {
-            nodes: [5, 0, 3, 2],
-            weights: [0.1, 0.4, 0.3, 0.2],
-        };
-        let mut to = Account {
-            blocks: Vec::new(),
-            nodes: vec![[0.0; 3]; 6],
-        };
+        let freedoms =
+            Freedoms { bodies: &bodies, turned: &turned, displacement: &nodes, velocity: &nodes };
+        let inside = Inside::Tetrahedron { nodes: [5, 0, 3, 2], weights: [0.1, 0.4, 0.3, 0.2] };
+        let mut to = Account { blocks: Vec::new(), nodes: vec![[0.0; 3]; 6] };
         let force = Vec3::new(2.0, -7.0, 1.0);
         freedoms.push_inside(&mut to, &inside, force);
         let each = to.nodes.iter().zip(&nodes);
-        let work: f64 = each
-            .map(|(f, u)| Vec3::from_array(*f).dot(Vec3::from_array(*u)))
-            .sum();
+        let work: f64 = each.map(|(f, u)| Vec3::from_array(*f).dot(Vec3::from_array(*u))).sum();
         assert!((work - force.dot(freedoms.displacement_inside(&inside))).abs() < 1e-14);
         let sum: Vec3 = to.nodes.iter().map(|f| Vec3::from_array(*f)).sum();
         assert!((sum - force).length() < 1e-14);
         // In a rigid block it is the point of an anchor.
         let arm = Vec3::new(0.7, 0.2, -0.4);
-        let (inside, anchor) = (
-            Inside::Block { block: 1, arm },
-            Anchor::Block { block: 1, arm },
-        );
-        assert_eq!(
-            freedoms.displacement_inside(&inside),
-            freedoms.displacement(&anchor)
-        );
+        let (inside, anchor) = (Inside::Block { block: 1, arm }, Anchor::Block { block: 1, arm });
+        assert_eq!(freedoms.displacement_inside(&inside), freedoms.displacement(&anchor));
     }
 
     #[test]
@@ -359,13 +335,8 @@ mod tests {
         let arm = Vec3::new(0.7, 0.2, -0.4);
         for anchor in [Anchor::Block { block: 0, arm }, Anchor::node(3)] {
             let at = |bodies: &Bodies, nodes: &[[f64; 3]]| {
-                Freedoms {
-                    bodies,
-                    turned: &turned,
-                    displacement: nodes,
-                    velocity: &[],
-                }
-                .displacement(&anchor)
+                Freedoms { bodies, turned: &turned, displacement: nodes, velocity: &[] }
+                    .displacement(&anchor)
             };
             let before = at(&bodies, &nodes);
             let freedoms = Freedoms {

@@ -50,11 +50,7 @@ impl Bound {
     pub(crate) fn spin(&self, given: Vec3, momentum: Vec3) -> Vec3 {
         let given = self.axes() * given;
         let mut right = momentum - self.inertia * given;
-        let mut columns = [
-            self.inertia.col(0),
-            self.inertia.col(1),
-            self.inertia.col(2),
-        ];
+        let mut columns = [self.inertia.col(0), self.inertia.col(1), self.inertia.col(2)];
         for k in (0..3).filter(|k| self.held[*k]) {
             for (l, column) in columns.iter_mut().enumerate() {
                 column[k] = 0.0;
@@ -84,10 +80,7 @@ impl Bound {
         let mut last = f64::INFINITY;
         for _ in 0..if self.held == [true; 3] { 0 } else { ROUNDS } {
             let middle = rotation(0.5 * dt * spin) * attitude;
-            let there = Self {
-                inertia: turned_inertia(inertia, middle),
-                ..*self
-            };
+            let there = Self { inertia: turned_inertia(inertia, middle), ..*self };
             let next = there.spin(start, momentum);
             let change = (next - spin).length();
             spin = next;
@@ -115,21 +108,14 @@ mod tests {
     }
 
     fn held(rotation: [bool; 3]) -> Motion {
-        Motion::Fixed {
-            translation: [true; 3],
-            rotation,
-        }
+        Motion::Fixed { translation: [true; 3], rotation }
     }
 
     #[test]
     fn the_free_spin_follows_the_free_part_of_the_inertia() {
         let (brick, q) = tilted();
         let inertia = turned_inertia(&brick, q);
-        for rotation in [
-            [true, false, true],
-            [false, false, true],
-            [false, true, false],
-        ] {
+        for rotation in [[true, false, true], [false, false, true], [false, true, false]] {
             let bound = Bound::of(&held(rotation), inertia).expect("something is held");
             assert!(bound.couples());
             let (given, momentum) = (Vec3::new(0.3, -0.2, 0.7), Vec3::new(5.0, 100.0, -30.0));

@@ -183,18 +183,14 @@ impl Dashpots {
     }
 
     fn times(&self, rates: &[f64; 6]) -> [f64; 6] {
-        self.matrix
-            .map(|row| (0..6).map(|k| row[k] * rates[k]).sum::<f64>())
+        self.matrix.map(|row| (0..6).map(|k| row[k] * rates[k]).sum::<f64>())
     }
 
     /// What they do to a block in a kick with these mean rates.
     #[must_use]
     pub(crate) fn push(&self, mean: &[f64; 6]) -> Wrench {
         let t = self.times(mean);
-        Wrench {
-            force: -Vec3::new(t[0], t[1], t[2]),
-            moment: -Vec3::new(t[3], t[4], t[5]),
-        }
+        Wrench { force: -Vec3::new(t[0], t[1], t[2]), moment: -Vec3::new(t[3], t[4], t[5]) }
     }
 }
 
@@ -257,10 +253,7 @@ impl<'a> Context<'a> {
     #[must_use]
     pub(crate) fn new(world: &'a World) -> Self {
         Self {
-            poses: Poses {
-                bodies: &world.bodies,
-                turned: &world.turned,
-            },
+            poses: Poses { bodies: &world.bodies, turned: &world.turned },
             boundaries: &world.setup.boundaries,
             in_situ: world.setup.in_situ.as_ref(),
             reference: &world.reference,

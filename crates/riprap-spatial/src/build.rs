@@ -153,10 +153,8 @@ impl World {
     pub(super) fn hold_terrain(&mut self) {
         for b in 0..self.setup.blocks.len() {
             if self.is_terrain(b) {
-                self.motion[b] = Some(Box::new(Motion::Fixed {
-                    translation: [true; 3],
-                    rotation: [true; 3],
-                }));
+                self.motion[b] =
+                    Some(Box::new(Motion::Fixed { translation: [true; 3], rotation: [true; 3] }));
             }
         }
     }
@@ -165,9 +163,7 @@ impl World {
     #[must_use]
     pub fn finest(&self) -> f64 {
         let living = (0..self.alive.len()).filter(|b| self.alive[*b] && !self.is_terrain(*b));
-        living
-            .map(|b| self.solid_of(b).half.min_element())
-            .fold(f64::INFINITY, f64::min)
+        living.map(|b| self.solid_of(b).half.min_element()).fold(f64::INFINITY, f64::min)
     }
 
     /// Builds patches, free faces and walls of cavities of all living blocks, without history; the blocks of
@@ -205,11 +201,7 @@ impl World {
                         deformable.push(deform::build::NodalWall {
                             source: k as u16,
                             block: overlap.blocks[side],
-                            normal: if side == 0 {
-                                overlap.frame[0]
-                            } else {
-                                -overlap.frame[0]
-                            },
+                            normal: if side == 0 { overlap.frame[0] } else { -overlap.frame[0] },
                             arm: overlap.arms[side],
                         });
                     } else {
@@ -317,11 +309,7 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
             let mass = density * volume;
             let square = *half * *half;
             let inertia = mass / 3.0
-                * Vec3::new(
-                    square.y + square.z,
-                    square.z + square.x,
-                    square.x + square.y,
-                );
+                * Vec3::new(square.y + square.z, square.z + square.x, square.x + square.y);
             let class = SolidClass {
                 mass,
                 volume,
@@ -348,10 +336,7 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
         Shape::Terrain(surface) => {
             let bounds = Bounds::of(shape);
             let body = surface.body();
-            let body = Polyhedron {
-                vertices: body.vertices,
-                faces: body.faces,
-            };
+            let body = Polyhedron { vertices: body.vertices, faces: body.faces };
             let volume = body.moments().volume;
             // Nothing moves it; mass and inertia are there to be finite.
             let mass = density * volume;

@@ -171,11 +171,7 @@ fn finest(setup: &Setup, alive: &[bool], region: &Region) -> Vec<u32> {
         }
     }
     let smallest = touching.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
-    touching
-        .iter()
-        .filter(|t| t.1 <= (1.0 + EQUAL) * smallest)
-        .map(|t| t.0)
-        .collect()
+    touching.iter().filter(|t| t.1 <= (1.0 + EQUAL) * smallest).map(|t| t.0).collect()
 }
 
 impl Cavity {
@@ -198,18 +194,10 @@ impl Cavity {
         }
         // So that the walls of a block stand together, see `mobility`.
         walls.sort_by_key(|w| w.block);
-        let removed = blocks
-            .iter()
-            .map(|&b| world.solid_of(b as usize).volume)
-            .sum();
+        let removed = blocks.iter().map(|&b| world.solid_of(b as usize).volume).sum();
         let (gas, venting) = match &what.push {
             CavityPressure::Pressure { .. } => (None, None),
-            CavityPressure::Gas {
-                explosive,
-                mass,
-                coupling,
-                venting,
-            } => {
+            CavityPressure::Gas { explosive, mass, coupling, venting } => {
                 let adiabat = explosive.adiabat(*mass).map_err(|reason| {
                     let name = name();
                     CavityError::Explosive { name, reason }
@@ -257,11 +245,7 @@ impl Cavity {
                 }
                 None => wall.hold,
             };
-            (
-                wall.block as usize,
-                freedoms.arm(wall.block, wall.arm),
-                force,
-            )
+            (wall.block as usize, freedoms.arm(wall.block, wall.arm), force)
         })
     }
 
@@ -360,11 +344,7 @@ impl Cavity {
             * gas.factor
             * self.mobility(world)
             / volume;
-        if squared > 0.0 {
-            GAS_STEP / squared.sqrt()
-        } else {
-            f64::INFINITY
-        }
+        if squared > 0.0 { GAS_STEP / squared.sqrt() } else { f64::INFINITY }
     }
 }
 
@@ -402,11 +382,7 @@ impl Gas {
             Coupling::Coupled => (adiabat.v0, 1.0),
             Coupling::Decoupled => (removed, 1.0),
         };
-        Self {
-            adiabat,
-            start,
-            factor,
-        }
+        Self { adiabat, start, factor }
     }
 }
 
@@ -420,9 +396,7 @@ pub(crate) fn drop_walls(world: &mut World) {
     for k in 0..world.cavities.len() {
         // While they are still among the walls.
         let lost = walls::lost(world, &world.cavities[k]);
-        let World {
-            cavities, alive, ..
-        } = world;
+        let World { cavities, alive, .. } = world;
         let cavity = &mut cavities[k];
         cavity.walls.retain(|w| alive[w.block as usize]);
         // V = start + f (swept - base): what the dead have swept leaves both, and V stays what it is.

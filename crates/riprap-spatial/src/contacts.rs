@@ -65,10 +65,7 @@ pub fn meeting(world: &World) -> Meeting {
     let roles = roles(world);
     let setup = &world.setup;
     let mut used = vec![[false; 2]; setup.materials.len()];
-    let mut meeting = Meeting {
-        on: setup.found_contacts,
-        ..Meeting::default()
-    };
+    let mut meeting = Meeting { on: setup.found_contacts, ..Meeting::default() };
     for (b, role) in roles.iter().enumerate().filter(|(b, _)| world.alive[*b]) {
         let material = setup.blocks[b].material as usize;
         match role {
@@ -142,19 +139,13 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     }
     make_shapes(world, &mut scratch.desk);
     let desk = &mut scratch.desk;
-    let blocks = Blocks {
-        shapes: &desk.shapes,
-        shape: &world.solid,
-        roles: &world.found.roles,
-    };
+    let blocks = Blocks { shapes: &desk.shapes, shape: &world.solid, roles: &world.found.roles };
     let pose = |b: usize| world.pose(b);
     let speed = |b: usize| {
         world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
     };
     let next = |b: usize| speed(b) * scratch.coming_dt;
-    renew |= desk
-        .candidates
-        .outdated(&blocks, &world.found.search, pose, next, &scratch.exec);
+    renew |= desk.candidates.outdated(&blocks, &world.found.search, pose, next, &scratch.exec);
     if renew {
         let lookahead = LOOKAHEAD * world.last_dt;
         // A copy, since its renewal reads poses of the world that it belongs to.
@@ -216,11 +207,7 @@ pub(crate) fn roles(world: &World) -> Vec<Role> {
 
 /// As [`roles`], into a desk.
 fn find_roles(world: &World, desk: &mut WhoDesk) {
-    let WhoDesk {
-        roles,
-        whole,
-        joined,
-    } = desk;
+    let WhoDesk { roles, whole, joined } = desk;
     let n = world.alive.len();
     roles.clear();
     roles.extend((0..n).map(|b| {
@@ -268,11 +255,7 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
     }
     let mut used = vec![[false; 2]; world.setup.materials.len()];
     let mut seen = vec![false; world.solids.len()];
-    for (b, role) in roles
-        .iter()
-        .enumerate()
-        .filter(|(_, r)| **r != Role::Absent)
-    {
+    for (b, role) in roles.iter().enumerate().filter(|(_, r)| **r != Role::Absent) {
         let spec = &world.setup.blocks[b];
         used[spec.material as usize][usize::from(*role == Role::Seeker)] = true;
         if std::mem::replace(&mut seen[world.solid[b] as usize], true) {
@@ -348,8 +331,7 @@ pub(crate) fn make_shapes(world: &World, desk: &mut Desk) {
     for block in &chosen[made..] {
         let shape =
             block.and_then(|b| shape_of(&world.setup.blocks[b].shape, world.reference[b]).ok());
-        desk.shapes
-            .push(shape.unwrap_or_else(|| Shape::brick(Vec3::ONE).unwrap_or_default()));
+        desk.shapes.push(shape.unwrap_or_else(|| Shape::brick(Vec3::ONE).unwrap_or_default()));
     }
     if (0..world.alive.len()).any(|b| world.is_glued(b)) {
         let of_class = |(block, shape): (&Option<usize>, &Shape)| {
@@ -380,20 +362,13 @@ pub(crate) fn pose(
         Some(turned) => turned.attitude,
         None => patch::rotation(bodies.rotation(b)),
     };
-    Pose {
-        position: reference[b] + bodies.displacement(b),
-        rotation,
-    }
+    Pose { position: reference[b] + bodies.displacement(b), rotation }
 }
 
 /// Makes the candidate list of the state, and what follows from it. `were`: who could meet whom until now, where that has been looked at anew.
 fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     let desk = &mut scratch.desk;
-    let blocks = Blocks {
-        shapes: &desk.shapes,
-        shape: &world.solid,
-        roles: &world.found.roles,
-    };
+    let blocks = Blocks { shapes: &desk.shapes, shape: &world.solid, roles: &world.found.roles };
     let joints = Joints::new(world);
     desk.candidates.rebuild(
         &blocks,
@@ -447,8 +422,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     let pairs = &world.found.pairs;
     desk.slots = vec![Slot::default(); pairs.len()];
     desk.groups = vec![PairGroup::default(); pairs.len().div_ceil(GROUP)];
-    desk.workspaces
-        .resize_with(pairs.len().div_ceil(piece(pairs.len())), Workspace::default);
+    desk.workspaces.resize_with(pairs.len().div_ceil(piece(pairs.len())), Workspace::default);
     incidence(world, desk);
     desk.ready = true;
     scratch.tiles.make_rows(world);
@@ -492,10 +466,7 @@ fn incidence(world: &World, desk: &mut Desk) {
 /// each other. Infinite before the first evaluation and where none can touch.
 #[must_use]
 pub fn step_limit(world: &World) -> f64 {
-    let longest = [
-        world.found.longest_step,
-        world.found.deformable.longest_step,
-    ];
+    let longest = [world.found.longest_step, world.found.deformable.longest_step];
     (longest.into_iter().flatten()).fold(f64::INFINITY, f64::min)
 }
 

@@ -38,10 +38,7 @@ impl Divisible {
             Self::Brick(Bounds { centre, half }) => {
                 let sign = |bit: u8| if octant & bit != 0 { 0.5 } else { -0.5 };
                 let side = Vec3::new(sign(1), sign(2), sign(4));
-                Self::Brick(Bounds {
-                    centre: *centre + side * *half,
-                    half: 0.5 * *half,
-                })
+                Self::Brick(Bounds { centre: *centre + side * *half, half: 0.5 * *half })
             }
             Self::Leaning(solid) => Self::Leaning(solid.octant(octant)),
         }
@@ -71,9 +68,7 @@ impl Divisible {
         }
         let mut count = 0.0;
         for octant in 0..8 {
-            count += self
-                .part(octant)
-                .parts_around(region, levels - 1, most - count);
+            count += self.part(octant).parts_around(region, levels - 1, most - count);
             if count > most {
                 break;
             }
@@ -112,10 +107,7 @@ impl Divisible {
     #[must_use]
     pub fn shape(&self) -> Shape {
         match self {
-            Self::Brick(Bounds { centre, half }) => Shape::Brick {
-                centre: *centre,
-                half: *half,
-            },
+            Self::Brick(Bounds { centre, half }) => Shape::Brick { centre: *centre, half: *half },
             Self::Leaning(solid) => {
                 let Polyhedron { vertices, faces } = solid.solid();
                 Shape::Polyhedron(Box::new(Solid { vertices, faces }))

@@ -229,12 +229,7 @@ pub fn take_out(world: &mut World, blocks: &[u32]) {
             }
         }
     }
-    let World {
-        faces,
-        alive,
-        failed,
-        ..
-    } = &mut *world;
+    let World { faces, alive, failed, .. } = &mut *world;
     for (ends, flags) in lost {
         failed.add(ends, u64::from((flags & flag::BROKEN).count_ones()));
     }

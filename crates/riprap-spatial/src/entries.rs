@@ -136,13 +136,7 @@ impl Booking<'_> {
 
     /// Conditions that drive nodes.
     fn holds(&self, deform: &Deform, work: &Workspace, entries: &mut Entries) {
-        let kick = step::kick(
-            self.world,
-            deform,
-            work,
-            self.scratch,
-            self.scratch.coming_dt,
-        );
+        let kick = step::kick(self.world, deform, work, self.scratch, self.scratch.coming_dt);
         for hold in deform.holds.iter().filter(|hold| hold.drives()) {
             let node = hold.node as usize;
             let held = kick.held(hold, work.net[node]);
@@ -158,11 +152,7 @@ impl Booking<'_> {
 
     /// Works of a force (N) on a node.
     fn on_node(&self, node: u32, force: Vec3) -> [f64; 2] {
-        let both = self
-            .world
-            .deform
-            .as_deref()
-            .zip(self.scratch.deform.as_deref());
+        let both = self.world.deform.as_deref().zip(self.scratch.deform.as_deref());
         both.map_or([0.0; 2], |(deform, work)| {
             let [v, dv] = rates(deform, work, node);
             let [before, after] = self.half;

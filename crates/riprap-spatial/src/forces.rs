@@ -204,15 +204,7 @@ fn packets(shared: &Shared, mut work: First) {
         let block = shared.ends[packet.first as usize][0] as usize;
         let lost = &mut work.lost[tile.group(block)];
         let memory = (&mut work.memory, at);
-        mixed(
-            shared,
-            packet,
-            (&places, &class),
-            rest,
-            memory,
-            lost,
-            &mut to,
-        );
+        mixed(shared, packet, (&places, &class), rest, memory, lost, &mut to);
     }
 }
 
@@ -368,9 +360,6 @@ fn single(shared: &Shared, p: usize, mut state: State) -> Alone {
     }
     Alone {
         resultants,
-        lost: Lost {
-            friction: class.area * loss.friction,
-            fracture: class.area * loss.fracture,
-        },
+        lost: Lost { friction: class.area * loss.friction, fracture: class.area * loss.fracture },
     }
 }

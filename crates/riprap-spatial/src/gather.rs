@@ -111,9 +111,7 @@ pub(super) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         partial: &mut scratch.partial,
     };
     let count = scratch.tiles.list.len();
-    scratch
-        .exec
-        .divided(work, count, |_, piece| gathering.tile(piece));
+    scratch.exec.divided(work, count, |_, piece| gathering.tile(piece));
     let bad = scratch.partial.iter().find_map(|p| p.bad);
     sums::tree(&mut scratch.partial, |sum, other| {
         sum.arrival.add(&other.arrival);
@@ -153,9 +151,7 @@ impl Gathering<'_> {
                 for run in &self.tiles.incoming[tile.incoming.clone()] {
                     let (at, slot) = (run.block as usize - base, run.slot as usize);
                     let count = run.count as usize;
-                    for (sum, x) in list[at..at + count]
-                        .iter_mut()
-                        .zip(&slots[slot..slot + count])
+                    for (sum, x) in list[at..at + count].iter_mut().zip(&slots[slot..slot + count])
                     {
                         *sum += x;
                     }
@@ -320,11 +316,7 @@ impl Gathering<'_> {
         let solid = &self.kick.solids[row.solid as usize];
         let [before, after] = self.kick.half;
         for k in 0..6 {
-            let ease = if k < 3 {
-                1.0 / solid.mass
-            } else {
-                solid.inverse.col(k - 3)[k - 3]
-            };
+            let ease = if k < 3 { 1.0 / solid.mass } else { solid.inverse.col(k - 3)[k - 3] };
             let change = self.kick.span * ease;
             let here = row.blocks.start - base..row.blocks.end - base;
             let v = self.bodies.velocity[k][row.blocks.clone()].chunks(LANES);
@@ -366,11 +358,7 @@ impl Gathering<'_> {
             }
         }
         let weight = self.kick.solid_of(b).mass * self.kick.gravity;
-        net[0].add(
-            b - base,
-            weight + load.force + other.force,
-            load.moment + other.moment,
-        );
+        net[0].add(b - base, weight + load.force + other.force, load.moment + other.moment);
         let found = self.found.of(b);
         if let Some(found) = &found {
             for share in [&found.elastic, &found.spring] {
@@ -405,9 +393,7 @@ impl Gathering<'_> {
         }
         let (arrival, departure) = (&mut partial.arrival, &mut partial.departure);
         let loads = (load.force, load.moment);
-        let change = self
-            .kick
-            .works(b, &moving, &acting, loads, arrival, departure);
+        let change = self.kick.works(b, &moving, &acting, loads, arrival, departure);
         if let Some(found) = &found {
             let [before, after] = self.kick.half;
             let power = |v: Vec3, w: Vec3| found.elastic.force.dot(v) + found.elastic.moment.dot(w);
@@ -437,15 +423,7 @@ impl Gathering<'_> {
 /// Forces on entry `at` of the sums.
 pub(super) fn acting(net: &[Part; 2], at: usize) -> Acting {
     let (force, moment) = net[0].get(at);
-    let (drag, drag_moment) = if net[1].0[0].is_empty() {
-        (Vec3::ZERO, Vec3::ZERO)
-    } else {
-        net[1].get(at)
-    };
-    Acting {
-        force,
-        moment,
-        drag,
-        drag_moment,
-    }
+    let (drag, drag_moment) =
+        if net[1].0[0].is_empty() { (Vec3::ZERO, Vec3::ZERO) } else { net[1].get(at) };
+    Acting { force, moment, drag, drag_moment }
 }

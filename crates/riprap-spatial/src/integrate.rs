@@ -89,9 +89,7 @@ pub(super) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
         partial: &mut scratch.partial,
     };
     let count = scratch.tiles.list.len();
-    scratch
-        .exec
-        .divided(work, count, |_, piece| moving.tile(piece));
+    scratch.exec.divided(work, count, |_, piece| moving.tile(piece));
     // Stays set until an evaluation takes it.
     scratch.turning |= scratch.partial.iter().any(|p| p.turning);
 }
@@ -138,11 +136,7 @@ impl Integration<'_> {
         let damped = !work.net[1].0[0].is_empty();
         for k in 0..6 {
             // Tensors of inertia are diagonal in rows, and momentum and spin differ by a factor.
-            let ease = if k < 3 {
-                1.0 / solid.mass
-            } else {
-                solid.inverse.col(k - 3)[k - 3]
-            };
+            let ease = if k < 3 { 1.0 / solid.mass } else { solid.inverse.col(k - 3)[k - 3] };
             let change = self.kick.span * ease;
             let v = &mut work.velocity.0[k][here.clone()];
             let u = &mut work.displacement.0[k][here.clone()];
@@ -162,10 +156,7 @@ impl Integration<'_> {
             }
         }
         let [x, y, z, ..] = &work.velocity.0;
-        let speeds = x[here.clone()]
-            .iter()
-            .zip(&y[here.clone()])
-            .zip(&z[here.clone()]);
+        let speeds = x[here.clone()].iter().zip(&y[here.clone()]).zip(&z[here.clone()]);
         for (peak, ((x, y), z)) in work.peak[here.clone()].iter_mut().zip(speeds) {
             let square = x * x + y * y + z * z;
             // Written out, and not as `max`, so that it is one instruction of the vector
@@ -181,11 +172,7 @@ impl Integration<'_> {
         for ((a, b), c) in angles {
             for (l, ((a, b), c)) in a.iter().zip(b).zip(c).enumerate() {
                 let square = a * a + b * b + c * c;
-                most.0[l] = if square > most.0[l] {
-                    square
-                } else {
-                    most.0[l]
-                };
+                most.0[l] = if square > most.0[l] { square } else { most.0[l] };
             }
         }
         work.partial[0].turning |= most.0.into_iter().any(|m| m > self.bound);
@@ -195,11 +182,7 @@ impl Integration<'_> {
     fn block(&self, b: usize, base: usize, work: &mut Piece) {
         let at = b - base;
         let (mut v, mut w) = work.velocity.get(at);
-        let moving = kick::Moving {
-            velocity: v,
-            spin: w,
-            turned: work.turned[at].as_deref(),
-        };
+        let moving = kick::Moving { velocity: v, spin: w, turned: work.turned[at].as_deref() };
         let change = self.kick.change(b, &moving, &acting(&work.net, at));
         v += change.velocity;
         let (mut u, mut th) = work.displacement.get(at);
@@ -213,13 +196,8 @@ impl Integration<'_> {
                 Some(bound) => {
                     let spin = bound.spin(w, turned.momentum) + change.spin;
                     turned.momentum = inertia * spin;
-                    (turned.attitude, w) = bound.turn(
-                        turned.attitude,
-                        spin,
-                        turned.momentum,
-                        &solid.inertia,
-                        self.dt,
-                    );
+                    (turned.attitude, w) =
+                        bound.turn(turned.attitude, spin, turned.momentum, &solid.inertia, self.dt);
                 }
                 None => {
                     turned.momentum += change.momentum;

@@ -93,23 +93,17 @@ impl Moving<'_> {
     /// The present tensor of inertia and its inverse.
     fn tensors(&self, solid: &SolidClass) -> [Mat3; 2] {
         let both = [solid.inertia, solid.inverse];
-        self.turned.map_or(both, |t| {
-            both.map(|tensor| turned_inertia(&tensor, t.attitude))
-        })
+        self.turned.map_or(both, |t| both.map(|tensor| turned_inertia(&tensor, t.attitude)))
     }
 
     /// Its rotation at the present attitude. A turned block is carried on by its momentum; its spin is read off that at each attitude, but
     /// for what is prescribed.
     fn turning(&self, [inertia, inverse]: &[Mat3; 2], bound: Option<&Bound>) -> Turning {
         match (self.turned, bound) {
-            (None, _) => Turning {
-                spin: self.spin,
-                momentum: *inertia * self.spin,
-            },
-            (Some(turned), None) => Turning {
-                spin: *inverse * turned.momentum,
-                momentum: turned.momentum,
-            },
+            (None, _) => Turning { spin: self.spin, momentum: *inertia * self.spin },
+            (Some(turned), None) => {
+                Turning { spin: *inverse * turned.momentum, momentum: turned.momentum }
+            }
             (Some(turned), Some(bound)) => {
                 let spin = bound.spin(self.spin, turned.momentum);
                 let momentum = *inertia * spin;
@@ -142,10 +136,7 @@ impl Kick<'_> {
         let [inertia, inverse] = tensors;
         let bound = motion.and_then(|motion| Bound::of(motion, inertia));
         // Spin belongs to the attitude now; a turned block's spin of half a step ago does not.
-        let Turning {
-            spin: now,
-            momentum: before,
-        } = moving.turning(&tensors, bound.as_ref());
+        let Turning { spin: now, momentum: before } = moving.turning(&tensors, bound.as_ref());
         let local = self.damping.local;
         let against = |f: Vec3, v: Vec3| -> Vec3 {
             Vec3::from_array([0, 1, 2].map(|k| kick::local_drag(local, f[k], v[k])))
@@ -200,11 +191,7 @@ impl Kick<'_> {
         extra.damping = acting.drag + drag - kick::mass_drag(alpha, mass, v, dv);
         extra.damping_moment =
             acting.drag_moment + twist - kick::mass_drag(alpha_turn, 1.0, before, dl);
-        let change = Change {
-            velocity: dv,
-            spin: dw,
-            momentum: dl,
-        };
+        let change = Change { velocity: dv, spin: dw, momentum: dl };
         (change, extra)
     }
 
@@ -233,10 +220,9 @@ impl Kick<'_> {
             }
             departure.supports += along[1] + about[1];
         }
-        for (half, v, w, works) in [
-            (self.half[0], v, w, arrival),
-            (self.half[1], after[0], after[1], departure),
-        ] {
+        for (half, v, w, works) in
+            [(self.half[0], v, w, arrival), (self.half[1], after[0], after[1], departure)]
+        {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.0.dot(v) + load.1.dot(w));
             works.damping -= half * (extra.damping.dot(v) + extra.damping_moment.dot(w));
@@ -267,16 +253,8 @@ impl Scratch {
         Acting {
             force: self.net.force(b),
             moment: self.net.moment(b),
-            drag: if damped {
-                self.drag.force(b)
-            } else {
-                Vec3::ZERO
-            },
-            drag_moment: if damped {
-                self.drag.moment(b)
-            } else {
-                Vec3::ZERO
-            },
+            drag: if damped { self.drag.force(b) } else { Vec3::ZERO },
+            drag_moment: if damped { self.drag.moment(b) } else { Vec3::ZERO },
         }
     }
 
@@ -325,8 +303,7 @@ impl Scratch {
     #[must_use]
     pub fn change(&self, world: &World, b: usize) -> Change {
         if world.alive[b] && !world.deforms(b) {
-            self.kick(world)
-                .change(b, &world.moving(b), &self.acting(b))
+            self.kick(world).change(b, &world.moving(b), &self.acting(b))
         } else {
             Change::default()
         }
@@ -367,17 +344,11 @@ impl World {
             // Without the jump of what is given, which takes the free part with it.
             Some(bound) => {
                 let spin = bound.spin(Vec3::ZERO, change.momentum);
-                Change {
-                    velocity,
-                    spin,
-                    momentum: inertia * spin,
-                }
+                Change { velocity, spin, momentum: inertia * spin }
             }
-            None => Change {
-                velocity,
-                spin: about * change.spin,
-                momentum: about * change.momentum,
-            },
+            None => {
+                Change { velocity, spin: about * change.spin, momentum: about * change.momentum }
+            }
         }
     }
 

@@ -67,11 +67,7 @@ impl Scratch {
     pub(crate) fn relay_patches(&mut self, world: &World) {
         let cut = self.cut_of(world.alive.len());
         self.tiles = Tiles::new(world, cut);
-        let drag_slots = if self.drag.is_empty() {
-            0
-        } else {
-            self.tiles.slots
-        };
+        let drag_slots = if self.drag.is_empty() { 0 } else { self.tiles.slots };
         self.slots = [self.tiles.slots, drag_slots].map(Sums::zeros);
         let interfaces = &world.setup.interfaces;
         let new = &world.classes[self.wide.len().min(world.classes.len())..];
@@ -132,8 +128,7 @@ impl Scratch {
         if let Some(work) = self.deform.as_mut().filter(|w| !w.fictitious.is_empty()) {
             relax::add(&mut work.fictitious, &bolts::stiffness::row_sums(world));
         }
-        self.inradii
-            .resize_with(world.solids.len(), OnceLock::default);
+        self.inradii.resize_with(world.solids.len(), OnceLock::default);
         self.rebuilds += 1;
     }
 
@@ -144,11 +139,7 @@ impl Scratch {
             || self.desk.terrain.damped
             || world.classes.iter().any(|c| c.beta > 0.0);
         if damped == self.drag.is_empty() {
-            let (n, slots) = if damped {
-                (world.alive.len(), self.tiles.slots)
-            } else {
-                (0, 0)
-            };
+            let (n, slots) = if damped { (world.alive.len(), self.tiles.slots) } else { (0, 0) };
             self.drag = Sums::zeros(n);
             self.slots[1] = Sums::zeros(slots);
         }

@@ -38,10 +38,7 @@ pub(crate) struct Rectangle {
 impl Rectangle {
     fn of(cell: &Cell, axis: usize) -> Self {
         let next = [(axis + 1) % 3, (axis + 2) % 3];
-        Self {
-            min: next.map(|a| cell.low(a)),
-            max: next.map(|a| cell.high(a)),
-        }
+        Self { min: next.map(|a| cell.low(a)), max: next.map(|a| cell.high(a)) }
     }
 
     fn common(&self, other: &Self) -> Self {
@@ -100,10 +97,7 @@ pub(crate) fn meet(
 ) -> (Vec<Shared>, Vec<Free>) {
     let (mut shared, mut free) = (Vec::new(), Vec::new());
     for (axis, period) in periodic.into_iter().enumerate() {
-        let lowest = cells
-            .iter()
-            .map(|c| c.low(axis))
-            .fold(f64::INFINITY, f64::min);
+        let lowest = cells.iter().map(|c| c.low(axis)).fold(f64::INFINITY, f64::min);
         let wrap = |x: f64| match period {
             Some(period) if x > lowest + period - tolerance => x - period,
             _ => x,
@@ -139,11 +133,7 @@ fn plane(
     free: &mut Vec<Free>,
 ) {
     let of = |upward: bool| -> Vec<usize> {
-        let mut found: Vec<usize> = sides
-            .iter()
-            .filter(|s| s.2 == upward)
-            .map(|s| s.1)
-            .collect();
+        let mut found: Vec<usize> = sides.iter().filter(|s| s.2 == upward).map(|s| s.1).collect();
         found.sort_unstable();
         found
     };
@@ -163,25 +153,14 @@ fn plane(
         });
         own.sort_by_key(|(at, _)| *at);
         for (at, part) in &own {
-            shared.push(Shared {
-                low: up,
-                high: downs[*at],
-                axis,
-                part: *part,
-            });
+            shared.push(Shared { low: up, high: downs[*at], axis, part: *part });
             on_down[*at].push(*part);
         }
         let covers: Vec<Rectangle> = own.iter().map(|o| o.1).collect();
         push_free(free, &whole, &covers, (up, axis, true), tolerance);
     }
     for (down, covers) in downs.iter().zip(&on_down) {
-        push_free(
-            free,
-            &rectangle(*down),
-            covers,
-            (*down, axis, false),
-            tolerance,
-        );
+        push_free(free, &rectangle(*down), covers, (*down, axis, false), tolerance);
     }
 }
 
@@ -193,12 +172,7 @@ fn push_free(
     tolerance: f64,
 ) {
     for part in uncovered(whole, covers, tolerance) {
-        free.push(Free {
-            cell,
-            axis,
-            upward,
-            part,
-        });
+        free.push(Free { cell, axis, upward, part });
     }
 }
 
@@ -236,10 +210,7 @@ fn uncovered(whole: &Rectangle, covers: &[Rectangle], tolerance: f64) -> Vec<Rec
                     now.push(k);
                 } else {
                     now.push(parts.len());
-                    parts.push(Rectangle {
-                        min: [strip[0], at],
-                        max: [strip[1], from],
-                    });
+                    parts.push(Rectangle { min: [strip[0], at], max: [strip[1], from] });
                 }
             }
             at = at.max(to);
@@ -289,10 +260,7 @@ impl Bins {
             bins.first[k] += bins.first[k - 1];
         }
         let mut next = bins.first.clone();
-        let empty = Rectangle {
-            min: [0.0; 2],
-            max: [0.0; 2],
-        };
+        let empty = Rectangle { min: [0.0; 2], max: [0.0; 2] };
         let mut entries = vec![(0, empty); bins.first[count[0] * count[1]] as usize];
         for (at, &item) in items.iter().enumerate() {
             let r = rectangle(item);
@@ -350,11 +318,7 @@ mod tests {
     use super::*;
 
     fn cell(block: u32, centre: [f64; 3], half: [f64; 3]) -> Cell {
-        Cell {
-            block,
-            centre: centre.into(),
-            half: half.into(),
-        }
+        Cell { block, centre: centre.into(), half: half.into() }
     }
 
     fn lattice(n: [usize; 3], edge: f64) -> Vec<Cell> {
@@ -383,19 +347,13 @@ mod tests {
     #[test]
     fn a_large_face_meets_four_small_ones_and_what_is_left_is_free() {
         let mut cells = vec![cell(0, [0.5, 0.5, 0.5], [0.5; 3])];
-        for (k, (x, y)) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75)]
-            .iter()
-            .enumerate()
-        {
+        for (k, (x, y)) in [(0.25, 0.25), (0.75, 0.25), (0.25, 0.75)].iter().enumerate() {
             cells.push(cell(k as u32 + 1, [*x, *y, 1.25], [0.25; 3]));
         }
         let (shared, free) = meet(&cells, [None; 3], 1e-7);
         let above: Vec<_> = shared.iter().filter(|s| s.axis == 2).collect();
         assert_eq!(above.len(), 3);
-        let gap: Vec<_> = free
-            .iter()
-            .filter(|f| f.cell == 0 && f.axis == 2 && f.upward)
-            .collect();
+        let gap: Vec<_> = free.iter().filter(|f| f.cell == 0 && f.axis == 2 && f.upward).collect();
         assert_eq!(gap.len(), 1);
         assert_eq!(gap[0].part.min, [0.5, 0.5]);
         assert_eq!(gap[0].part.max, [1.0, 1.0]);

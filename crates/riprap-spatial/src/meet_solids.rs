@@ -88,10 +88,7 @@ fn each_touch(
     order.sort_by(|&a, &b| sides[a].min.x.total_cmp(&sides[b].min.x).then(a.cmp(&b)));
     let boxes: Vec<Box3> = order
         .iter()
-        .map(|&k| Box3 {
-            low: sides[k].min,
-            high: sides[k].max + Vec3::splat(tolerance),
-        })
+        .map(|&k| Box3 { low: sides[k].min, high: sides[k].max + Vec3::splat(tolerance) })
         .collect();
     let apart = |a: u32, b: u32| {
         let [a, b] = [a, b].map(|k| &sides[order[k as usize]]);
@@ -99,9 +96,7 @@ fn each_touch(
     };
     let seekers = vec![Role::Seeker; boxes.len()];
     let mut grid = Grid::default();
-    let mut pairs = grid
-        .close_pairs(&boxes, &seekers, apart, &Exec::serial())
-        .to_vec();
+    let mut pairs = grid.close_pairs(&boxes, &seekers, apart, &Exec::serial()).to_vec();
     pairs.sort_unstable_by_key(|&[a, b]| [b, a]);
     for pair in pairs {
         let [a, b] = pair.map(|k| order[k as usize]);
@@ -167,16 +162,7 @@ impl Side {
     ) -> Self {
         let min = outline.iter().fold(Vec3::MAX, |m, p| m.min(*p));
         let max = outline.iter().fold(Vec3::MIN, |m, p| m.max(*p));
-        Self {
-            block,
-            outline,
-            normal,
-            min,
-            max,
-            shift,
-            whole,
-            face,
-        }
+        Self { block, outline, normal, min, max, shift, whole, face }
     }
 }
 
@@ -188,9 +174,7 @@ fn back_to_back([a, b]: [&Side; 2]) -> bool {
 
 /// Shared polygon of two faces whose planes are parallel, where they lie in one plane; its normal is that of the first.
 fn touch([a, b]: [&Side; 2], tolerance: f64) -> Option<face_overlap::Overlap> {
-    let gap = a
-        .normal
-        .dot(b.whole.centroid + b.shift - a.whole.centroid - a.shift);
+    let gap = a.normal.dot(b.whole.centroid + b.shift - a.whole.centroid - a.shift);
     if gap.abs() > tolerance {
         return None;
     }
@@ -257,10 +241,7 @@ fn frame_of(shared: &face_overlap::Overlap) -> [Vec3; 3] {
     let edges = (0..corners.len()).map(|k| corners[(k + 1) % corners.len()] - corners[k]);
     // The first of those that are longest up to round-off.
     let longest = edges.clone().map(Vec3::length).fold(0.0, f64::max);
-    let edge = edges
-        .into_iter()
-        .find(|e| e.length() >= (1.0 - 1e-9) * longest)
-        .unwrap_or(b);
+    let edge = edges.into_iter().find(|e| e.length() >= (1.0 - 1e-9) * longest).unwrap_or(b);
     let along = (edge - n * n.dot(edge)).normalize_or(b);
     if along.dot(b).abs().max(along.dot(c).abs()) > 1.0 - 1e-12 {
         return shared.frame;
@@ -288,22 +269,14 @@ fn left(side: &Side, covered: &[face_overlap::Overlap], reference: &[Vec3]) -> O
         return None;
     }
     let n = side.normal;
-    let [_, e, f] = if covered.is_empty() {
-        frame_of(whole)
-    } else {
-        frame(n)
-    };
+    let [_, e, f] = if covered.is_empty() { frame_of(whole) } else { frame(n) };
     // In the plane, about the centroid of what is left.
     let offset = first / area;
     let offset = offset - n * n.dot(offset);
     let own = (1.0 / area) * moments - outer(offset);
     let (xx, yy, xy) = (e.dot(own * e), f.dot(own * f), e.dot(own * f));
     let turned = xy.abs() > 1e-12 * (xx + yy);
-    let angle = if turned {
-        0.5 * libm::atan2(2.0 * xy, xx - yy)
-    } else {
-        0.0
-    };
+    let angle = if turned { 0.5 * libm::atan2(2.0 * xy, xx - yy) } else { 0.0 };
     let (s, c) = libm::sincos(angle);
     let along = c * e + s * f;
     let first_moment = c * c * xx + 2.0 * s * c * xy + s * s * yy;

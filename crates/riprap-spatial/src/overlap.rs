@@ -76,9 +76,7 @@ pub(super) fn touching(world: &World, chosen: &[u32], tolerance: f64) -> (Vec<Ov
     // Glued parts have neither joints nor free faces.
     let plain: Vec<u32>;
     let chosen = if chosen.iter().any(|b| world.is_glued(*b as usize)) {
-        plain = (chosen.iter().copied())
-            .filter(|b| !world.is_glued(*b as usize))
-            .collect();
+        plain = (chosen.iter().copied()).filter(|b| !world.is_glued(*b as usize)).collect();
         &plain[..]
     } else {
         chosen
@@ -104,22 +102,14 @@ pub(super) fn outlines(
     let outline = |s: &Shared| {
         let (low, [b, c]) = (&cells[s.low], [1, 2].map(|k| (s.axis + k) % 3));
         let Rectangle { min, max } = s.part;
-        let corners = [
-            [min[0], min[1]],
-            [max[0], min[1]],
-            [max[0], max[1]],
-            [min[0], max[1]],
-        ];
+        let corners = [[min[0], min[1]], [max[0], min[1]], [max[0], max[1]], [min[0], max[1]]];
         let place = |[x, y]: [f64; 2]| {
             let mut at = Vec3::ZERO;
             at[s.axis] = low.centre[s.axis] + low.half[s.axis];
             (at[b], at[c]) = (x, y);
             at
         };
-        (
-            [low.block, cells[s.high].block],
-            corners.map(place).to_vec(),
-        )
+        ([low.block, cells[s.high].block], corners.map(place).to_vec())
     };
     shared.iter().map(outline).collect()
 }

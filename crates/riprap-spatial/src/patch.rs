@@ -21,13 +21,7 @@ impl Resultant {
     #[inline]
     #[must_use]
     pub fn at(force: Vec3, moment: Vec3, arms: [Vec3; 2]) -> Self {
-        Self {
-            force,
-            moments: [
-                arms[0].cross(force) + moment,
-                -(arms[1].cross(force) + moment),
-            ],
-        }
+        Self { force, moments: [arms[0].cross(force) + moment, -(arms[1].cross(force) + moment)] }
     }
 
     /// Sum of two resultants.
@@ -36,10 +30,7 @@ impl Resultant {
     pub fn plus(&self, other: &Self) -> Self {
         Self {
             force: self.force + other.force,
-            moments: [
-                self.moments[0] + other.moments[0],
-                self.moments[1] + other.moments[1],
-            ],
+            moments: [self.moments[0] + other.moments[0], self.moments[1] + other.moments[1]],
         }
     }
 }
@@ -79,11 +70,7 @@ impl Poses<'_> {
     /// Points of a patch, with finite rotations or with small ones.
     #[must_use]
     pub(crate) fn points(&self, class: &PatchClass, ends: [u32; 2], finite: bool) -> Points {
-        if finite {
-            self.finite_points(class, ends)
-        } else {
-            self.small_points(class, ends)
-        }
+        if finite { self.finite_points(class, ends) } else { self.small_points(class, ends) }
     }
 
     /// Physics of small displacements: arms and frame of the start, rotations as vectors.
@@ -168,11 +155,7 @@ pub(crate) fn rotation_vector(q: Quat) -> Vec3 {
     let q = if q.w < 0.0 { -q } else { q };
     let v = Vec3::new(q.x, q.y, q.z);
     let sine = v.length();
-    let scale = if sine > 1e-9 {
-        2.0 * libm::atan2(sine, q.w) / sine
-    } else {
-        2.0 / q.w
-    };
+    let scale = if sine > 1e-9 { 2.0 * libm::atan2(sine, q.w) / sine } else { 2.0 / q.w };
     scale * v
 }
 
@@ -181,10 +164,7 @@ fn spread(class: &PatchClass, centre: Vec3, turn: Vec3) -> [[f64; 3]; 4] {
     let d = class.frame.map(|e| e.dot(centre));
     let w = class.frame.map(|e| e.dot(turn));
     std::array::from_fn(|p| {
-        let (b, c) = (
-            SIGNS[0][p] * class.half_spacing[0],
-            SIGNS[1][p] * class.half_spacing[1],
-        );
+        let (b, c) = (SIGNS[0][p] * class.half_spacing[0], SIGNS[1][p] * class.half_spacing[1]);
         [d[0] + w[1] * c - w[2] * b, d[1] - w[0] * c, d[2] + w[0] * b]
     })
 }
@@ -206,10 +186,7 @@ impl Points {
         // All points share one frame and the arms of the centre: their sums need one product with each.
         let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
         for (p, t) in t.iter().enumerate() {
-            let (b, c) = (
-                SIGNS[0][p] * class.half_spacing[0],
-                SIGNS[1][p] * class.half_spacing[1],
-            );
+            let (b, c) = (SIGNS[0][p] * class.half_spacing[0], SIGNS[1][p] * class.half_spacing[1]);
             for k in 0..3 {
                 force[k] += t[k];
             }
@@ -229,10 +206,7 @@ pub(crate) fn start(class: &PatchClass, prestress: Option<&Vec3>) -> [Traction; 
     };
     let mean = class.frame.map(|e| e.dot(*centre));
     std::array::from_fn(|p| {
-        let (b, c) = (
-            SIGNS[0][p] * class.half_spacing[0],
-            SIGNS[1][p] * class.half_spacing[1],
-        );
+        let (b, c) = (SIGNS[0][p] * class.half_spacing[0], SIGNS[1][p] * class.half_spacing[1]);
         std::array::from_fn(|k| mean[k] + b * class.slope[0][k] + c * class.slope[1][k])
     })
 }
@@ -290,11 +264,9 @@ impl State<'_> {
         // Bits of the patch as a whole (`FINITE`, `OFFSET`) are not the law's.
         let mut flags = *self.flags & !(flag::BROKEN | flag::OPEN | flag::SLIDING);
         for (p, m) in memories.iter().enumerate() {
-            for (set, group) in [
-                (m.broken, flag::BROKEN),
-                (m.open, flag::OPEN),
-                (m.sliding, flag::SLIDING),
-            ] {
+            for (set, group) in
+                [(m.broken, flag::BROKEN), (m.open, flag::OPEN), (m.sliding, flag::SLIDING)]
+            {
                 if set {
                     flags |= flag::of(group, p);
                 }
@@ -333,10 +305,7 @@ pub(crate) fn respond(
     let mut memory = state.read();
     let general = joint.law(springs);
     let (Some(strength), Some(elapsed)) = (&joint.strength, elapsed) else {
-        return (
-            carried(joint, class, points, start, &memory),
-            Loss::default(),
-        );
+        return (carried(joint, class, points, start, &memory), Loss::default());
     };
     let slid = *state.flags;
     // The displacement of the step before is not kept; it has changed
@@ -467,11 +436,7 @@ pub(crate) fn dashpots(
             Dashpots::Closed => true,
         };
         std::array::from_fn(|k| {
-            if k == 0 || along {
-                beta * springs[k.min(1)] * points.velocity[p][k]
-            } else {
-                0.0
-            }
+            if k == 0 || along { beta * springs[k.min(1)] * points.velocity[p][k] } else { 0.0 }
         })
     })
 }

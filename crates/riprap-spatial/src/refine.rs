@@ -53,11 +53,7 @@ pub enum RefineError {
 #[must_use]
 pub(crate) fn name(setup: &Setup, lineage: &[Origin], b: usize) -> String {
     let spec = setup.blocks[b].name;
-    let mut text = setup
-        .names
-        .get(spec.base as usize)
-        .cloned()
-        .unwrap_or_default();
+    let mut text = setup.names.get(spec.base as usize).cloned().unwrap_or_default();
     if spec.number > 0 {
         text.push_str(&format!(".{}", spec.number));
     }
@@ -282,10 +278,7 @@ impl Forest {
         let mut roots = std::mem::take(&mut self.found);
         for shift in images(self.periodic) {
             let image = Image {
-                bounds: Bounds {
-                    centre: own.bounds.centre + shift,
-                    ..own.bounds
-                },
+                bounds: Bounds { centre: own.bounds.centre + shift, ..own.bounds },
                 solid: match own.kind {
                     Kind::Brick => None,
                     Kind::Leaning(_) | Kind::Whole(_) => Some(self.extent(b).solid(shift)),
@@ -364,21 +357,15 @@ fn images(periodic: [Option<f64>; 3]) -> Vec<Vec3> {
 pub(crate) fn before_run(setup: &mut Setup) -> Result<Vec<Origin>, RefineError> {
     let mut lineage = vec![Origin::GIVEN; setup.blocks.len()];
     let alive = vec![true; setup.blocks.len()];
-    let asked: Vec<Refinement> = setup
-        .refinements
-        .iter()
-        .filter(|r| r.during.is_none())
-        .cloned()
-        .collect();
+    let asked: Vec<Refinement> =
+        setup.refinements.iter().filter(|r| r.during.is_none()).cloned().collect();
     if asked.is_empty() {
         return Ok(lineage);
     }
     let mut forest = Forest::new(setup, &lineage, &alive);
     for refinement in &asked {
         if refinement.levels > MAX_LEVELS {
-            return Err(RefineError::TooDeep {
-                levels: refinement.levels,
-            });
+            return Err(RefineError::TooDeep { levels: refinement.levels });
         }
         forest
             .refine(&refinement.around, refinement.levels)
@@ -395,9 +382,7 @@ pub(crate) fn before_run(setup: &mut Setup) -> Result<Vec<Origin>, RefineError> 
 pub(crate) fn why(setup: &Setup, lineage: &[Origin], block: Option<u32>) -> RefineError {
     match block {
         None => RefineError::TooMany,
-        Some(b) => RefineError::Indivisible {
-            name: name(setup, lineage, b as usize),
-        },
+        Some(b) => RefineError::Indivisible { name: name(setup, lineage, b as usize) },
     }
 }
 
@@ -416,11 +401,7 @@ pub(crate) fn append_children(setup: &mut Setup, lineage: &mut Vec<Origin>, spli
                 velocity: spec.velocity + spec.spin.cross(part.centre() - whole.centre()),
                 ..spec.clone()
             });
-            lineage.push(Origin {
-                parent,
-                octant,
-                level,
-            });
+            lineage.push(Origin { parent, octant, level });
         }
     }
 }

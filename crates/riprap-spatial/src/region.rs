@@ -83,10 +83,7 @@ impl Extent {
                 |t: Vec3| t.dot(apart).abs() < (1.0 - TOUCH) * t.abs().dot(own.half + other.half);
             return overlaps(b) && overlaps(c);
         }
-        let (own, other) = (
-            self.clone().solid(Vec3::ZERO),
-            other.clone().solid(Vec3::ZERO),
-        );
+        let (own, other) = (self.clone().solid(Vec3::ZERO), other.clone().solid(Vec3::ZERO));
         // Their shadows are convex: some edge of one of them parts them if anything does.
         own.directions()
             .into_iter()
@@ -150,10 +147,7 @@ impl Bounds {
     #[must_use]
     pub fn of(shape: &Shape) -> Self {
         match shape {
-            Shape::Brick { centre, half } => Self {
-                centre: *centre,
-                half: *half,
-            },
+            Shape::Brick { centre, half } => Self { centre: *centre, half: *half },
             Shape::Polyhedron(solid) => Self::around(&solid.vertices),
             Shape::Terrain(surface) => Self::around(&surface.points),
             Shape::Glued(parts) => Self::around(&Solid::all(parts).vertices),
@@ -168,10 +162,7 @@ impl Bounds {
             min = min.min(p);
             max = max.max(p);
         }
-        Self {
-            centre: 0.5 * (min + max),
-            half: 0.5 * (max - min),
-        }
+        Self { centre: 0.5 * (min + max), half: 0.5 * (max - min) }
     }
 
     /// Distances between the two boxes along the axes; negative where they overlap, m.
@@ -203,10 +194,7 @@ impl Bounds {
             }
             Region::Ball(centre, radius) => self.distance(*centre) <= radius + slack,
             Region::Box(min, max) => {
-                let other = Self {
-                    centre: 0.5 * (*min + *max),
-                    half: 0.5 * (*max - *min),
-                };
+                let other = Self { centre: 0.5 * (*min + *max), half: 0.5 * (*max - *min) };
                 self.gaps(&other).max_element() <= slack
             }
             Region::All => true,
@@ -216,9 +204,7 @@ impl Bounds {
     /// Distance of a point from the box, 0 inside, m.
     #[must_use]
     pub fn distance(&self, p: Vec3) -> f64 {
-        ((p - self.centre).abs() - self.half)
-            .max(Vec3::ZERO)
-            .length()
+        ((p - self.centre).abs() - self.half).max(Vec3::ZERO).length()
     }
 
     /// Whether a segment comes within `slack` of the box: the parts of the segment between the three pairs of
@@ -340,10 +326,8 @@ impl Bins {
 mod tests {
     use super::*;
 
-    const CUBE: Bounds = Bounds {
-        centre: Vec3::new(0.5, 0.5, 0.5),
-        half: Vec3::new(0.5, 0.5, 0.5),
-    };
+    const CUBE: Bounds =
+        Bounds { centre: Vec3::new(0.5, 0.5, 0.5), half: Vec3::new(0.5, 0.5, 0.5) };
 
     fn v(x: f64, y: f64, z: f64) -> Vec3 {
         Vec3::new(x, y, z)
@@ -378,10 +362,7 @@ mod tests {
 
     #[test]
     fn faces_edges_and_corners_differ() {
-        let at = |x, y, z| Bounds {
-            centre: v(x, y, z),
-            half: Vec3::splat(0.25),
-        };
+        let at = |x, y, z| Bounds { centre: v(x, y, z), half: Vec3::splat(0.25) };
         assert!(CUBE.share_face(&at(1.25, 0.5, 0.75)));
         assert!(!CUBE.share_face(&at(1.25, 1.25, 0.75)));
         assert!(!CUBE.share_face(&at(1.25, 1.25, 1.25)));

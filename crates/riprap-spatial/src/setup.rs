@@ -242,10 +242,7 @@ impl Surface {
     /// The surface as geometry knows it.
     #[must_use]
     pub fn field(&self) -> HeightField {
-        HeightField {
-            points: self.points.clone(),
-            triangles: self.triangles.clone(),
-        }
+        HeightField { points: self.points.clone(), triangles: self.triangles.clone() }
     }
 
     /// The closed body under it, as it is shown: corners and faces.
@@ -319,17 +316,14 @@ impl Motion {
     #[must_use]
     pub fn targets(&self) -> [[Target<'_>; 3]; 2] {
         match self {
-            Self::Fixed {
-                translation,
-                rotation,
-            } => [translation, rotation].map(|held| held.map(Target::held)),
-            Self::Velocity {
-                translation, spin, ..
-            } => [translation, spin].map(|f| f.each_ref().map(|f| Target::velocity(f.as_ref()))),
+            Self::Fixed { translation, rotation } => {
+                [translation, rotation].map(|held| held.map(Target::held))
+            }
+            Self::Velocity { translation, spin, .. } => {
+                [translation, spin].map(|f| f.each_ref().map(|f| Target::velocity(f.as_ref())))
+            }
             Self::Acceleration { translation } => [
-                translation
-                    .each_ref()
-                    .map(|f| Target::acceleration(f.as_ref())),
+                translation.each_ref().map(|f| Target::acceleration(f.as_ref())),
                 [Target::Still; 3],
             ],
         }

@@ -101,11 +101,7 @@ fn in_water(world: &World, rigid: Stable) -> Stable {
     let dt = 2.0 / (square + own * own).sqrt();
     match rigid.block {
         Some(_) => Stable { dt, ..rigid },
-        None => Stable {
-            dt,
-            block,
-            why: "floating",
-        },
+        None => Stable { dt, block, why: "floating" },
     }
 }
 
@@ -130,11 +126,7 @@ fn rigid_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> Stabl
         };
     }
     if dt.is_infinite() {
-        return Stable {
-            dt,
-            block: None,
-            why: "nothing holds the blocks",
-        };
+        return Stable { dt, block: None, why: "nothing holds the blocks" };
     }
     name(world, &springs, &motion, dt)
 }
@@ -195,9 +187,5 @@ fn name(world: &World, springs: &Springs, motion: &Fastest, dt: f64) -> Stable {
     } else {
         "translation against the springs of its patches"
     };
-    Stable {
-        dt,
-        block: Some(block as u32),
-        why,
-    }
+    Stable { dt, block: Some(block as u32), why }
 }

@@ -99,9 +99,7 @@ pub fn evaluate(
     }
     let mut result = stage(scratch, "gather", |scratch| gather::gather(world, scratch));
     if world.deform.is_some() {
-        let nodes = stage(scratch, "nodes", |scratch| {
-            deform::step::evaluate(world, scratch, dt)
-        });
+        let nodes = stage(scratch, "nodes", |scratch| deform::step::evaluate(world, scratch, dt));
         result = result.and(nodes);
     }
     if !world.accounts.is_empty() {
@@ -122,9 +120,7 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     });
     let mut passed = dt;
     if world.deform.is_some() {
-        passed = stage(scratch, "move nodes", |scratch| {
-            deform::step::advance(world, scratch, dt)
-        });
+        passed = stage(scratch, "move nodes", |scratch| deform::step::advance(world, scratch, dt));
     }
     deform::contact::depart(world, scratch, dt);
     // Not booked by `evaluate`: that may be called again with another step or damping before this one is taken.
@@ -186,10 +182,7 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
     let live = world.pending > 0.0 || world.fresh;
     let (list, tiles) = (&mut world.patches, &scratch.tiles);
     let shared = Shared {
-        poses: Poses {
-            bodies: &world.bodies,
-            turned: &world.turned,
-        },
+        poses: Poses { bodies: &world.bodies, turned: &world.turned },
         interfaces: &world.setup.interfaces,
         classes: &world.classes,
         ends: &list.ends,
@@ -218,9 +211,7 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
         lost: &mut scratch.lost,
     };
     let count = tiles.list.len();
-    scratch
-        .exec
-        .divided(work, count, |_, piece| forces::tile(&shared, piece));
+    scratch.exec.divided(work, count, |_, piece| forces::tile(&shared, piece));
     sums::tree(&mut scratch.lost, Lost::add);
     if let Some(all) = scratch.lost.first() {
         world.works.dissipate(all.friction, all.fracture);
@@ -233,10 +224,7 @@ fn start_moving(world: &mut World, stiffness_damping: f64) {
         let list = &world.patches;
         let class = &world.classes[list.class[p] as usize];
         let joint = patch::joint(&world.setup.interfaces, class);
-        let poses = Poses {
-            bodies: &world.bodies,
-            turned: &world.turned,
-        };
+        let poses = Poses { bodies: &world.bodies, turned: &world.turned };
         let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
         let start = patch::start(class, list.prestress.get(p));
         let beta = class.beta + stiffness_damping;
@@ -260,9 +248,7 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
     for b in 0..world.alive.len() {
         let vector = world.bodies.rotation(b);
         // What turns about a point with others stays on its circle from the first step on.
-        let swings = world.motion[b]
-            .as_ref()
-            .is_some_and(|m| m.about().is_some());
+        let swings = world.motion[b].as_ref().is_some_and(|m| m.about().is_some());
         let bound = if swings { -1.0 } else { bound };
         if !world.alive[b] || world.turned[b].is_some() || vector.length() <= bound {
             continue;
@@ -298,11 +284,7 @@ impl World {
             Some(bound) => bound.spin(spin, momentum),
             None => inverse * momentum,
         };
-        let after = if bound.is_some() {
-            inertia * turned
-        } else {
-            momentum
-        };
+        let after = if bound.is_some() { inertia * turned } else { momentum };
         // At the switch the energy L.w/2 changes with the spin that belongs to a momentum that stays.
         self.works.edit_defect += 0.5 * (after.dot(turned) - momentum.dot(spin));
         let momentum = after;
@@ -312,14 +294,8 @@ impl World {
 
     /// Changes a patch over to finite rotations with the tractions it has.
     fn make_finite(&mut self, p: usize) {
-        let (class, ends) = (
-            self.classes[self.patches.class[p] as usize],
-            self.patches.ends[p],
-        );
-        let poses = Poses {
-            bodies: &self.bodies,
-            turned: &self.turned,
-        };
+        let (class, ends) = (self.classes[self.patches.class[p] as usize], self.patches.ends[p]);
+        let poses = Poses { bodies: &self.bodies, turned: &self.turned };
         let [before, after] = [false, true].map(|finite| poses.points(&class, ends, finite));
         let shifts: [[f64; 3]; 4] =
             std::array::from_fn(|q| [0, 1, 2].map(|k| after.at[q][k] - before.at[q][k]));

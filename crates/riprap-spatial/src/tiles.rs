@@ -62,10 +62,7 @@ impl Cut {
     pub fn of(blocks: usize, threads: usize) -> Self {
         let pieces = PIECES.max(PIECES_A_THREAD * threads);
         let piece = blocks.div_ceil(pieces).next_multiple_of(GROUP);
-        Self {
-            piece: piece.clamp(GROUP, LARGEST_PIECE),
-            packet: LANES,
-        }
+        Self { piece: piece.clamp(GROUP, LARGEST_PIECE), packet: LANES }
     }
 }
 
@@ -294,11 +291,7 @@ impl Tiles {
                     {
                         r.count += 1;
                     }
-                    _ => self.incoming.push(Incoming {
-                        slot,
-                        block,
-                        count: 1,
-                    }),
+                    _ => self.incoming.push(Incoming { slot, block, count: 1 }),
                 }
             }
             tile.incoming = first..self.incoming.len();
@@ -310,12 +303,7 @@ impl Tiles {
         self.rows.clear();
         self.special.clear();
         let mut pushed = world.pushed();
-        let deformable = world
-            .found
-            .deformable
-            .pairs
-            .iter()
-            .flat_map(|pair| pair.ends);
+        let deformable = world.found.deformable.pairs.iter().flat_map(|pair| pair.ends);
         for b in (world.found.pairs.iter().flat_map(|pair| pair.ends)).chain(deformable) {
             pushed[b as usize] = true;
         }
@@ -323,11 +311,7 @@ impl Tiles {
         if world.has_terrain() {
             pushed.fill(true);
         }
-        let mut faces = world
-            .faces
-            .iter()
-            .filter(|f| f.boundary.is_some())
-            .peekable();
+        let mut faces = world.faces.iter().filter(|f| f.boundary.is_some()).peekable();
         for tile in &mut self.list {
             let (rows, special) = (self.rows.len(), self.special.len());
             for b in tile.blocks.clone() {
@@ -358,10 +342,7 @@ impl Tiles {
                     {
                         row.blocks.end += 1;
                     }
-                    _ => self.rows.push(Row {
-                        blocks: b..b + 1,
-                        solid,
-                    }),
+                    _ => self.rows.push(Row { blocks: b..b + 1, solid }),
                 }
             }
             tile.rows = rows..self.rows.len();

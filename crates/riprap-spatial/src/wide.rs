@@ -181,9 +181,7 @@ impl Shares {
         let [x, y, z] = at.force;
         let [a, b, c] = plus(&cross(&class.arms[0], &at.force), &at.moment);
         let [d, e, f] = plus(&cross(&class.arms[1], &at.force), &at.moment);
-        Self {
-            on: [[x, y, z, a, b, c], [-x, -y, -z, -d, -e, -f]],
-        }
+        Self { on: [[x, y, z, a, b, c], [-x, -y, -z, -d, -e, -f]] }
     }
 
     /// Sets one lane.
@@ -361,11 +359,7 @@ pub(crate) fn dashpots(shared: &Shared, places: &Places, class: &Class) -> Force
 fn chosen_lanes(bits: u8, x: Lanes) -> Lanes {
     let mut lanes = Lanes::default();
     for (lane, y) in lanes.0.iter_mut().enumerate() {
-        *y = if bits & (1 << lane) == 0 {
-            0.0
-        } else {
-            x.0[lane]
-        };
+        *y = if bits & (1 << lane) == 0 { 0.0 } else { x.0[lane] };
     }
     lanes
 }
@@ -418,11 +412,7 @@ pub(crate) fn points(
         let b = Lanes::all(sign_b) * class.half_spacing[0];
         let c = Lanes::all(sign_c) * class.half_spacing[1];
         let here = |d: &Vectors, w: &Vectors| {
-            [
-                d[0] + (w[1] * c - w[2] * b),
-                d[1] - w[0] * c,
-                d[2] + w[0] * b,
-            ]
+            [d[0] + (w[1] * c - w[2] * b), d[1] - w[0] * c, d[2] + w[0] * b]
         };
         let (place, velocity) = (here(&d, &w), here(&v, &spin));
         let first = [
@@ -460,10 +450,7 @@ pub(crate) fn points(
     if shared.damped {
         dashpots = to_space(axis, share, &sums[1], &moments[1]);
     }
-    let lost = [
-        chosen_lanes(chosen, share * lost[0]),
-        chosen_lanes(chosen, share * lost[1]),
-    ];
+    let lost = [chosen_lanes(chosen, share * lost[0]), chosen_lanes(chosen, share * lost[1])];
     (Response([springs, dashpots]), lost)
 }
 
@@ -500,12 +487,7 @@ impl PlainLanes {
                 sticking.0[lane] = wide.sticking;
             }
         }
-        Self {
-            springs: class.springs,
-            peak: class.strength,
-            residual,
-            sticking,
-        }
+        Self { springs: class.springs, peak: class.strength, residual, sticking }
     }
 
     /// The law on every lane: tractions, state, and losses by friction and fracture.
@@ -530,11 +512,7 @@ impl PlainLanes {
             };
             let three = |v: &Vectors| [v[0].0[l], v[1].0[l], v[2].0[l]];
             let velocity = three(velocity);
-            let moved = [
-                velocity[0] * elapsed,
-                velocity[1] * elapsed,
-                velocity[2] * elapsed,
-            ];
+            let moved = [velocity[0] * elapsed, velocity[1] * elapsed, velocity[2] * elapsed];
             let old = Plain {
                 slip: [before.slip[0].0[l], before.slip[1].0[l]],
                 broken: before.broken.0[l],

@@ -43,12 +43,7 @@ pub fn sample() -> Frame {
 #[must_use]
 pub fn solid_sample() -> Frame {
     let mut points: Vec<[f64; 3]> = BRICK.to_vec();
-    points.extend([
-        [1.0, 0.0, 0.0],
-        [2.0, 0.0, 0.0],
-        [1.0, 1.0, 0.0],
-        [1.0, 0.0, 1.0],
-    ]);
+    points.extend([[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0]]);
     Frame {
         step: 7,
         time: 2e-3,

@@ -49,9 +49,7 @@ impl Query<'_> {
     }
 
     fn number(&self, key: &str, default: usize) -> usize {
-        (self.0)(key)
-            .and_then(|v| v.parse().ok())
-            .unwrap_or(default)
+        (self.0)(key).and_then(|v| v.parse().ok()).unwrap_or(default)
     }
 }
 
@@ -96,17 +94,11 @@ fn unknown(what: &str) -> Problem {
 }
 
 fn json_answer(value: &Value) -> Answer {
-    Answer {
-        kind: "application/json",
-        bytes: value.to_string().into_bytes(),
-    }
+    Answer { kind: "application/json", bytes: value.to_string().into_bytes() }
 }
 
 fn binary(bytes: Vec<u8>) -> Answer {
-    Answer {
-        kind: "application/octet-stream",
-        bytes,
-    }
+    Answer { kind: "application/octet-stream", bytes }
 }
 
 /// What there is to see, or why there is nothing.
@@ -177,10 +169,7 @@ pub(crate) fn most(values: &[f64]) -> Option<[f64; 2]> {
     let mut finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     finite.sort_by(f64::total_cmp);
     let left_out = (STRAY * finite.len() as f64).floor() as usize;
-    Some([
-        *finite.get(left_out)?,
-        *finite.get(finite.len().checked_sub(1 + left_out)?)?,
-    ])
+    Some([*finite.get(left_out)?, *finite.get(finite.len().checked_sub(1 + left_out)?)?])
 }
 
 fn field(run: &Run, k: usize, name: &str) -> Result<Answer, Problem> {
@@ -204,9 +193,7 @@ fn vectors(run: &Run, k: usize, name: &str) -> Result<Answer, Problem> {
     let column = run.vectors(k, name)?;
     let longest = extremes(&column.numbers(riprap_record::Part::Magnitude));
     let info = json!({ "unit": column.unit, "longest": longest.map(|r| r[1]) });
-    Ok(binary(
-        Wire::default().f32("values", &flat3(&column)).finish(&info),
-    ))
+    Ok(binary(Wire::default().f32("values", &flat3(&column)).finish(&info)))
 }
 
 fn block(run: &Run, k: usize, id: usize) -> Result<Answer, Problem> {
@@ -226,10 +213,8 @@ fn block(run: &Run, k: usize, id: usize) -> Result<Answer, Problem> {
         .iter()
         .map(|c| {
             let n = c.components.max(1);
-            let values: Vec<Value> = c.data[at * n..(at + 1) * n]
-                .iter()
-                .map(|v| number(*v))
-                .collect();
+            let values: Vec<Value> =
+                c.data[at * n..(at + 1) * n].iter().map(|v| number(*v)).collect();
             json!({ "name": c.name, "unit": c.unit, "values": values })
         })
         .collect();
@@ -269,9 +254,7 @@ fn history(run: &Run, id: usize, query: &Query<'_>) -> Result<Answer, Problem> {
         at.push(times[k]);
         values.push(value.map_or(Value::Null, number));
     }
-    Ok(json_answer(
-        &json!({ "unit": unit, "times": at, "values": values }),
-    ))
+    Ok(json_answer(&json!({ "unit": unit, "times": at, "values": values })))
 }
 
 fn range(run: &Run, query: &Query<'_>) -> Result<Answer, Problem> {
@@ -284,9 +267,7 @@ fn range(run: &Run, query: &Query<'_>) -> Result<Answer, Problem> {
             some.extend(most(&numbers.values).into_iter().flatten());
         }
     }
-    Ok(json_answer(
-        &json!({ "range": extremes(&all), "most": extremes(&some) }),
-    ))
+    Ok(json_answer(&json!({ "range": extremes(&all), "most": extremes(&some) })))
 }
 
 fn table(run: &Run, name: &str) -> Result<Answer, Problem> {
@@ -296,24 +277,14 @@ fn table(run: &Run, name: &str) -> Result<Answer, Problem> {
         cut: false,
     });
     // A row that is being written can leave columns of unequal length.
-    let rows = table
-        .columns
-        .iter()
-        .map(|c| c.values.len())
-        .min()
-        .unwrap_or(0);
+    let rows = table.columns.iter().map(|c| c.values.len()).min().unwrap_or(0);
     let mut out = Wire::default();
     for (i, column) in table.columns.iter().enumerate() {
         out = out.f64(&i.to_string(), &column.values[..rows]);
     }
-    let heads: Vec<Value> = table
-        .columns
-        .iter()
-        .map(|c| json!({ "name": c.name, "unit": c.unit }))
-        .collect();
-    Ok(binary(
-        out.finish(&json!({ "columns": heads, "cut": table.cut })),
-    ))
+    let heads: Vec<Value> =
+        table.columns.iter().map(|c| json!({ "name": c.name, "unit": c.unit })).collect();
+    Ok(binary(out.finish(&json!({ "columns": heads, "cut": table.cut }))))
 }
 
 fn file(run: &Run, name: &str) -> Result<Answer, Problem> {

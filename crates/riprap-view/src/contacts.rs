@@ -54,18 +54,12 @@ fn states(columns: &[Column], contacts: usize) -> (Vec<u8>, Vec<f64>) {
 
 /// The answer `contacts`.
 pub fn wire(touches: &Touches) -> Vec<u8> {
-    let Touches {
-        points,
-        columns,
-        ids,
-    } = touches;
+    let Touches { points, columns, ids } = touches;
     let places: Vec<f32> = points.iter().flat_map(|p| shape::single(*p)).collect();
     let places_of = Places::of(ids);
     let side = |name: &str| -> Vec<u32> {
         let column = columns.iter().find(|c| c.name == name && c.components == 1);
-        column.map_or_else(Vec::new, |c| {
-            c.data.iter().map(|v| places_of.find(*v)).collect()
-        })
+        column.map_or_else(Vec::new, |c| c.data.iter().map(|v| places_of.find(*v)).collect())
     };
     let (states, areas) = states(columns, points.len());
     let mut sums = [0.0; STATES];
@@ -73,9 +67,7 @@ pub fn wire(touches: &Touches) -> Vec<u8> {
         sums[usize::from(*state)] += area;
     }
     let has_area = columns.iter().any(|c| c.name == "area");
-    let force = columns
-        .iter()
-        .find(|c| c.components > 1 && c.name.contains("force"));
+    let force = columns.iter().find(|c| c.components > 1 && c.name.contains("force"));
     let mut out = Wire::default()
         .f32("points", &places)
         .u8("states", &states)
@@ -126,12 +118,7 @@ impl Places {
 pub fn cracks(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
     let cracks = run.cracks(k)?;
     let places_of = Places::of(&cracks.ids);
-    let column = |name: &str| {
-        cracks
-            .columns
-            .iter()
-            .find(|c| c.name == name && c.components == 1)
-    };
+    let column = |name: &str| cracks.columns.iter().find(|c| c.name == name && c.components == 1);
     let of = |name: &str, f: usize| column(name).and_then(|c| c.data.get(f)).copied();
     let (mut points, mut modes) = (Vec::new(), Vec::new());
     let (mut sides, mut start) = ([Vec::new(), Vec::new()], 0);
@@ -167,10 +154,7 @@ pub fn bolts(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
     let places_of = Places::of(&bolts.ids);
     let count = bolts.ends.len();
     let column = |name: &str| {
-        let found = bolts
-            .columns
-            .iter()
-            .find(|c| c.name == name && c.components == 1);
+        let found = bolts.columns.iter().find(|c| c.name == name && c.components == 1);
         found.map_or_else(|| vec![f64::NAN; count], |c| c.data.clone())
     };
     if bolts.points.len() != 2 * count {
@@ -179,17 +163,10 @@ pub fn bolts(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
             "Run the scene again, or copy the run folder again.",
         ));
     }
-    let points: Vec<f32> = bolts
-        .points
-        .iter()
-        .flat_map(|p| shape::single(*p))
-        .collect();
+    let points: Vec<f32> = bolts.points.iter().flat_map(|p| shape::single(*p)).collect();
     let forces = column("axial_force");
     let side = |name: &str| -> Vec<u32> {
-        column(name)
-            .into_iter()
-            .map(|id| places_of.find(id))
-            .collect()
+        column(name).into_iter().map(|id| places_of.find(id)).collect()
     };
     let states: Vec<u8> = column("state").into_iter().map(|s| s as u8).collect();
     let end = |least: fn(f64, f64) -> f64| forces.iter().copied().reduce(least);
@@ -222,12 +199,7 @@ mod tests {
             numbers("softened_area", [0.0, 0.0, 0.0, 0.0, 2.5, 0.0, 0.0]),
         ];
         let (states, areas) = states(&columns, 7);
-        assert_eq!(
-            states,
-            [
-                SLIDING, IN_TENSION, IN_SHEAR, OPEN, SOFTENED, BROKEN, GAPING
-            ]
-        );
+        assert_eq!(states, [SLIDING, IN_TENSION, IN_SHEAR, OPEN, SOFTENED, BROKEN, GAPING]);
         assert_eq!(areas, [1.0, 1.5, 0.5, 4.0, 2.5, 6.0, 7.0]);
     }
 

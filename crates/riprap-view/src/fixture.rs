@@ -13,11 +13,7 @@ pub(crate) fn write_run(path: &Path, frames: usize) {
         let frame = Frame {
             step: 10 * k as u64,
             time: 1e-3 * k as f64,
-            points: vec![
-                [shift, 0.0, 0.0],
-                [shift + 1.0, 0.0, 0.0],
-                [shift, 1.0, 0.0],
-            ],
+            points: vec![[shift, 0.0, 0.0], [shift + 1.0, 0.0, 0.0], [shift, 1.0, 0.0]],
             offsets: vec![0, 3],
             block_columns: vec![
                 Column::scalar("block", "-", vec![0.0]),

@@ -19,11 +19,7 @@ const STEPS: f64 = 2.0;
 
 /// The answer `frame`: the motion from `shape` to `frame`, whose shape it is.
 pub fn wire(shape: &Shape, frame: &Frame) -> Vec<u8> {
-    let now: Vec<Vec3> = frame
-        .points
-        .iter()
-        .map(|p| Vec3::from(*p) - shape.origin)
-        .collect();
+    let now: Vec<Vec3> = frame.points.iter().map(|p| Vec3::from(*p) - shape.origin).collect();
     let blocks = shape.ids.len();
     let (mut shifts, mut turns) = (Vec::with_capacity(blocks), Vec::with_capacity(blocks));
     let (mut bent, mut bent_shifts) = (Vec::new(), Vec::new());
@@ -45,22 +41,11 @@ pub fn wire(shape: &Shape, frame: &Frame) -> Vec<u8> {
             "turnScale": turn_scale, "shutDecade": SHUT_DECADE, "steps": STEPS,
         })
     };
-    let out = Wire::default()
-        .u32("bent", &bent)
-        .f32("bentShifts", &bent_shifts);
+    let out = Wire::default().u32("bent", &bent).f32("bentShifts", &bent_shifts);
     if shape.dimension == 2 {
-        let shifts: Vec<f32> = shifts
-            .iter()
-            .flat_map(|s| [s.x as f32, s.y as f32])
-            .collect();
-        let turns: Vec<f32> = turns
-            .iter()
-            .map(|q| (2.0 * q.z.atan2(q.w)) as f32)
-            .collect();
-        return out
-            .f32("shifts", &shifts)
-            .f32("turns", &turns)
-            .finish(&info(1.0));
+        let shifts: Vec<f32> = shifts.iter().flat_map(|s| [s.x as f32, s.y as f32]).collect();
+        let turns: Vec<f32> = turns.iter().map(|q| (2.0 * q.z.atan2(q.w)) as f32).collect();
+        return out.f32("shifts", &shifts).f32("turns", &turns).finish(&info(1.0));
     }
     let shifts: Vec<f32> = shifts.iter().flat_map(|s| single(*s)).collect();
     let (scale, turns) = sixteen_bits(&turns);
@@ -72,26 +57,14 @@ pub fn wire(shape: &Shape, frame: &Frame) -> Vec<u8> {
 
 /// Vector parts of unit quaternions with a scalar part that is not negative, as shares of the largest component.
 fn sixteen_bits(turns: &[Quat]) -> (f64, Vec<i16>) {
-    let vectors: Vec<Vec3> = turns
-        .iter()
-        .map(|q| if q.w < 0.0 { -q.xyz() } else { q.xyz() })
-        .collect();
-    let scale = vectors
-        .iter()
-        .map(|v| v.abs().max_element())
-        .fold(0.0, f64::max);
+    let vectors: Vec<Vec3> =
+        turns.iter().map(|q| if q.w < 0.0 { -q.xyz() } else { q.xyz() }).collect();
+    let scale = vectors.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
     let top = f64::from(i16::MAX);
     let share = |v: f64| {
-        if scale > 0.0 {
-            (v / scale * top).round() as i16
-        } else {
-            0
-        }
+        if scale > 0.0 { (v / scale * top).round() as i16 } else { 0 }
     };
-    let numbers = vectors
-        .iter()
-        .flat_map(|v| v.to_array().map(share))
-        .collect();
+    let numbers = vectors.iter().flat_map(|v| v.to_array().map(share)).collect();
     (scale, numbers)
 }
 
@@ -109,9 +82,7 @@ fn turn_of(rest: &[Vec3], here: &[Vec3]) -> Quat {
     };
     let farthest = |size: &dyn Fn(Vec3) -> f64| {
         let sizes = others.iter().map(|p| size(*p - *first)).enumerate();
-        sizes
-            .max_by(|x, y| x.1.total_cmp(&y.1))
-            .map_or(0, |x| x.0 + 1)
+        sizes.max_by(|x, y| x.1.total_cmp(&y.1)).map_or(0, |x| x.0 + 1)
     };
     let b = farthest(&|v| v.length_squared());
     let along = rest[b] - *first;
@@ -180,11 +151,7 @@ mod tests {
         Frame {
             offsets: vec![0, 8, 16],
             points,
-            solids: Some(Solids {
-                faces: vec![0, 0, 0],
-                ends: vec![0],
-                corners: vec![],
-            }),
+            solids: Some(Solids { faces: vec![0, 0, 0], ends: vec![0], corners: vec![] }),
             block_columns: vec![
                 Column::scalar("block", "-", vec![3.0, 5.0]),
                 Column::vector3("displacement", "m", [[0.0; 3], shift.to_array()]),
@@ -209,12 +176,7 @@ mod tests {
     }
 
     fn singles(bytes: &[u8]) -> Vec<f32> {
-        bytes
-            .as_chunks::<4>()
-            .0
-            .iter()
-            .map(|b| f32::from_le_bytes(*b))
-            .collect()
+        bytes.as_chunks::<4>().0.iter().map(|b| f32::from_le_bytes(*b)).collect()
     }
 
     #[test]
@@ -252,10 +214,7 @@ mod tests {
         let bytes = wire(&shape, &bricks(Vec3::new(1e-4, 0.0, 0.0), Vec3::ZERO, 1.01));
         assert_eq!(array(&bytes, "bent"), [1, 0, 0, 0]);
         assert_eq!(singles(&array(&bytes, "bentShifts")).len(), 24);
-        let still = wire(
-            &shape,
-            &bricks(Vec3::new(1.5e-4, 0.0, 0.0), Vec3::ZERO, 1.0),
-        );
+        let still = wire(&shape, &bricks(Vec3::new(1.5e-4, 0.0, 0.0), Vec3::ZERO, 1.0));
         assert_eq!(array(&still, "gaps"), [5]);
         let shut = wire(&shape, &bricks(Vec3::ZERO, Vec3::ZERO, 1.0));
         assert_eq!(array(&shut, "gaps"), [0]);

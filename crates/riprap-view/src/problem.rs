@@ -18,20 +18,12 @@ pub struct Problem {
 impl Problem {
     /// Something that does not exist.
     pub fn missing(what: impl Into<String>, hint: impl Into<String>) -> Self {
-        Problem {
-            what: what.into(),
-            hint: hint.into(),
-            missing: true,
-        }
+        Problem { what: what.into(), hint: hint.into(), missing: true }
     }
 
     /// Something that is there and cannot be read.
     pub fn broken(what: impl Into<String>, hint: impl Into<String>) -> Self {
-        Problem {
-            what: what.into(),
-            hint: hint.into(),
-            missing: false,
-        }
+        Problem { what: what.into(), hint: hint.into(), missing: false }
     }
 }
 

@@ -53,19 +53,13 @@ impl Signature {
                 given => given.to_owned(),
             }
         };
-        Self {
-            author: or(&self.author, "author"),
-            project: or(&self.project, "project"),
-        }
+        Self { author: or(&self.author, "author"), project: or(&self.project, "project") }
     }
 }
 
 impl Default for Limits {
     fn default() -> Self {
-        Limits {
-            frames: 40,
-            bytes: 24 << 20,
-        }
+        Limits { frames: 40, bytes: 24 << 20 }
     }
 }
 
@@ -82,11 +76,7 @@ pub fn report(
 ) -> Result<String, Problem> {
     let manifest = run.manifest()?;
     let mut out = String::new();
-    let title = if manifest.title.is_empty() {
-        "A run of riprap"
-    } else {
-        &manifest.title
-    };
+    let title = if manifest.title.is_empty() { "A run of riprap" } else { &manifest.title };
     let title = escape(title);
     let _ = write!(
         out,
@@ -96,9 +86,8 @@ pub fn report(
     );
     let scene_table = words::scene(run);
     facts(&mut out, &manifest, &signature.or_of(&scene_table));
-    let (setup, plots): (Vec<_>, Vec<_>) = plots
-        .iter()
-        .partition(|p| p.file_stem().is_some_and(|s| s == SETUP));
+    let (setup, plots): (Vec<_>, Vec<_>) =
+        plots.iter().partition(|p| p.file_stem().is_some_and(|s| s == SETUP));
     pictures(&mut out, "Set-up", &setup);
     words::materials(&mut out, &scene_table);
     groups(&mut out, &run.names());
@@ -145,11 +134,6 @@ fn replay(out: &mut String, run: &Run, limits: Limits) {
         let _ = writeln!(out, "<p class=\"warning\">{}</p>", escape(note));
     }
     // No name in an answer may end the script that holds it.
-    let answers = Value::Object(book.answers)
-        .to_string()
-        .replace('<', "\\u003c");
-    let _ = writeln!(
-        out,
-        "<script type=\"application/json\" id=\"riprap-run\">{answers}</script>"
-    );
+    let answers = Value::Object(book.answers).to_string().replace('<', "\\u003c");
+    let _ = writeln!(out, "<script type=\"application/json\" id=\"riprap-run\">{answers}</script>");
 }

@@ -52,10 +52,7 @@ struct Memory {
 impl Run {
     /// A folder, sound or not: what is wrong with it is told when it is asked for something.
     pub fn new(path: &Path) -> Self {
-        Run {
-            path: path.to_owned(),
-            memory: Mutex::default(),
-        }
+        Run { path: path.to_owned(), memory: Mutex::default() }
     }
 
     /// Where it is.
@@ -158,16 +155,9 @@ impl Run {
                     return known.clone();
                 }
             }
-            let file = there
-                .contains(&entry.file)
-                .then(|| self.inside(&entry.file));
-            let read = file
-                .and_then(Result::ok)
-                .and_then(|f| vtu::read_moment(&f).ok());
-            let moment = Moment {
-                time: entry.time,
-                ..read.unwrap_or_default()
-            };
+            let file = there.contains(&entry.file).then(|| self.inside(&entry.file));
+            let read = file.and_then(Result::ok).and_then(|f| vtu::read_moment(&f).ok());
+            let moment = Moment { time: entry.time, ..read.unwrap_or_default() };
             memory.moments.insert(entry.file.clone(), moment.clone());
             moment
         });
@@ -202,17 +192,11 @@ impl Run {
             .filter(|n| block_file(*n) == entry.file);
         let Some(number) = number else {
             return Err(Problem::broken(
-                format!(
-                    "run.pvd names {:?}, which is no frame of this run",
-                    entry.file
-                ),
+                format!("run.pvd names {:?}, which is no frame of this run", entry.file),
                 "The list of frames was changed. Copy the run folder again, or run the scene again.",
             ));
         };
-        let files = [
-            self.inside(&block_file(number))?,
-            self.inside(&contact_file(number))?,
-        ];
+        let files = [self.inside(&block_file(number))?, self.inside(&contact_file(number))?];
         Ok((number, files))
     }
 
@@ -227,9 +211,7 @@ impl Run {
                 "Only files of the run folder are shown.",
             )
         };
-        let plain = Path::new(name)
-            .components()
-            .all(|c| matches!(c, Component::Normal(_)));
+        let plain = Path::new(name).components().all(|c| matches!(c, Component::Normal(_)));
         if !plain {
             return Err(refused());
         }
@@ -241,11 +223,7 @@ impl Run {
         };
         let root = self.path.canonicalize().map_err(absent)?;
         let file = root.join(name).canonicalize().map_err(absent)?;
-        if file.starts_with(&root) {
-            Ok(file)
-        } else {
-            Err(refused())
-        }
+        if file.starts_with(&root) { Ok(file) } else { Err(refused()) }
     }
 
     /// Bytes of a file of the folder.
@@ -277,10 +255,7 @@ impl Run {
     pub fn placed(&self, k: usize) -> Result<(Arc<Shape>, Frame), Problem> {
         let [file, _] = self.files(k)?;
         let known = |name: &str| ["block", "displacement", "rotation"].contains(&name);
-        let wanted = Wanted {
-            geometry: true,
-            column: &known,
-        };
+        let wanted = Wanted { geometry: true, column: &known };
         let frame = vtu::read_blocks(&file, wanted)?;
         let key = shape::key(&frame);
         if let Some(shape) = self.remembered(&key) {
@@ -318,19 +293,11 @@ impl Run {
             None
         } else {
             let [file, _] = self.files(0)?;
-            let bare = Wanted {
-                geometry: true,
-                column: &|_| false,
-            };
+            let bare = Wanted { geometry: true, column: &|_| false };
             vtu::read_blocks(&file, bare).ok()
         };
-        let points: Vec<Vec3> = first
-            .as_ref()
-            .unwrap_or(frame)
-            .points
-            .iter()
-            .map(|p| Vec3::from(*p))
-            .collect();
+        let points: Vec<Vec3> =
+            first.as_ref().unwrap_or(frame).points.iter().map(|p| Vec3::from(*p)).collect();
         let (low, high) = shape::bounds(&points);
         Ok(*self.memory().origin.insert(0.5 * (low + high)))
     }
@@ -341,10 +308,7 @@ impl Run {
     /// As [`Run::placed`].
     pub fn columns(&self, k: usize, chosen: &dyn Fn(&str) -> bool) -> Result<Vec<Column>, Problem> {
         let [file, _] = self.files(k)?;
-        let wanted = Wanted {
-            geometry: false,
-            column: chosen,
-        };
+        let wanted = Wanted { geometry: false, column: chosen };
         Ok(vtu::read_some(&file, wanted)?.cell_columns)
     }
 
@@ -357,10 +321,7 @@ impl Run {
         let (stem, part) = Part::split(name);
         let columns = self.columns(k, &|n| n == stem || n == "block")?;
         let column = columns.iter().find(|c| c.name == stem).ok_or_else(|| {
-            Problem::missing(
-                format!("frame {k} has no field {stem:?}"),
-                "Choose another field.",
-            )
+            Problem::missing(format!("frame {k} has no field {stem:?}"), "Choose another field.")
         })?;
         let ids = columns.iter().find(|c| c.name == "block");
         Ok(Numbers {
@@ -381,10 +342,7 @@ impl Run {
         let columns = self.columns(k, &|n| n == name)?;
         let column = columns.into_iter().find(|c| c.components > 1);
         column.ok_or_else(|| {
-            Problem::missing(
-                format!("frame {k} has no vectors {name:?}"),
-                "Choose another field.",
-            )
+            Problem::missing(format!("frame {k} has no vectors {name:?}"), "Choose another field.")
         })
     }
 
@@ -394,10 +352,7 @@ impl Run {
     /// A damaged file.
     pub fn conditions(&self) -> Result<Option<Conditions>, Problem> {
         conditions::read(&self.path).map_err(|error| {
-            Problem::broken(
-                error.to_string(),
-                "Copy the run folder again, or run the scene again.",
-            )
+            Problem::broken(error.to_string(), "Copy the run folder again, or run the scene again.")
         })
     }
 
@@ -572,10 +527,7 @@ pub struct Cracks {
 
 /// Numbers of the blocks of a frame.
 fn numbers_of(blocks: &Path) -> Result<Vec<u32>, Problem> {
-    let only = Wanted {
-        geometry: false,
-        column: &|n| n == "block",
-    };
+    let only = Wanted { geometry: false, column: &|n| n == "block" };
     let columns = vtu::read_some(blocks, only)?.cell_columns;
     let ids = columns.first();
     Ok(ids.map_or_else(Vec::new, |c| c.data.iter().map(|v| *v as u32).collect()))

@@ -253,23 +253,10 @@ async fn handle(State(context): State<Context>, request: Request) -> Response<Bo
 
 /// Whether the browser means this machine, and asks for a page of ours or for nobody's.
 fn from_here(request: &Request, port: u16) -> bool {
-    let names = [
-        format!("127.0.0.1:{port}"),
-        format!("localhost:{port}"),
-        format!("[::1]:{port}"),
-    ];
-    let text = |name| {
-        request
-            .headers()
-            .get(name)
-            .map(|v: &HeaderValue| v.to_str().unwrap_or("?"))
-    };
-    let host = text(header::HOST).or_else(|| {
-        request
-            .uri()
-            .authority()
-            .map(axum::http::uri::Authority::as_str)
-    });
+    let names = [format!("127.0.0.1:{port}"), format!("localhost:{port}"), format!("[::1]:{port}")];
+    let text = |name| request.headers().get(name).map(|v: &HeaderValue| v.to_str().unwrap_or("?"));
+    let host = text(header::HOST)
+        .or_else(|| request.uri().authority().map(axum::http::uri::Authority::as_str));
     let ours = |host: &str| names.iter().any(|n| n.eq_ignore_ascii_case(host));
     let origin = text(header::ORIGIN);
     host.is_some_and(ours)
@@ -282,22 +269,14 @@ fn from_here(request: &Request, port: u16) -> bool {
 
 /// `/api/runs` and `/api/NUMBER/QUESTION`.
 fn about_runs(runs: &[Run], path: &str, asked: Option<&str>) -> Response<Body> {
-    let nothing = || {
-        problem(&Problem::missing(
-            format!("there is nothing at {path}"),
-            "Reload the page.",
-        ))
-    };
+    let nothing =
+        || problem(&Problem::missing(format!("there is nothing at {path}"), "Reload the page."));
     let Some(rest) = path.strip_prefix("/api/") else {
         return nothing();
     };
     if rest == "runs" {
         let count = serde_json::json!({ "runs": runs.len(), "riprap": env!("CARGO_PKG_VERSION") });
-        return reply(
-            StatusCode::OK,
-            "application/json",
-            Body::from(count.to_string()),
-        );
+        return reply(StatusCode::OK, "application/json", Body::from(count.to_string()));
     }
     let Some((number, question)) = rest.split_once('/') else {
         return nothing();
@@ -335,11 +314,8 @@ fn decoded(text: &str) -> Option<String> {
 }
 
 fn problem(problem: &Problem) -> Response<Body> {
-    let code = if problem.missing {
-        StatusCode::NOT_FOUND
-    } else {
-        StatusCode::UNPROCESSABLE_ENTITY
-    };
+    let code =
+        if problem.missing { StatusCode::NOT_FOUND } else { StatusCode::UNPROCESSABLE_ENTITY };
     let text = serde_json::to_string(problem).unwrap_or_default();
     reply(code, "application/json", Body::from(text))
 }
@@ -362,9 +338,6 @@ fn reply(code: StatusCode, kind: &'static str, body: Body) -> Response<Body> {
     ] {
         headers.insert(name, HeaderValue::from_static(value));
     }
-    headers.insert(
-        "cross-origin-resource-policy",
-        HeaderValue::from_static("same-origin"),
-    );
+    headers.insert("cross-origin-resource-policy", HeaderValue::from_static("same-origin"));
     response
 }

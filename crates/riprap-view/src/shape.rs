@@ -92,9 +92,7 @@ impl Shape {
         }
         shape.add_faces(frame);
         shape.points = at_rest(frame, &shape).iter().map(|p| *p - origin).collect();
-        shape.middles = (0..frame.blocks())
-            .map(|b| mean(&shape.points[shape.range(b)]))
-            .collect();
+        shape.middles = (0..frame.blocks()).map(|b| mean(&shape.points[shape.range(b)])).collect();
         shape.size = shape.typical_size();
         shape.triangulate();
         shape.find_twins();
@@ -230,10 +228,7 @@ impl Shape {
         }
         for a in f {
             let p = self.points[*a as usize];
-            let Some(b) = g
-                .iter()
-                .find(|b| p.distance(self.points[**b as usize]) <= near)
-            else {
+            let Some(b) = g.iter().find(|b| p.distance(self.points[**b as usize]) <= near) else {
                 return false;
             };
             matched.push([*a, *b]);
@@ -273,21 +268,9 @@ fn at_rest(frame: &Frame, shape: &Shape) -> Vec<Vec3> {
     let vectors = |name: &str| -> Option<Vec<Vec3>> {
         let column = frame.column(name)?;
         Some(match column.components {
-            1 => column
-                .data
-                .iter()
-                .map(|a| Vec3::new(0.0, 0.0, *a))
-                .collect(),
-            2 => column
-                .data
-                .chunks_exact(2)
-                .map(|v| Vec3::new(v[0], v[1], 0.0))
-                .collect(),
-            _ => column
-                .data
-                .chunks_exact(3)
-                .map(|v| Vec3::new(v[0], v[1], v[2]))
-                .collect(),
+            1 => column.data.iter().map(|a| Vec3::new(0.0, 0.0, *a)).collect(),
+            2 => column.data.chunks_exact(2).map(|v| Vec3::new(v[0], v[1], 0.0)).collect(),
+            _ => column.data.chunks_exact(3).map(|v| Vec3::new(v[0], v[1], v[2])).collect(),
         })
     };
     let Some(displacement) = vectors("displacement") else {
@@ -345,9 +328,7 @@ pub fn bounds(points: &[Vec3]) -> (Vec3, Vec3) {
     let Some(first) = finite.next() else {
         return (Vec3::ZERO, Vec3::ZERO);
     };
-    finite.fold((*first, *first), |(low, high), p| {
-        (low.min(*p), high.max(*p))
-    })
+    finite.fold((*first, *first), |(low, high), p| (low.min(*p), high.max(*p)))
 }
 
 /// Single precision.
@@ -361,18 +342,10 @@ fn flattened(outline: &[Vec3]) -> Option<Vec<[f64; 2]>> {
         return None;
     }
     let start = outline[0];
-    let normal: Vec3 = outline
-        .windows(2)
-        .map(|w| (w[0] - start).cross(w[1] - start))
-        .sum();
+    let normal: Vec3 = outline.windows(2).map(|w| (w[0] - start).cross(w[1] - start)).sum();
     let normal = normal.try_normalize()?;
     let (e, f) = normal.any_orthonormal_pair();
-    Some(
-        outline
-            .iter()
-            .map(|p| [(*p - start).dot(e), (*p - start).dot(f)])
-            .collect(),
-    )
+    Some(outline.iter().map(|p| [(*p - start).dot(e), (*p - start).dot(f)]).collect())
 }
 
 fn convex(flat: &[[f64; 2]]) -> bool {

@@ -81,10 +81,8 @@ mod tests {
 
     #[test]
     fn arrays_lie_where_the_head_says() {
-        let bytes = Wire::default()
-            .u8("a", &[1, 2, 3])
-            .f32("b", &[0.5, -2.0])
-            .finish(&json!({ "k": 1 }));
+        let bytes =
+            Wire::default().u8("a", &[1, 2, 3]).f32("b", &[0.5, -2.0]).finish(&json!({ "k": 1 }));
         let length = u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]) as usize;
         let head: Value = serde_json::from_slice(&bytes[4..4 + length]).unwrap();
         let body = &bytes[(4 + length).next_multiple_of(8)..];

@@ -23,14 +23,9 @@ fn names(folder: &Path, prefix: &str, found: &mut Vec<String>) {
 #[test]
 fn the_bundle_is_not_stale() {
     let viewer = viewer();
-    let mut all: Vec<String> = [
-        "build.mjs",
-        "package.json",
-        "package-lock.json",
-        "tsconfig.json",
-    ]
-    .map(str::to_owned)
-    .to_vec();
+    let mut all: Vec<String> = ["build.mjs", "package.json", "package-lock.json", "tsconfig.json"]
+        .map(str::to_owned)
+        .to_vec();
     names(&viewer.join("src"), "src", &mut all);
     all.sort();
     let mut hash = Sha256::new();
@@ -39,10 +34,7 @@ fn the_bundle_is_not_stale() {
         hash.update(format!("{name}\n"));
         hash.update(text.replace("\r\n", "\n"));
     }
-    let now = hash
-        .finalize()
-        .iter()
-        .fold(String::new(), |text, b| format!("{text}{b:02x}"));
+    let now = hash.finalize().iter().fold(String::new(), |text, b| format!("{text}{b:02x}"));
     let recorded = include_str!("../assets/sources.sha256").trim();
     assert_eq!(
         now, recorded,

@@ -23,21 +23,13 @@ fn row(bricks: usize, k: usize) -> Frame {
     let mut shifts = Vec::new();
     for b in 0..bricks {
         let shift = 0.01 * (k * b) as f64;
-        frame.points.extend(BRICK.map(|c| {
-            [
-                1000.0 + b as f64 + shift + 0.5 * c[0],
-                0.5 * c[1],
-                0.5 * c[2],
-            ]
-        }));
+        frame.points.extend(
+            BRICK.map(|c| [1000.0 + b as f64 + shift + 0.5 * c[0], 0.5 * c[1], 0.5 * c[2]]),
+        );
         frame.offsets.push(frame.points.len() as u32);
         shifts.push([shift, 0.0, 0.0]);
     }
-    frame.solids = Some(Solids {
-        faces: vec![0; bricks + 1],
-        ends: vec![0],
-        corners: Vec::new(),
-    });
+    frame.solids = Some(Solids { faces: vec![0; bricks + 1], ends: vec![0], corners: Vec::new() });
     frame.block_columns = vec![
         Column::scalar("block", "-", (0..bricks).map(|b| b as f64).collect()),
         Column::vector3("displacement", "m", shifts),
@@ -53,19 +45,14 @@ fn row(bricks: usize, k: usize) -> Frame {
 }
 
 fn write_run(path: &Path, frames: usize) {
-    let mut manifest = Manifest {
-        title: "a row of bricks".to_owned(),
-        ..Manifest::default()
-    };
+    let mut manifest = Manifest { title: "a row of bricks".to_owned(), ..Manifest::default() };
     let mut run = RunFolder::create(path, Existing::Refuse, &manifest).unwrap();
     let names = (1..=4).map(|k| format!("row.{k}"));
-    run.write_names(&Names::pack(names, [("row", &[0, 1, 2, 3][..])]))
-        .unwrap();
+    run.write_names(&Names::pack(names, [("row", &[0, 1, 2, 3][..])])).unwrap();
     run.begin_histories(&[("slip", "m")]).unwrap();
     for k in 0..frames {
         run.frame(&row(4, k), &Exec::serial()).unwrap();
-        run.history_row(10 * k as u64, 1e-3 * k as f64, &[Some(0.5)])
-            .unwrap();
+        run.history_row(10 * k as u64, 1e-3 * k as f64, &[Some(0.5)]).unwrap();
     }
     manifest.ended = Ended::Finished;
     run.write_manifest(&manifest).unwrap();
@@ -98,16 +85,9 @@ fn serve(folders: &[PathBuf]) -> Site {
     let server = Server::bind(folders, None).unwrap();
     let (url, once) = (server.url(), server.url_once());
     std::thread::spawn(move || server.run());
-    let (address, root) = url["http://".len()..]
-        .trim_end_matches('/')
-        .split_once('/')
-        .unwrap();
+    let (address, root) = url["http://".len()..].trim_end_matches('/').split_once('/').unwrap();
     let once = once.rsplit_once('/').unwrap().1;
-    Site {
-        address: address.parse().unwrap(),
-        root: format!("/{root}"),
-        once: format!("/{once}"),
-    }
+    Site { address: address.parse().unwrap(), root: format!("/{root}"), once: format!("/{once}") }
 }
 
 struct Reply {
@@ -128,11 +108,7 @@ fn ask(site: &Site, method: &str, path: &str, headers: &str) -> Reply {
 
 fn ask_at(site: &Site, method: &str, path: &str, headers: &str) -> Reply {
     let mut stream = TcpStream::connect(site.address).unwrap();
-    write!(
-        stream,
-        "{method} {path} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n"
-    )
-    .unwrap();
+    write!(stream, "{method} {path} HTTP/1.1\r\n{headers}Connection: close\r\n\r\n").unwrap();
     let mut bytes = Vec::new();
     stream.read_to_end(&mut bytes).unwrap();
     let end = bytes.windows(4).position(|w| w == b"\r\n\r\n").unwrap();
@@ -157,10 +133,7 @@ fn a_run_is_told_frame_by_frame() {
     let site = serve(std::slice::from_ref(&path));
     let page = get(&site, "/");
     assert_eq!(page.code, 200);
-    assert!(
-        page.head
-            .contains("content-security-policy: default-src 'none'")
-    );
+    assert!(page.head.contains("content-security-policy: default-src 'none'"));
     let summary = get(&site, "/api/0/summary").json();
     assert_eq!(summary["times"], serde_json::json!([0.0, 1e-3, 2e-3]));
     assert_eq!(summary["manifest"]["title"], "a row of bricks");
@@ -188,11 +161,7 @@ fn a_run_is_told_frame_by_frame() {
         ("block/1/9", 404),
         ("nothing", 404),
     ] {
-        assert_eq!(
-            get(&site, &format!("/api/0/{question}")).code,
-            code,
-            "{question}"
-        );
+        assert_eq!(get(&site, &format!("/api/0/{question}")).code, code, "{question}");
     }
     let block = get(&site, "/api/0/block/2/3").json();
     assert_eq!(block["columns"][1]["values"][0], 0.06);
@@ -215,16 +184,7 @@ fn a_run_is_told_frame_by_frame() {
     let range = get(&site, "/api/0/range?name=displacement").json();
     assert_eq!(range["range"], serde_json::json!([0.0, 0.06]));
     assert_eq!(get(&site, "/api/1/summary").code, 404);
-    assert_eq!(
-        ask(
-            &site,
-            "POST",
-            "/api/0/summary",
-            &format!("Host: {site}\r\n")
-        )
-        .code,
-        405
-    );
+    assert_eq!(ask(&site, "POST", "/api/0/summary", &format!("Host: {site}\r\n")).code, 405);
 }
 
 #[test]
@@ -240,16 +200,9 @@ fn strangers_are_refused() {
         format!("Host: {site}\r\nOrigin: https://evil.example\r\n"),
         format!("Host: {site}\r\nSec-Fetch-Site: cross-site\r\n"),
     ] {
-        assert_eq!(
-            ask(&site, "GET", "/api/0/summary", &headers).code,
-            403,
-            "{headers}"
-        );
+        assert_eq!(ask(&site, "GET", "/api/0/summary", &headers).code, 403, "{headers}");
     }
-    let named = format!(
-        "Host: localhost:{}\r\nSec-Fetch-Site: same-origin\r\n",
-        site.port()
-    );
+    let named = format!("Host: localhost:{}\r\nSec-Fetch-Site: same-origin\r\n", site.port());
     assert_eq!(ask(&site, "GET", "/api/0/summary", &named).code, 200);
 }
 
@@ -272,11 +225,7 @@ fn nothing_outside_the_folder_is_read() {
         "a%00b",
     ] {
         let reply = get(&site, &format!("/api/0/file/{name}"));
-        assert!(
-            reply.code == 404 || reply.code == 422,
-            "{name}: {}",
-            reply.code
-        );
+        assert!(reply.code == 404 || reply.code == 422, "{name}: {}", reply.code);
         assert!(!String::from_utf8_lossy(&reply.body).contains("secret\n"));
     }
     #[cfg(unix)]
@@ -286,16 +235,8 @@ fn nothing_outside_the_folder_is_read() {
     }
     // A list of frames that leads elsewhere.
     let pvd = std::fs::read_to_string(path.join("run.pvd")).unwrap();
-    for file in [
-        "../../secret.txt",
-        "frames/../frames/frame_000001.vtu",
-        "/etc/hostname",
-    ] {
-        std::fs::write(
-            path.join("run.pvd"),
-            pvd.replace("frames/frame_000001.vtu", file),
-        )
-        .unwrap();
+    for file in ["../../secret.txt", "frames/../frames/frame_000001.vtu", "/etc/hostname"] {
+        std::fs::write(path.join("run.pvd"), pvd.replace("frames/frame_000001.vtu", file)).unwrap();
         assert_eq!(get(&site, "/api/0/frame/0").code, 422, "{file}");
     }
 }
@@ -305,10 +246,7 @@ fn broken_folders_say_what_is_wrong_and_what_to_do() {
     let dir = tempfile::tempdir().unwrap();
     let problem = |site: &Site, what: &str| {
         let summary = get(site, "/api/0/summary").json();
-        let said = summary["problem"]["what"]
-            .as_str()
-            .unwrap_or_default()
-            .to_owned();
+        let said = summary["problem"]["what"].as_str().unwrap_or_default().to_owned();
         assert!(said.contains(what), "{said}");
         assert!(!summary["problem"]["hint"].as_str().unwrap().is_empty());
     };
@@ -329,12 +267,7 @@ fn broken_folders_say_what_is_wrong_and_what_to_do() {
     std::fs::write(&frame, &bytes[..bytes.len() / 2]).unwrap();
     let reply = get(&site, "/api/0/frame/1");
     assert_eq!(reply.code, 422);
-    assert!(
-        reply.json()["what"]
-            .as_str()
-            .unwrap()
-            .contains("frame_000002.vtu is damaged")
-    );
+    assert!(reply.json()["what"].as_str().unwrap().contains("frame_000002.vtu is damaged"));
     assert_eq!(get(&site, "/api/0/frame/2").code, 200);
     let history = get(&site, "/api/0/history/3?name=displacement.x").json();
     assert_eq!(history["values"], serde_json::json!([0.0, null, 0.06]));
@@ -346,18 +279,12 @@ fn broken_folders_say_what_is_wrong_and_what_to_do() {
     let manifest = Manifest::default();
     manifest.write(&path).unwrap();
     let summary = get(&site, "/api/0/summary").json();
-    assert_eq!(
-        (&summary["live"], &summary["died"]),
-        (&Value::Bool(false), &Value::Bool(true))
-    );
+    assert_eq!((&summary["live"], &summary["died"]), (&Value::Bool(false), &Value::Bool(true)));
     let going = dir.path().join("b.run");
     let _run = RunFolder::create(&going, Existing::Refuse, &manifest).unwrap();
     let other = serve(std::slice::from_ref(&going));
     let summary = get(&other, "/api/0/summary").json();
-    assert_eq!(
-        (&summary["live"], &summary["died"]),
-        (&Value::Bool(true), &Value::Bool(false))
-    );
+    assert_eq!((&summary["live"], &summary["died"]), (&Value::Bool(true), &Value::Bool(false)));
     assert_eq!(summary["times"], serde_json::json!([]));
 
     let pvd = std::fs::read(path.join("run.pvd")).unwrap();
@@ -393,15 +320,7 @@ fn who_does_not_know_the_address_reads_nothing() {
     let code = |path: &str| ask_at(&site, "GET", path, &host).code;
     let wrong = format!("/{}/api/0/summary", "0".repeat(32));
     let cut = format!("{}/api/0/summary", &site.root[..site.root.len() - 1]);
-    for path in [
-        "/",
-        "/api/runs",
-        "/api/0/summary",
-        "/app.js",
-        &wrong,
-        &cut,
-        &site.root,
-    ] {
+    for path in ["/", "/api/runs", "/api/0/summary", "/app.js", &wrong, &cut, &site.root] {
         assert_eq!(code(path), 403, "{path}");
     }
     assert_eq!(code(&format!("{}/api/0/summary", site.root)), 200);
@@ -409,11 +328,7 @@ fn who_does_not_know_the_address_reads_nothing() {
     // The address on the command line of the browser leads there once.
     let first = ask_at(&site, "GET", &site.once, &host);
     assert_eq!(first.code, 303);
-    assert!(
-        first.head.contains(&format!("location: {}/", site.root)),
-        "{}",
-        first.head
-    );
+    assert!(first.head.contains(&format!("location: {}/", site.root)), "{}", first.head);
     assert_eq!(code(&site.once), 403);
 }
 
@@ -433,9 +348,7 @@ fn whoever_says_nothing_does_not_keep_others_out() {
         .collect();
     assert_eq!(get(&site, "/api/0/summary").code, 200);
     for mut stream in silent {
-        stream
-            .set_read_timeout(Some(Duration::from_secs(60)))
-            .unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
         let mut said = Vec::new();
         // They are let go, with an answer or without.
         let _ = stream.read_to_end(&mut said);
@@ -459,10 +372,7 @@ fn only_plain_files_are_read() {
     ] {
         let file = path.join(name);
         let _ = std::fs::remove_file(&file);
-        let made = std::process::Command::new("mkfifo")
-            .arg(&file)
-            .status()
-            .unwrap();
+        let made = std::process::Command::new("mkfifo").arg(&file).status().unwrap();
         assert!(made.success());
     }
     // Each of these waited for a writer for ever.

@@ -20,21 +20,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let speed = (18e9_f64 / rock.density).sqrt();
     let blocks = (0..BRICKS)
         .map(|k| BlockSpec {
-            name: BlockName {
-                base: 0,
-                number: k + 1,
-            },
+            name: BlockName { base: 0, number: k + 1 },
             shape: Shape::Brick {
                 centre: Vec3::new(f64::from(k) + 0.5, 0.5, 0.5),
                 half: Vec3::splat(0.5),
             },
             material: 0,
             // The first bricks fly into the rest.
-            velocity: if k < 10 {
-                Vec3::new(0.1, 0.0, 0.0)
-            } else {
-                Vec3::ZERO
-            },
+            velocity: if k < 10 { Vec3::new(0.1, 0.0, 0.0) } else { Vec3::ZERO },
             spin: Vec3::ZERO,
         })
         .collect();
@@ -60,14 +53,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         pair_table: vec![0],
         ..Setup::default()
     };
-    let dynamic = Phase {
-        time_step: TimeStep::Auto { safety: 0.5 },
-        ..Phase::dynamic("wave", 0.06)
-    };
-    let plan = Plan {
-        phases: vec![dynamic],
-        ..Plan::default()
-    };
+    let dynamic =
+        Phase { time_step: TimeStep::Auto { safety: 0.5 }, ..Phase::dynamic("wave", 0.06) };
+    let plan = Plan { phases: vec![dynamic], ..Plan::default() };
     let mut simulation = Simulation::new(setup, plan, Exec::serial())?;
     let mut arrivals = Vec::new();
     for (brick, at) in [("brick.60", 59.5), ("brick.160", 159.5)] {

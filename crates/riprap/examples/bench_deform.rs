@@ -5,10 +5,7 @@
 //! matrix for congruent blocks, tetrahedron by tetrahedron, and with large strain. Then the kernels alone, and the cut of
 //! every block of a model beside the time that it took to build, and checkpoints of 100,000 blocks. Rates are the best of several repeats.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "no result of a model: inputs of a timing"
-)]
+#![allow(clippy::disallowed_methods, reason = "no result of a model: inputs of a timing")]
 
 use std::time::Instant;
 
@@ -55,10 +52,7 @@ fn main() {
         return cut_both(cells, only.map(String::as_str));
     }
     let save = std::env::args().nth(1).as_deref() == Some("save");
-    let words: Vec<usize> = std::env::args()
-        .skip(1)
-        .filter_map(|w| w.parse().ok())
-        .collect();
+    let words: Vec<usize> = std::env::args().skip(1).filter_map(|w| w.parse().ok()).collect();
     if save {
         return save_all(words);
     }
@@ -69,12 +63,7 @@ fn main() {
     kernels();
     for (name, own, strain, asked) in [
         ("beam, congruent blocks", false, Strain::Small, "<= 25"),
-        (
-            "beam, tetrahedron by tetrahedron",
-            true,
-            Strain::Small,
-            "<= 40",
-        ),
+        ("beam, tetrahedron by tetrahedron", true, Strain::Small, "<= 40"),
         ("beam, total Lagrangian", true, Strain::Large, ""),
     ] {
         let mut rates = [0.0; 2];
@@ -83,19 +72,13 @@ fn main() {
             let (seconds, hash, springs) = beam(cells, own, strain, threads);
             rates[threads - 1] = seconds;
             hashes[threads - 1] = hash;
-            println!(
-                "\"{name}\",{threads},{:.4e},s for 10000 steps,{asked}",
-                LONG * seconds
-            );
+            println!("\"{name}\",{threads},{:.4e},s for 10000 steps,{asked}", LONG * seconds);
             if let Some(rate) = springs {
                 println!("\"{name}: bonds\",{threads},{rate:.3e},springs/s,>= 8e7");
             }
         }
         println!("\"{name}: speed-up\",2,{:.2},-,>= 1.6", rates[0] / rates[1]);
-        assert_eq!(
-            hashes[0], hashes[1],
-            "the bits depend on the number of threads"
-        );
+        assert_eq!(hashes[0], hashes[1], "the bits depend on the number of threads");
     }
     cut_both(Vec::new(), None);
     save_all(Vec::new());
@@ -114,9 +97,8 @@ fn kernels() {
     let matrix = Stiffness::new(&mesh, &law);
     let count = mesh.nodes.len();
     let mut draw = draws();
-    let u: Vec<[f64; 3]> = (0..blocks * count)
-        .map(|_| [0, 1, 2].map(|_| 1e-4 * EDGE * draw()))
-        .collect();
+    let u: Vec<[f64; 3]> =
+        (0..blocks * count).map(|_| [0, 1, 2].map(|_| 1e-4 * EDGE * draw())).collect();
     let mut f = vec![[0.0; 3]; u.len()];
     let none = StartStress::none();
     let width = Width::detect();
@@ -135,21 +117,16 @@ fn kernels() {
     time("kernel, small strain, own shapes", ">= 6e7", &|k, u, f| {
         forces(width, &own[k], &law, Strain::Small, &none, u, f);
     });
-    time(
-        "kernel, total Lagrangian, own shapes",
-        ">= 4e7",
-        &|k, u, f| {
-            forces(width, &own[k], &law, Strain::Large, &none, u, f);
-        },
-    );
+    time("kernel, total Lagrangian, own shapes", ">= 4e7", &|k, u, f| {
+        forces(width, &own[k], &law, Strain::Large, &none, u, f);
+    });
     time("kernel, shared matrix", ">= 1.2e8", &|_, u, f| {
         matrix.forces(width, u, f);
     });
     let mut best = f64::INFINITY;
     for _ in 0..20 {
-        let normals: Vec<Vec3> = (0..500)
-            .map(|_| Vec3::new(draw(), draw(), draw()).normalize())
-            .collect();
+        let normals: Vec<Vec3> =
+            (0..500).map(|_| Vec3::new(draw(), draw(), draw()).normalize()).collect();
         let start = Instant::now();
         let parts: usize = normals
             .iter()
@@ -169,9 +146,7 @@ fn kernels() {
 fn draws() -> impl FnMut() -> f64 {
     let mut seed = 1u64;
     move || {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 }
@@ -185,18 +160,12 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
         let (centre, half) = (EDGE * Vec3::from_array(at), Vec3::splat(0.5 * EDGE));
         let shape = if own {
             let solid = Polyhedron::brick(centre, half);
-            Shape::Polyhedron(Box::new(Solid {
-                vertices: solid.vertices,
-                faces: solid.faces,
-            }))
+            Shape::Polyhedron(Box::new(Solid { vertices: solid.vertices, faces: solid.faces }))
         } else {
             Shape::Brick { centre, half }
         };
         blocks.push(BlockSpec {
-            name: BlockName {
-                base: 0,
-                number: k as u32 + 1,
-            },
+            name: BlockName { base: 0, number: k as u32 + 1 },
             shape,
             material: 0,
             velocity: Vec3::ZERO,
@@ -216,10 +185,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
         interfaces: vec![InterfaceLaw {
             name: "default".into(),
             bond: Some(BondLaw {
-                springs: BondSprings::Thickness {
-                    thickness: 0.01 * EDGE,
-                    moduli: None,
-                },
+                springs: BondSprings::Thickness { thickness: 0.01 * EDGE, moduli: None },
                 strength: Some(Strength {
                     tension: 5e6,
                     cohesion: 8e6,
@@ -259,19 +225,10 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
 
 /// Enters a dynamic phase and gives nodes a displacement.
 fn begin(world: &mut World, scratch: &mut Scratch, breaking: bool, field: impl Fn(Vec3) -> Vec3) {
-    let rules = Rules {
-        relax: None,
-        breaking,
-        strain: None,
-    };
+    let rules = Rules { relax: None, breaking, strain: None };
     phase::enter(world, &[], Some(&rules));
     if let Some(deform) = world.deform.as_deref_mut() {
-        for (u, place) in deform
-            .nodes
-            .displacement
-            .iter_mut()
-            .zip(&deform.nodes.place)
-        {
+        for (u, place) in deform.nodes.displacement.iter_mut().zip(&deform.nodes.place) {
             *u = field(*place).to_array();
         }
     }
@@ -353,10 +310,7 @@ name = "run"
 until = {{ time = "1 ms" }}
 "#
     );
-    let source = Source {
-        name: "bench".into(),
-        text,
-    };
+    let source = Source { name: "bench".into(), text };
     Scene::parse(source, ".".into(), &[]).expect("a sound scene")
 }
 
@@ -370,25 +324,18 @@ fn cut_all(name: &str, grid: &str, cells: [usize; 3], threads: usize) {
     let simulation = Simulation::new(model.setup, model.plan, exec()).expect("a simulation");
     let library = start.elapsed().as_secs_f64();
     drop(simulation);
-    let riprap::model::Setup::Spatial(setup) = setup else {
-        panic!("the scene is in space")
-    };
+    let riprap::model::Setup::Spatial(setup) = setup else { panic!("the scene is in space") };
     let start = Instant::now();
     let (mut world, mut scratch) = World::new(*setup, exec()).expect("a model");
     let engine = start.elapsed().as_secs_f64();
     let blocks = world.alive.len();
     let strain = Vec3::new(3e-4, 1e-5, 0.0);
-    begin(&mut world, &mut scratch, false, |at| {
-        Vec3::new(strain.x * at.x, strain.y * at.x, 0.0)
-    });
+    begin(&mut world, &mut scratch, false, |at| Vec3::new(strain.x * at.x, strain.y * at.x, 0.0));
     evaluate(&mut world, &mut scratch, &Damping::default(), 1e-9).expect("finite");
     let rules = cutting::Rules {
         planes: 3,
         criterion: Criterion::Larger,
-        margins: Margins {
-            tension: 0.0,
-            shear: 0.0,
-        },
+        margins: Margins { tension: 0.0, shear: 0.0 },
         generations: 1,
         smallest: 0.0,
         anchor: cutting::Anchor::Spacing,
@@ -409,36 +356,11 @@ fn cut_all(name: &str, grid: &str, cells: [usize; 3], threads: usize) {
     let row = |what: &str, value: f64, unit: &str, asked: &str| {
         println!("\"{name}: {what}\",{threads},{value:.4},{unit},{asked}");
     };
-    row(
-        &format!("building {blocks} blocks from the parsed scene"),
-        library,
-        "s",
-        "",
-    );
-    row(
-        &format!("building {blocks} blocks in the engine"),
-        engine,
-        "s",
-        "",
-    );
-    row(
-        &format!("cutting {count} of them"),
-        seconds,
-        "s",
-        "<= building",
-    );
-    row(
-        "one cut with its interfaces",
-        1e6 * seconds / count as f64,
-        "us",
-        "<= 60",
-    );
-    row(
-        "forces of all parts once",
-        1e6 * once / count as f64,
-        "us/cut",
-        "",
-    );
+    row(&format!("building {blocks} blocks from the parsed scene"), library, "s", "");
+    row(&format!("building {blocks} blocks in the engine"), engine, "s", "");
+    row(&format!("cutting {count} of them"), seconds, "s", "<= building");
+    row("one cut with its interfaces", 1e6 * seconds / count as f64, "us", "<= 60");
+    row("forces of all parts once", 1e6 * once / count as f64, "us/cut", "");
 }
 
 /// Saves a model of `cells` (default 50 x 50 x 40) that moves: the larger part of what someone waits for after Ctrl-C, and what the
@@ -446,14 +368,8 @@ fn cut_all(name: &str, grid: &str, cells: [usize; 3], threads: usize) {
 fn save_all(cells: Vec<usize>) {
     let cells: [usize; 3] = cells.try_into().unwrap_or([50, 50, 40]);
     let parsed = scene("box", cells);
-    let setup = parsed
-        .prepare(&parsed.plain())
-        .expect("a model")
-        .model
-        .setup;
-    let riprap::model::Setup::Spatial(setup) = setup else {
-        panic!("the scene is in space")
-    };
+    let setup = parsed.prepare(&parsed.plain()).expect("a model").model.setup;
+    let riprap::model::Setup::Spatial(setup) = setup else { panic!("the scene is in space") };
     let exec = Exec::new(1).expect("a thread");
     let (mut world, mut scratch) = World::new(*setup, exec).expect("a model");
     begin(&mut world, &mut scratch, false, |at| {
@@ -476,9 +392,7 @@ fn save_all(cells: Vec<usize>) {
         let mut bytes = 0;
         for _ in 0..REPEATS {
             let start = Instant::now();
-            let file = folder
-                .checkpoint_as("bench", 0, &world, packing)
-                .expect("a checkpoint");
+            let file = folder.checkpoint_as("bench", 0, &world, packing).expect("a checkpoint");
             best = best.min(start.elapsed().as_secs_f64());
             bytes = file.metadata().expect("its length").len();
         }

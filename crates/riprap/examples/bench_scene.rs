@@ -31,9 +31,8 @@ const FEWEST: usize = 5;
 /// Reads a case of a scene.
 fn load(path: &Path, case: &str) -> Result<Job, String> {
     let scene = Scene::load(path, &[]).map_err(|wrong| wrong.render())?;
-    let found = scene
-        .case(case)
-        .ok_or_else(|| format!("{} has no case {case:?}", path.display()))?;
+    let found =
+        scene.case(case).ok_or_else(|| format!("{} has no case {case:?}", path.display()))?;
     Ok(scene.prepare(&found).map_err(|wrong| wrong.render())?.job())
 }
 
@@ -166,13 +165,7 @@ fn measure(
     }
     times.sort_by(f64::total_cmp);
     let median = times[REPEATS / 2];
-    let Counts {
-        blocks,
-        contacts,
-        candidates,
-        patches,
-        ..
-    } = Counts::of(&simulation);
+    let Counts { blocks, contacts, candidates, patches, .. } = Counts::of(&simulation);
     let after = simulation.engine().profile().seconds();
     let spent = after.iter().zip(&before).map(|((_, a), (_, b))| a - b);
     let all: f64 = spent.clone().sum();
@@ -204,11 +197,7 @@ fn main() -> Result<(), String> {
         .iter()
         .map(|text| text.parse().map_err(|_| format!("{text:?} is no number")))
         .collect::<Result<_, _>>()?;
-    let threads = if threads.is_empty() {
-        vec![1, 2]
-    } else {
-        threads
-    };
+    let threads = if threads.is_empty() { vec![1, 2] } else { threads };
     let path = Path::new(path);
     let job = load(path, case)?;
     let most = threads.iter().copied().max().unwrap_or(1);
@@ -216,10 +205,7 @@ fn main() -> Result<(), String> {
     let start = simulation.snapshot();
     drop(simulation);
     let machine = Machine::this();
-    println!(
-        "# {} ({} cores), {} {}",
-        machine.cpu, machine.cores, machine.os, machine.arch
-    );
+    println!("# {} ({} cores), {} {}", machine.cpu, machine.cores, machine.os, machine.arch);
     println!(
         "scene,size,blocks,contacts,candidates,patches,threads,steps,median_ms_per_step,min_ms,max_ms,\
          million_contacts_per_s,ns_per_block_step,bytes_per_block,bytes_per_candidate,stages,state_hash"

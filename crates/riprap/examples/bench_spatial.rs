@@ -5,10 +5,7 @@
 //! slide everywhere ("broken", the smallest lattice only). Times are medians over repeats with the smallest and
 //! largest beside; both thread counts end at the same state.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "no result of a model: inputs of a timing"
-)]
+#![allow(clippy::disallowed_methods, reason = "no result of a model: inputs of a timing")]
 
 use std::time::Instant;
 
@@ -49,22 +46,14 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
     let mut blocks = Vec::with_capacity(edge * edge * edge);
     let mut seed = 1u64;
     let mut draw = || {
-        seed = seed
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     };
     for k in 0..edge * edge * edge {
         let at = [k % edge, k / edge % edge, k / (edge * edge)].map(|n| n as f64 + 0.5);
         blocks.push(BlockSpec {
-            name: BlockName {
-                base: 0,
-                number: k as u32 + 1,
-            },
-            shape: Shape::Brick {
-                centre: Vec3::from_array(at),
-                half: Vec3::splat(0.5),
-            },
+            name: BlockName { base: 0, number: k as u32 + 1 },
+            shape: Shape::Brick { centre: Vec3::from_array(at), half: Vec3::splat(0.5) },
             material: 0,
             velocity: 1e-3 * Vec3::new(draw(), draw(), draw()),
             spin: 1e-3 * Vec3::new(draw(), draw(), draw()),
@@ -138,8 +127,7 @@ fn run(world: &mut World, scratch: &mut Scratch, steps: usize) -> Result<(), Str
 fn resident_kb() -> f64 {
     let text = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = text.lines().find(|l| l.starts_with("VmRSS:"));
-    line.and_then(|l| l.split_whitespace().nth(1)?.parse().ok())
-        .unwrap_or(0.0)
+    line.and_then(|l| l.split_whitespace().nth(1)?.parse().ok()).unwrap_or(0.0)
 }
 
 fn measure(edge: usize, joints: Joints, threads: usize) -> Result<String, String> {
@@ -170,10 +158,8 @@ fn measure(edge: usize, joints: Joints, threads: usize) -> Result<String, String
         .map(|((name, after), (_, before))| (name, after - before))
         .collect();
     let all: f64 = spent.iter().map(|(_, s)| s).sum();
-    let split: Vec<String> = spent
-        .iter()
-        .map(|(name, s)| format!("{name} {:.0} %", 100.0 * s / all))
-        .collect();
+    let split: Vec<String> =
+        spent.iter().map(|(name, s)| format!("{name} {:.0} %", 100.0 * s / all)).collect();
     Ok(format!(
         "{},{count},{},{threads},{steps},{:.3},{:.3},{:.3},{:.2},{:.2},{build:.2},{}",
         joints.name(),
@@ -188,20 +174,10 @@ fn measure(edge: usize, joints: Joints, threads: usize) -> Result<String, String
 }
 
 fn main() -> Result<(), String> {
-    let edges: Vec<usize> = std::env::args()
-        .skip(1)
-        .filter_map(|a| a.parse().ok())
-        .collect();
-    let edges = if edges.is_empty() {
-        vec![32, 64, 100]
-    } else {
-        edges
-    };
+    let edges: Vec<usize> = std::env::args().skip(1).filter_map(|a| a.parse().ok()).collect();
+    let edges = if edges.is_empty() { vec![32, 64, 100] } else { edges };
     let machine = Machine::this();
-    println!(
-        "# {} ({} cores), {} {}",
-        machine.cpu, machine.cores, machine.os, machine.arch
-    );
+    println!("# {} ({} cores), {} {}", machine.cpu, machine.cores, machine.os, machine.arch);
     println!(
         "joints,blocks,patches,threads,steps,median_ms_per_step,min_ms,max_ms,\
          million_block_updates_per_s,kb_per_block,build_s,stages"

@@ -48,9 +48,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     // v²/(2 g tan(30 deg))
-    println!(
-        "a rigid slider would stop after {:.5} m",
-        1.0 / (2.0 * 9.81 * 0.577_350_27)
-    );
+    println!("a rigid slider would stop after {:.5} m", 1.0 / (2.0 * 9.81 * 0.577_350_27));
     Ok(())
 }

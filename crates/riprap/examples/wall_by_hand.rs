@@ -26,11 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         for column in 0..5 {
             let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
             let (x, y) = (f64::from(column) + shift, 0.5 * f64::from(row));
-            blocks.push(block(
-                &format!("brick.{row}.{column}"),
-                [x, y],
-                [x + 1.0, y + 0.5],
-            ));
+            blocks.push(block(&format!("brick.{row}.{column}"), [x, y], [x + 1.0, y + 0.5]));
         }
     }
     let setup = Setup {
@@ -55,11 +51,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         pair_table: vec![0],
         supports: vec![Support {
             blocks: vec![0],
-            motion: Motion::Fixed {
-                x: true,
-                y: true,
-                rotation: true,
-            },
+            motion: Motion::Fixed { x: true, y: true, rotation: true },
         }],
         ..Setup::default()
     };
@@ -69,10 +61,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         zero_displacements: true,
         ..Phase::dynamic("take out", 0.3)
     };
-    let plan = Plan {
-        phases: vec![Phase::settle("settle", 1e-4), take_out],
-        ..Plan::default()
-    };
+    let plan = Plan { phases: vec![Phase::settle("settle", 1e-4), take_out], ..Plan::default() };
     let mut simulation = Simulation::new(setup, plan, Exec::new(2)?)?;
     simulation.run()?;
     for name in ["brick.1.0", "brick.1.1", "brick.3.1"] {

@@ -132,10 +132,7 @@ impl Phase {
         Self {
             name: name.to_owned(),
             kind: PhaseKind::Dynamic,
-            until: Until {
-                time: Some(time),
-                ..Until::default()
-            },
+            until: Until { time: Some(time), ..Until::default() },
             time_step: TimeStep::Auto { safety: SAFETY },
             damping: Damping::default(),
             remove: Vec::new(),
@@ -162,10 +159,7 @@ impl Phase {
     pub fn settle(name: &str, unbalanced: f64) -> Self {
         Self {
             kind: PhaseKind::Static,
-            until: Until {
-                unbalanced: Some(unbalanced),
-                ..Until::default()
-            },
+            until: Until { unbalanced: Some(unbalanced), ..Until::default() },
             ..Self::dynamic(name, 0.0)
         }
     }

@@ -12,10 +12,7 @@ use riprap::run::simulation::{Simulation, Snapshot, Stage};
 use riprap::scenario::Source;
 
 fn scene(text: &str) -> Scene {
-    let source = Source {
-        name: "scene.toml".to_owned(),
-        text: text.to_owned(),
-    };
+    let source = Source { name: "scene.toml".to_owned(), text: text.to_owned() };
     Scene::parse(source, ".".into(), &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
 }
 
@@ -313,10 +310,7 @@ fn the_work_of_each_is_read_by_its_name() {
         let works = view.works();
         let work = works.iter().filter(of_kind).nth(number).unwrap();
         assert_eq!(work.name, name);
-        assert_eq!(
-            Reading::new(view.kind(), &gauge).unwrap().value(&view),
-            work.work
-        );
+        assert_eq!(Reading::new(view.kind(), &gauge).unwrap().value(&view), work.work);
         assert!(work.work != 0.0, "{field} {name}");
     }
     let told = ask::gauge(&view, "support.work", &["cor"]).unwrap_err();
@@ -326,19 +320,14 @@ fn the_work_of_each_is_read_by_its_name() {
 #[test]
 fn two_of_one_name_are_told() {
     let parsed = |text: &str| {
-        let source = Source {
-            name: "scene.toml".to_owned(),
-            text: text.to_owned(),
-        };
+        let source = Source { name: "scene.toml".to_owned(), text: text.to_owned() };
         Scene::parse(source, ".".into(), &[])
     };
     let twice = PLANE.replace("name = \"push\"", "name = \"wind\"");
     let told = parsed(&twice).unwrap_err().to_string();
     assert!(told.contains("there are two loads called `wind`"), "{told}");
     // Two without names on the same block: neither can be told by it.
-    let alike = PLANE
-        .replace("name = \"twist\"\n", "")
-        .replace("name = \"push\"\n", "")
+    let alike = PLANE.replace("name = \"twist\"\n", "").replace("name = \"push\"\n", "")
         + "[[checks]]\nname = \"which\"\nfield = \"load.work\"\nof = \"bar.3\"\nvalue = \"0 J/m\"\nabsolute = \"1 J/m\"\n";
     let alike = alike.replace("on = { block = \"bar.4\" }", "on = { block = \"bar.3\" }");
     let scene = parsed(&alike).unwrap();

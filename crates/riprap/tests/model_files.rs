@@ -75,20 +75,12 @@ fn bad_models_are_refused_with_their_message() {
         }
         for (line, expected) in wanted {
             let said = found.list.iter().any(|one| {
-                let alone = Diagnostics {
-                    source: Source::default(),
-                    list: vec![one.clone()],
-                };
-                let at = one
-                    .span
-                    .as_ref()
-                    .map(|s| found.source.line_column(s.start).0);
+                let alone = Diagnostics { source: Source::default(), list: vec![one.clone()] };
+                let at = one.span.as_ref().map(|s| found.source.line_column(s.start).0);
                 at == Some(line) && alone.render().contains(&expected)
             });
             if !said {
-                wrong.push(format!(
-                    "{name}: not \"{expected}\" at line {line}\n{found}"
-                ));
+                wrong.push(format!("{name}: not \"{expected}\" at line {line}\n{found}"));
             }
         }
     }
@@ -101,10 +93,7 @@ fn good_files_that_name_no_missing_file_are_built() {
         match built(&path) {
             Ok(model) => assert!(model.summary.blocks > 0),
             Err(found) => {
-                let mut errors = found
-                    .list
-                    .iter()
-                    .filter(|one| one.severity == Severity::Error);
+                let mut errors = found.list.iter().filter(|one| one.severity == Severity::Error);
                 let missing = errors.all(|one| one.code == "file.csv");
                 assert!(missing, "{}\n{found}", path.display());
             }
@@ -152,11 +141,7 @@ fn large_models_are_built_in_seconds() {
         slope.setup.planar().unwrap().blocks.len()
     );
     assert!(seconds < 20.0, "{seconds} s");
-    assert!(
-        (slope.summary.mass / (2600.0 * 6800.0) - 1.0).abs() < 1e-12,
-        "{}",
-        slope.summary.mass
-    );
+    assert!((slope.summary.mass / (2600.0 * 6800.0) - 1.0).abs() < 1e-12, "{}", slope.summary.mass);
 }
 
 #[test]
@@ -165,12 +150,7 @@ fn heaps_of_blocks_in_one_place_end_in_time() {
         "[[blocks]]\nname = \"heap\"\nmaterial = \"rock\"\n\
          rectangle = { size = [1, 1], corner = [0, 0] }\ncopies = { count = 100000, step = [0, 0] }\n",
     );
-    assert!(
-        result
-            .unwrap_err()
-            .render()
-            .contains("on top of each other")
-    );
+    assert!(result.unwrap_err().render().contains("on top of each other"));
     assert!(seconds < 20.0, "{seconds} s");
 }
 
@@ -195,18 +175,8 @@ fn polygons_with_very_many_corners_end_in_time() {
 }
 
 /// Texts to put in place of numbers.
-const SILLY: &[&str] = &[
-    "0",
-    "-1",
-    "1e-300",
-    "1e300",
-    "1e-12",
-    "1e12",
-    "123456789",
-    "-0.5",
-    "1",
-    "0.999999",
-];
+const SILLY: &[&str] =
+    &["0", "-1", "1e-300", "1e300", "1e-12", "1e12", "123456789", "-0.5", "1", "0.999999"];
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
@@ -233,11 +203,7 @@ proptest! {
 /// A folder with the tables that the scenario names.
 fn tables() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(
-        folder.path().join("block.csv"),
-        "x_m,y_m\n20,0\n21,0\n20,1\n",
-    )
-    .unwrap();
+    fs::write(folder.path().join("block.csv"), "x_m,y_m\n20,0\n21,0\n20,1\n").unwrap();
     fs::write(folder.path().join("quake.csv"), "t_s,a_m_s2\n0,0\n1,1\n").unwrap();
     folder
 }

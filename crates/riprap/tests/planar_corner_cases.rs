@@ -24,56 +24,20 @@ fn cases() -> Vec<(String, Vec<Vec2>, Vec<Vec2>)> {
     let mut list = vec![
         ("identical squares", square.clone(), square.clone()),
         ("shared edge", square.clone(), rectangle(1.0, 0.0, 2.0, 1.0)),
-        (
-            "shared part of an edge",
-            square.clone(),
-            rectangle(1.0, 0.3, 2.0, 1.6),
-        ),
-        (
-            "collinear edges, overlapping",
-            square.clone(),
-            rectangle(0.4, 0.999, 1.4, 1.999),
-        ),
-        (
-            "vertex on vertex",
-            square.clone(),
-            rectangle(1.0, 1.0, 2.0, 2.0),
-        ),
-        (
-            "vertex on edge",
-            square.clone(),
-            points(&[(0.5, 1.0), (1.0, 2.0), (0.0, 2.0)]),
-        ),
-        (
-            "crossed bars",
-            rectangle(-1.0, -0.05, 1.0, 0.05),
-            rectangle(-0.05, -1.0, 0.05, 1.0),
-        ),
-        (
-            "containment",
-            rectangle(0.0, 0.0, 4.0, 4.0),
-            rectangle(1.5, 1.7, 2.0, 2.0),
-        ),
+        ("shared part of an edge", square.clone(), rectangle(1.0, 0.3, 2.0, 1.6)),
+        ("collinear edges, overlapping", square.clone(), rectangle(0.4, 0.999, 1.4, 1.999)),
+        ("vertex on vertex", square.clone(), rectangle(1.0, 1.0, 2.0, 2.0)),
+        ("vertex on edge", square.clone(), points(&[(0.5, 1.0), (1.0, 2.0), (0.0, 2.0)])),
+        ("crossed bars", rectangle(-1.0, -0.05, 1.0, 0.05), rectangle(-0.05, -1.0, 0.05, 1.0)),
+        ("containment", rectangle(0.0, 0.0, 4.0, 4.0), rectangle(1.5, 1.7, 2.0, 2.0)),
         (
             "comb on a flat",
             moved(&comb(), 0.0, Vec2::new(0.0, 0.999)),
             rectangle(-1.0, 0.0, 2.0, 1.0),
         ),
-        (
-            "wedge in a notch",
-            notched(),
-            points(&[(0.6, 0.299), (0.7, 0.8), (0.5, 0.8)]),
-        ),
-        (
-            "reflex corner on a peak",
-            l_shape(),
-            points(&[(0.399, 0.399), (0.9, 0.6), (0.6, 0.9)]),
-        ),
-        (
-            "block in a slot",
-            u_shape(),
-            rectangle(0.299, 0.299, 0.901, 1.2),
-        ),
+        ("wedge in a notch", notched(), points(&[(0.6, 0.299), (0.7, 0.8), (0.5, 0.8)])),
+        ("reflex corner on a peak", l_shape(), points(&[(0.399, 0.399), (0.9, 0.6), (0.6, 0.9)])),
+        ("block in a slot", u_shape(), rectangle(0.299, 0.299, 0.901, 1.2)),
         (
             "sliver of 0.1 deg",
             points(&[(0.0, 0.999), (3.0, 1.5), (3.0, 1.505_236)]),
@@ -91,21 +55,10 @@ fn cases() -> Vec<(String, Vec<Vec2>, Vec<Vec2>)> {
         ),
         (
             "collinear vertices",
-            points(&[
-                (0.0, 0.0),
-                (0.3, 0.0),
-                (0.5, 0.0),
-                (1.0, 0.0),
-                (1.0, 1.0),
-                (0.0, 1.0),
-            ]),
+            points(&[(0.0, 0.0), (0.3, 0.0), (0.5, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]),
             rectangle(0.2, -1.0, 0.7, 1e-3),
         ),
-        (
-            "two combs",
-            comb(),
-            moved(&comb(), std::f64::consts::PI, Vec2::new(1.3, 0.28)),
-        ),
+        ("two combs", comb(), moved(&comb(), std::f64::consts::PI, Vec2::new(1.3, 0.28))),
     ]
     .into_iter()
     .map(|(name, a, b)| (name.to_owned(), a, b))
@@ -122,11 +75,7 @@ fn cases() -> Vec<(String, Vec<Vec2>, Vec<Vec2>)> {
 }
 
 fn laws() -> [ContactLaw; 3] {
-    [
-        law(DISTANCE, STIFFNESS),
-        general(law(DISTANCE, STIFFNESS)),
-        law(SOURCE, STIFFNESS),
-    ]
+    [law(DISTANCE, STIFFNESS), general(law(DISTANCE, STIFFNESS)), law(SOURCE, STIFFNESS)]
 }
 
 #[test]
@@ -140,18 +89,12 @@ fn forces_are_finite_and_balanced_in_either_order() {
                 "{name}"
             );
             let (left, scale) = model.leftover_moment();
-            assert!(
-                left.abs() <= 1e-12 * scale + 1e-9,
-                "{name}: moment {left} of {scale}"
-            );
+            assert!(left.abs() <= 1e-12 * scale + 1e-9, "{name}: moment {left} of {scale}");
             let swapped = Model::pair(&b, &a, law).wrench();
             // What round-off of the overlap itself (1e-16 m) can carry.
             let noise = STIFFNESS * 1e-14;
             let off = (w.force + swapped.force).length();
-            assert!(
-                off <= 1e-12 * w.force.length() + noise,
-                "{name}: {w:?} {swapped:?}"
-            );
+            assert!(off <= 1e-12 * w.force.length() + noise, "{name}: {w:?} {swapped:?}");
             assert!(
                 (w.moment_i - swapped.moment_j).abs() <= 1e-11 * scale + noise,
                 "{name}: {w:?} {swapped:?}"
@@ -188,10 +131,7 @@ fn tiny_moves_change_the_force_a_little() {
 
 #[test]
 fn far_from_the_origin_and_turned_often() {
-    for (name, a, b) in cases()
-        .into_iter()
-        .filter(|(name, ..)| !name.contains("depth 1e-"))
-    {
+    for (name, a, b) in cases().into_iter().filter(|(name, ..)| !name.contains("depth 1e-")) {
         let law = law(DISTANCE, STIFFNESS);
         let near = Model::pair(&a, &b, law).wrench();
         let shift = Vec2::splat(1e5);
@@ -202,10 +142,7 @@ fn far_from_the_origin_and_turned_often() {
     }
     // A block that has turned a million radians is where its angle says.
     let mut one = setup(
-        vec![
-            block(&rectangle(0.0, -1e-3, 1.0, 1.0)),
-            block(&rectangle(-3.0, -2.0, 4.0, 0.0)),
-        ],
+        vec![block(&rectangle(0.0, -1e-3, 1.0, 1.0)), block(&rectangle(-3.0, -2.0, 4.0, 0.0))],
         law(DISTANCE, STIFFNESS),
     );
     one.blocks[0].spin = 0.0;

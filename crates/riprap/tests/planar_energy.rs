@@ -39,10 +39,7 @@ fn both_kernels_agree_on_convex_pairs() {
         let slow = Model::pair(&a, &b, general(law(DISTANCE, 1e9))).wrench();
         let scale = slow.force.length();
         touching += usize::from(scale > 0.0);
-        assert!(
-            (fast.force - slow.force).length() <= 1e-11 * scale + 1e-6,
-            "{fast:?} {slow:?}"
-        );
+        assert!((fast.force - slow.force).length() <= 1e-11 * scale + 1e-6, "{fast:?} {slow:?}");
         assert!((fast.moment_i - slow.moment_i).abs() <= 1e-11 * scale + 1e-6);
         assert!((fast.moment_j - slow.moment_j).abs() <= 1e-11 * scale + 1e-6);
     }
@@ -54,18 +51,8 @@ fn the_force_is_minus_the_gradient_of_the_energy() {
     let mut random = Random(2);
     let concave = [
         (moved(&l_shape(), 0.3, Vec2::new(0.55, 0.43)), notched()),
-        (
-            moved(&comb(), 0.01, Vec2::new(0.0, 0.595)),
-            rectangle(-1.0, -1.0, 2.0, 0.6),
-        ),
-        (
-            moved(
-                &rectangle(-0.31, 0.0, 0.31, 0.9),
-                0.02,
-                Vec2::new(0.6, 0.28),
-            ),
-            u_shape(),
-        ),
+        (moved(&comb(), 0.01, Vec2::new(0.0, 0.595)), rectangle(-1.0, -1.0, 2.0, 0.6)),
+        (moved(&rectangle(-0.31, 0.0, 0.31, 0.9), 0.02, Vec2::new(0.6, 0.28)), u_shape()),
     ];
     let convex = (0..40).map(|_| overlapping(&mut random));
     for (k, (a, b)) in convex.chain(concave).enumerate() {
@@ -98,10 +85,7 @@ fn trace(random: &mut Random, levels: u32, wiggle: f64) -> Vec<Vec2> {
         let size = wiggle * libm::pow(0.55, f64::from(level));
         let mut finer = vec![line[0]];
         for w in line.windows(2) {
-            let off = Vec2::new(
-                0.3 * random.between(-size, size),
-                random.between(-size, size),
-            );
+            let off = Vec2::new(0.3 * random.between(-size, size), random.between(-size, size));
             let middle = 0.5 * (w[0] + w[1]) + off;
             finer.extend([(1e3 * middle).round() / 1e3, w[1]]);
         }
@@ -138,10 +122,7 @@ fn gradient_fault(model: &mut Model, by: Vec2, step: f64) -> f64 {
         (slope(Vec2::ZERO, 1.0 / arm), w.moment_i / arm),
     ];
     let scale = w.force.length().max(w.moment_i.abs() / arm);
-    found
-        .iter()
-        .map(|(a, b)| (a - b).abs() / scale)
-        .fold(0.0, f64::max)
+    found.iter().map(|(a, b)| (a - b).abs() / scale).fold(0.0, f64::max)
 }
 
 #[test]
@@ -150,21 +131,14 @@ fn outlines_that_coincide_over_many_corners_hold_no_energy_and_keep_the_gradient
     for case in 0..24 {
         let line = trace(&mut random, 2 + case % 5, 0.6);
         // As drawn, turned by anything, and far from the origin.
-        let angle = if case % 3 == 0 {
-            0.0
-        } else {
-            random.between(-3.1, 3.1)
-        };
+        let angle = if case % 3 == 0 { 0.0 } else { random.between(-3.1, 3.1) };
         let far = if case % 4 == 3 { 3e4 } else { 0.0 };
         let [upper, lower] = halves(&line, angle, Vec2::new(far, -far));
         let mut model = Model::pair(&upper, &lower, law(DISTANCE, 1e9));
         // Round-off of coordinates, m.
         let noise = 4.0 * f64::EPSILON * (10.0 + far);
         let touching = model.balance().contact_normal;
-        assert!(
-            touching.abs() <= 1e9 * 20.0 * noise * noise,
-            "case {case}: {touching} J/m"
-        );
+        assert!(touching.abs() <= 1e9 * 20.0 * noise * noise, "case {case}: {touching} J/m");
         for depth in [1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-3] {
             // Of the depth, and well above round-off.
             let share = (20.0 * noise / depth).max(2e-3);
@@ -179,10 +153,7 @@ fn outlines_that_coincide_over_many_corners_hold_no_energy_and_keep_the_gradient
             model.place(0, origin, 0.0);
             // Sides that begin to touch within the step, and round-off of the places over it.
             let most = 0.25 * share + 0.5 * noise / (share * depth);
-            assert!(
-                fault <= most,
-                "case {case}, {depth} m: {fault}, {most} allowed"
-            );
+            assert!(fault <= most, "case {case}, {depth} m: {fault}, {most} allowed");
         }
     }
 }
@@ -202,10 +173,7 @@ fn a_trace_pressed_together_has_the_energy_of_its_sides() {
             0.5e9 * (depth * d.x) * (depth * d.x) / d.length()
         });
         let (exact, found) = (strips.sum::<f64>(), model.balance().contact_normal);
-        assert!(
-            (found / exact - 1.0).abs() < 1e-4,
-            "case {case}: {found}, {exact}"
-        );
+        assert!((found / exact - 1.0).abs() < 1e-4, "case {case}: {found}, {exact}");
     }
 }
 
@@ -215,33 +183,17 @@ fn a_block_in_a_reflex_corner_holds_no_energy_without_overlap() {
     for case in 0..300 {
         // The base has its reflex corner at the origin; the block has corners on both of its sides or leans
         // away from the wall's top.
-        let base = points(&[
-            (-7.0, -1.0),
-            (2.0, -1.0),
-            (2.0, 4.0),
-            (0.0, 4.0),
-            (0.0, 0.0),
-            (-7.0, 0.0),
-        ]);
+        let base =
+            points(&[(-7.0, -1.0), (2.0, -1.0), (2.0, 4.0), (0.0, 4.0), (0.0, 0.0), (-7.0, 0.0)]);
         let (w, h) = (random.between(0.5, 3.0), random.between(0.5, 3.0));
         let (u, v) = (random.between(0.2, 0.8), random.between(0.2, 0.8));
         let block = if case % 2 == 0 {
-            points(&[
-                (-w, 0.0),
-                (-u * w, 0.0),
-                (0.0, 0.0),
-                (0.0, v * h),
-                (0.0, h),
-                (-w, h),
-            ])
+            points(&[(-w, 0.0), (-u * w, 0.0), (0.0, 0.0), (0.0, v * h), (0.0, h), (-w, h)])
         } else {
             points(&[(-w, 0.0), (0.0, 0.0), (0.0, h), (-1.2 * w, 1.1 * h)])
         };
         let far = libm::pow(10.0, random.between(0.0, 4.0));
-        let shift = Vec2::new(
-            random.between(-5.0, 5.0) * far,
-            random.between(-500.0, 500.0),
-        );
+        let shift = Vec2::new(random.between(-5.0, 5.0) * far, random.between(-500.0, 500.0));
         let angle = random.between(-3.1, 3.1);
         let (base, block) = (moved(&base, angle, shift), moved(&block, angle, shift));
         let noise = 4.0 * f64::EPSILON * (10.0 + shift.length());
@@ -249,10 +201,7 @@ fn a_block_in_a_reflex_corner_holds_no_energy_without_overlap() {
             for (a, b) in [(&base, &block), (&block, &base)] {
                 let energy = Model::pair(a, b, law(normal, 1e9)).balance().contact_normal;
                 let most = 1e9 * 20.0 * noise * noise;
-                assert!(
-                    energy.abs() <= most,
-                    "case {case}, {normal:?}: {energy}, {most} allowed"
-                );
+                assert!(energy.abs() <= most, "case {case}, {normal:?}: {energy}, {most} allowed");
             }
         }
     }
@@ -265,10 +214,7 @@ fn loop_work(a: &[Vec2], b: &[Vec2], normal: NormalLaw) -> f64 {
     let steps = 4000;
     let pose = |k: usize| {
         let t = std::f64::consts::TAU * k as f64 / steps as f64;
-        (
-            start + 0.01 * Vec2::new(t.sin(), 1.0 - t.cos()),
-            0.02 * (2.0 * t).sin(),
-        )
+        (start + 0.01 * Vec2::new(t.sin(), 1.0 - t.cos()), 0.02 * (2.0 * t).sin())
     };
     let (mut work, mut all) = (0.0, 0.0);
     let mut last: Option<(Vec2, f64, Wrench)> = None;
@@ -307,10 +253,7 @@ fn closed_loops_cost_nothing() {
     // The trapezoidal rule over a closed loop is very good for smooth integrands; the kinks where an
     // edge comes into or out of the overlap leave what is seen here.
     assert!(quantile(&distance, 0.5) < 1e-7 && quantile(&distance, 1.0) < 1e-5);
-    assert!(
-        quantile(&source, 0.5) > 1e-3,
-        "the source's law is not expected to be conservative"
-    );
+    assert!(quantile(&source, 0.5) > 1e-3, "the source's law is not expected to be conservative");
 }
 
 /// Relative change of kinetic energy in elastic collisions of random pairs.
@@ -319,11 +262,7 @@ fn collisions(normal: NormalLaw, stiffness: f64, dt: f64, count: usize) -> Vec<f
     (0..count)
         .map(|_| {
             let a = random.convex(0.8);
-            let b = moved(
-                &random.convex(0.8),
-                0.0,
-                Vec2::new(0.86, random.between(-0.2, 0.2)),
-            );
+            let b = moved(&random.convex(0.8), 0.0, Vec2::new(0.86, random.between(-0.2, 0.2)));
             let mut setup = setup(vec![block(&a), block(&b)], law(normal, stiffness));
             setup.blocks[0].velocity = Vec2::new(1.0, 0.0);
             setup.blocks[1].velocity = Vec2::new(-1.0, 0.0);
@@ -350,10 +289,7 @@ fn collisions(normal: NormalLaw, stiffness: f64, dt: f64, count: usize) -> Vec<f
             let momentum = (model.momentum() - p0).length();
             assert!(momentum < 1e-9, "momentum drifts by {momentum}");
             let turn = (model.view().angular_momentum() - l0).abs();
-            assert!(
-                turn < 1e-7 * (1.0 + l0.abs()),
-                "angular momentum drifts by {turn}"
-            );
+            assert!(turn < 1e-7 * (1.0 + l0.abs()), "angular momentum drifts by {turn}");
             (model.balance().total() / before - 1.0).abs()
         })
         .collect()

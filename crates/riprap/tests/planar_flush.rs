@@ -31,29 +31,12 @@ impl Case {
 /// Bricks of equal and unequal length, with none, one or both ends flush.
 fn bricks() -> Vec<Case> {
     let lower = rectangle(0.0, -1.0, 1.0, 0.0);
-    let case = |name, upper, face| Case {
-        name,
-        upper,
-        lower: lower.clone(),
-        face,
-    };
+    let case = |name, upper, face| Case { name, upper, lower: lower.clone(), face };
     vec![
         case("equal", rectangle(0.0, 0.0, 1.0, 1.0), [0.0, 1.0]),
-        case(
-            "short in the middle",
-            rectangle(0.25, 0.0, 0.75, 1.0),
-            [0.25, 0.75],
-        ),
-        case(
-            "short at the left end",
-            rectangle(0.0, 0.0, 0.5, 1.0),
-            [0.0, 0.5],
-        ),
-        case(
-            "short at the right end",
-            rectangle(0.5, 0.0, 1.0, 1.0),
-            [0.5, 1.0],
-        ),
+        case("short in the middle", rectangle(0.25, 0.0, 0.75, 1.0), [0.25, 0.75]),
+        case("short at the left end", rectangle(0.0, 0.0, 0.5, 1.0), [0.0, 0.5]),
+        case("short at the right end", rectangle(0.5, 0.0, 1.0, 1.0), [0.5, 1.0]),
         case("staggered", rectangle(0.5, 0.0, 1.5, 1.0), [0.5, 1.0]),
         case(
             "concave on its own width",
@@ -270,10 +253,7 @@ fn an_end_that_lifts_off_changes_no_force_at_once() {
             };
             let (before, after) = (pose(-1e-3), pose(1e-3));
             for (b, a) in before.into_iter().zip(after) {
-                assert!(
-                    (b - a).abs() < 5e-3,
-                    "slip {slip}, {lifted:?}: {b} then {a}"
-                );
+                assert!((b - a).abs() < 5e-3, "slip {slip}, {lifted:?}: {b} then {a}");
             }
         }
     }
@@ -308,18 +288,11 @@ fn an_overlap_at_the_start_gives_back_what_it_is_said_to_hold() {
     let lower = rectangle(0.0, -1.0, 1.0, 0.0);
     let mut model = Model::pair(&upper, &lower, law(SOURCE, KN));
     let start = model.balance().total();
-    assert!(
-        (start / (0.75 * KN * l * d * d) - 1.0).abs() < 2e-3,
-        "{start}"
-    );
+    assert!((start / (0.75 * KN * l * d * d) - 1.0).abs() < 2e-3, "{start}");
     model.run(1e-6, 3000);
     let balance = model.balance();
     assert_eq!(model.view().contacts().count(), 0);
-    assert!(
-        (balance.kinetic / start - 1.0).abs() < 1e-2,
-        "{} of {start}",
-        balance.kinetic
-    );
+    assert!((balance.kinetic / start - 1.0).abs() < 1e-2, "{} of {start}", balance.kinetic);
     // The half kick at the start, `m dv²/2` of it, is not booked here.
     let residual = balance.residual_relative();
     assert!(residual.abs() < 1e-5, "{residual}");

@@ -114,10 +114,7 @@ fn evaluating_twice_hands_nothing_over() {
     }
     assert!(!once.world.bonds[0].active);
     assert_eq!(once.world.hash(), twice.world.hash());
-    assert_eq!(
-        once.world.works.edit_defect.to_bits(),
-        twice.world.works.edit_defect.to_bits()
-    );
+    assert_eq!(once.world.works.edit_defect.to_bits(), twice.world.works.edit_defect.to_bits());
 }
 
 #[test]
@@ -127,9 +124,8 @@ fn a_contact_keeps_its_memory_when_its_edges_become_many() {
     let mut contact = law(DISTANCE, 1e8);
     contact.friction = 0.6;
     contact.damping_ratio = 0.2;
-    let wheel: Vec<Vec2> = (0..15)
-        .map(|k| Vec2::from_angle(std::f64::consts::TAU * f64::from(k) / 15.0))
-        .collect();
+    let wheel: Vec<Vec2> =
+        (0..15).map(|k| Vec2::from_angle(std::f64::consts::TAU * f64::from(k) / 15.0)).collect();
     let plate = rectangle(-1.0, -1.3, 3.0, -0.997);
     let mut setup = setup(vec![block(&plate), block(&wheel)], contact);
     common::hold(&mut setup, &[0]);
@@ -145,10 +141,7 @@ fn a_contact_keeps_its_memory_when_its_edges_become_many() {
         worst = worst.max(model.balance().residual().abs());
     }
     let balance = model.balance();
-    eprintln!(
-        "steps on either road: {roads:?}, residual {worst:.1e} of {:.1e} J",
-        balance.kinetic
-    );
+    eprintln!("steps on either road: {roads:?}, residual {worst:.1e} of {:.1e} J", balance.kinetic);
     assert!(roads.iter().all(|&n| n > 100), "one road only: {roads:?}");
     assert!(worst < 1e-5 * balance.kinetic, "{worst}");
 }

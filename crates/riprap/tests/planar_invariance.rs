@@ -120,11 +120,7 @@ fn a_resumed_run_ends_in_the_same_bits() {
     };
     let half = job::run(job(), &at("half"), Existing::Refuse, 1, &mut stop).unwrap();
     assert_eq!(half.ending, Ending::Stopped);
-    assert!(
-        (1..30_000).contains(&half.manifest.steps),
-        "{}",
-        half.manifest.steps
-    );
+    assert!((1..30_000).contains(&half.manifest.steps), "{}", half.manifest.steps);
     let resumed = job::resume(&at("half"), 2, &mut on).unwrap();
     assert_eq!(resumed.manifest.steps, 30_000);
     assert_eq!(whole.manifest.state_hash, resumed.manifest.state_hash);
@@ -167,9 +163,7 @@ time_step = "50 us"
 fn ends(setup: Setup, plan: Plan) -> Vec<(Vec2, f64)> {
     let done = run(setup, plan, 1);
     let view = done.view().planar().unwrap();
-    view.living()
-        .map(|b| (view.displacement(b), view.rotation(b)))
-        .collect()
+    view.living().map(|b| (view.displacement(b), view.rotation(b))).collect()
 }
 
 fn moved(change: impl Fn(&mut Setup)) -> Vec<(Vec2, f64)> {
@@ -182,10 +176,7 @@ fn moved(change: impl Fn(&mut Setup)) -> Vec<(Vec2, f64)> {
 fn assert_close(a: &[(Vec2, f64)], b: &[(Vec2, f64)], tolerance: f64) {
     for (block, ((da, ra), (db, rb))) in a.iter().zip(b).enumerate() {
         let (shift, turn) = ((*da - *db).length(), (ra - rb).abs());
-        assert!(
-            shift < tolerance && turn < tolerance,
-            "block {block}: {shift:e} m, {turn:e} rad"
-        );
+        assert!(shift < tolerance && turn < tolerance, "block {block}: {shift:e} m, {turn:e} rad");
     }
 }
 
@@ -202,10 +193,7 @@ fn a_turned_scene_does_the_same() {
         }
     });
     let expected: Vec<(Vec2, f64)> = moved(|_| {}).iter().map(|(d, r)| (turn(*d), *r)).collect();
-    assert!(
-        expected[2].0.length() > 0.3,
-        "something happens: {expected:?}"
-    );
+    assert!(expected[2].0.length() > 0.3, "something happens: {expected:?}");
     assert_close(&turned, &expected, 1e-8);
 }
 
@@ -240,10 +228,8 @@ fn a_moving_frame_does_not_matter() {
             about: None,
         };
     }
-    let boosted: Vec<(Vec2, f64)> = ends(setup, model.plan)
-        .into_iter()
-        .map(|(d, r)| (d - 0.4 * boost, r))
-        .collect();
+    let boosted: Vec<(Vec2, f64)> =
+        ends(setup, model.plan).into_iter().map(|(d, r)| (d - 0.4 * boost, r)).collect();
     assert_close(&boosted, &moved(|_| {}), 1e-8);
 }
 
@@ -280,22 +266,14 @@ until = { time = "0.1 s" }
     let exact = -1e-7 * (1.0 - 10.0_f64.cos());
     let error = |steps: u64| {
         let mut plan = model.plan.clone();
-        plan.phases[0].time_step = TimeStep::Given {
-            dt: 0.1 / steps as f64,
-        };
-        plan.phases[0].until = Until {
-            steps: Some(steps),
-            ..Until::default()
-        };
+        plan.phases[0].time_step = TimeStep::Given { dt: 0.1 / steps as f64 };
+        plan.phases[0].until = Until { steps: Some(steps), ..Until::default() };
         let done = run(model.setup.clone(), plan, 1);
         (done.view().planar().unwrap().displacement(1).y - exact).abs()
     };
     let [coarse, middle, fine] = [100, 200, 400].map(error);
     for (a, b) in [(coarse, middle), (middle, fine)] {
         let order = (a / b).log2();
-        assert!(
-            (order - 2.0).abs() < 0.1,
-            "order {order}: {coarse:e} {middle:e} {fine:e}"
-        );
+        assert!((order - 2.0).abs() < 0.1, "order {order}: {coarse:e} {middle:e} {fine:e}");
     }
 }

@@ -21,10 +21,7 @@ fn joined(tension: f64, cohesion: f64) -> Setup {
     contact.friction = 0.5;
     contact.damping_ratio = 0.2;
     let mut setup = setup(
-        vec![
-            block(&rectangle(0.0, 0.0, 1.0, 1.0)),
-            block(&rectangle(0.0, 1.0, 1.0, 2.0)),
-        ],
+        vec![block(&rectangle(0.0, 0.0, 1.0, 1.0)), block(&rectangle(0.0, 1.0, 1.0, 2.0))],
         contact,
     );
     setup.interfaces[0].bond = Some(BondLaw {
@@ -75,11 +72,7 @@ fn it_tears_at_its_tensile_strength() {
     assert!(balance.residual_relative().abs() < 1e-3, "{balance:?}");
     // The stored energy at failure is what fracture releases: sigma_t² L / (2 kn).
     let released = 1e5_f64.powi(2) / (2.0 * STIFFNESS);
-    assert!(
-        (balance.works.fracture / released - 1.0).abs() < 0.02,
-        "{}",
-        balance.works.fracture
-    );
+    assert!((balance.works.fracture / released - 1.0).abs() < 0.02, "{}", balance.works.fracture);
 }
 
 #[test]
@@ -89,18 +82,9 @@ fn it_shears_at_its_peak_and_slides_on_its_friction_through_the_hand_over() {
     drive(&mut setup, Some(0.02), None);
     setup.loads.push(Load {
         blocks: vec![1],
-        kind: LoadKind::Point {
-            force: Vec2::new(0.0, -pressed),
-            at: None,
-            follows: false,
-        },
+        kind: LoadKind::Point { force: Vec2::new(0.0, -pressed), at: None, follows: false },
         account: None,
-        time: TimeFunction::Ramp {
-            from: 0.0,
-            to: 1.0,
-            start: 0.0,
-            end: 0.02,
-        },
+        time: TimeFunction::Ramp { from: 0.0, to: 1.0, start: 0.0, end: 0.02 },
     });
     let mut model = Model::new(setup);
     model.damping.local = 0.3;
@@ -122,17 +106,9 @@ fn it_shears_at_its_peak_and_slides_on_its_friction_through_the_hand_over() {
     }
     model.evaluate(dt);
     let (strength, friction) = (4e5 + 0.5 * pressed, 0.5 * pressed);
-    assert!(
-        (peak / strength - 1.0).abs() < 0.01,
-        "peak {peak} of {strength}"
-    );
-    let (low, high) = after
-        .iter()
-        .fold((f64::MAX, f64::MIN), |(l, h), &x| (l.min(x), h.max(x)));
-    assert!(
-        low > 0.97 * friction && high < 1.03 * friction,
-        "{low} to {high} of {friction}"
-    );
+    assert!((peak / strength - 1.0).abs() < 0.01, "peak {peak} of {strength}");
+    let (low, high) = after.iter().fold((f64::MAX, f64::MIN), |(l, h), &x| (l.min(x), h.max(x)));
+    assert!(low > 0.97 * friction && high < 1.03 * friction, "{low} to {high} of {friction}");
     assert!(jump < 0.01 * friction, "jump {jump}");
     let balance = model.balance();
     assert!(balance.residual_relative().abs() < 1e-3, "{balance:?}");

@@ -22,10 +22,7 @@ fn plan(time_step: TimeStep) -> Plan {
         phases: vec![Phase {
             name: "fall".into(),
             kind: PhaseKind::Dynamic,
-            until: Until {
-                time: Some(10.0),
-                ..Until::default()
-            },
+            until: Until { time: Some(10.0), ..Until::default() },
             time_step,
             damping: Damping::default(),
             remove: vec![],
@@ -103,15 +100,8 @@ fn same_bits_for_any_number_of_threads() {
         let mut simulation =
             Simulation::new(collapse(30, 50), plan(TimeStep::Auto { safety: 0.2 }), exec).unwrap();
         run(&mut simulation, 1200);
-        let broken = simulation
-            .view()
-            .planar()
-            .unwrap()
-            .world
-            .bonds
-            .iter()
-            .filter(|b| b.broken())
-            .count();
+        let broken =
+            simulation.view().planar().unwrap().world.bonds.iter().filter(|b| b.broken()).count();
         (simulation.engine().hash(), broken)
     };
     let one = hash(1);

@@ -18,10 +18,7 @@ fn wrench(a: &[Vec2], b: &[Vec2]) -> Wrench {
 }
 
 fn close(value: f64, exact: f64, relative: f64, what: &str) {
-    assert!(
-        (value - exact).abs() <= relative * exact.abs(),
-        "{what}: {value} against {exact}"
-    );
+    assert!((value - exact).abs() <= relative * exact.abs(), "{what}: {value} against {exact}");
 }
 
 /// A right-angled corner `d` below y = 0.
@@ -33,12 +30,7 @@ fn corner(d: f64, h: f64) -> Vec<Vec2> {
 fn a_corner_in_a_long_edge() {
     let d = 1e-4;
     let w = wrench(&corner(d, 0.7), &rectangle(-4.0, -3.0, 5.0, 0.0));
-    close(
-        w.force.y,
-        PN * d * d * (1.0 + 0.5f64.sqrt()),
-        1e-10,
-        "total",
-    );
+    close(w.force.y, PN * d * d * (1.0 + 0.5f64.sqrt()), 1e-10, "total");
     close(w.force.y, 5_121.320_343_559_643, 1e-10, "printed total");
     assert!(w.force.x.abs() < 1e-10 * w.force.y);
 }
@@ -46,10 +38,7 @@ fn a_corner_in_a_long_edge() {
 #[test]
 fn an_edge_in_a_longer_edge() {
     let (l, h) = (1.0, 1e-6);
-    let w = wrench(
-        &rectangle(0.0, -h, l, 1.0),
-        &rectangle(-4.0, -3.0, 5.0, 0.0),
-    );
+    let w = wrench(&rectangle(0.0, -h, l, 1.0), &rectangle(-4.0, -3.0, 5.0, 0.0));
     close(w.force.y, 1.5 * PN * l * h, 1e-9, "total");
     assert!(w.force.x.abs() < 1e-10 * w.force.y);
 }
@@ -57,10 +46,7 @@ fn an_edge_in_a_longer_edge() {
 #[test]
 fn a_corner_against_a_corner() {
     let d = 1e-4;
-    let w = wrench(
-        &corner(d, 0.7),
-        &points(&[(0.0, 0.0), (-0.9, -0.9), (0.9, -0.9)]),
-    );
+    let w = wrench(&corner(d, 0.7), &points(&[(0.0, 0.0), (-0.9, -0.9), (0.9, -0.9)]));
     close(w.force.y, PN * d * d / 2f64.sqrt(), 1e-10, "total");
     close(w.force.y, 2_121.320_343_559_643, 1e-10, "printed total");
     assert!(w.force.x.abs() < 1e-10 * w.force.y);
@@ -80,31 +66,18 @@ fn the_source_law_does_not_see_size_or_shape() {
     let tip = Vec2::new(0.03, -d);
     let small = moved(&points(&[(0.0, 0.0), (0.5, 0.4), (-0.3, 0.6)]), tilt, tip);
     // Same two edges at the tip, ten times as long, other far side.
-    let large = moved(
-        &points(&[(0.0, 0.0), (5.0, 4.0), (4.0, 9.0), (1.0, 8.0), (-3.0, 6.0)]),
-        tilt,
-        tip,
-    );
+    let large =
+        moved(&points(&[(0.0, 0.0), (5.0, 4.0), (4.0, 9.0), (1.0, 8.0), (-3.0, 6.0)]), tilt, tip);
     let base = rectangle(-2.0, -1.0, 2.0, 0.0);
     let other_base = points(&[(-20.0, 0.0), (-19.0, -3.0), (3.0, -40.0), (25.0, 0.0)]);
     let (force, moment) = about_origin(&small, &base);
     assert!(force.y > 0.0);
-    for (a, b) in [
-        (&large, &base),
-        (&small, &other_base),
-        (&large, &other_base),
-    ] {
+    for (a, b) in [(&large, &base), (&small, &other_base), (&large, &other_base)] {
         let (f, m) = about_origin(a, b);
         // The larger bodies are placed to 1e-15 of their size, 1e-12 of the depth.
         let tolerance = 1e-11;
-        assert!(
-            (f - force).length() <= tolerance * force.length(),
-            "{f} {force}"
-        );
-        assert!(
-            (m - moment).abs() <= tolerance * force.length(),
-            "{m} {moment}"
-        );
+        assert!((f - force).length() <= tolerance * force.length(), "{f} {force}");
+        assert!((m - moment).abs() <= tolerance * force.length(), "{m} {moment}");
     }
     let (f, m) = about_origin(&base, &small);
     assert!((f + force).length() <= 1e-13 * force.length());
@@ -151,10 +124,7 @@ fn the_distance_law_feels_a_nearby_side_and_the_source_law_does_not() {
         (0.02, -0.58e-3, 0.45e-3),
     ] {
         let f = wedge_near_a_side(DISTANCE, s);
-        assert!(
-            (f - Vec2::new(x, y)).length() < 1e-5,
-            "distance {s}: {f} against ({x}, {y})"
-        );
+        assert!((f - Vec2::new(x, y)).length() < 1e-5, "distance {s}: {f} against ({x}, {y})");
     }
     let far = wedge_near_a_side(SOURCE, 1.0);
     for s in [0.1, 0.05, 0.02] {

@@ -9,18 +9,13 @@ use riprap::run::scene::Scene;
 use riprap::scenario::Source;
 
 fn scene(text: &str) -> Scene {
-    let source = Source {
-        name: "scene.toml".to_owned(),
-        text: text.to_owned(),
-    };
+    let source = Source { name: "scene.toml".to_owned(), text: text.to_owned() };
     Scene::parse(source, ".".into(), &[]).unwrap()
 }
 
 fn safety(scene: &Scene, case: &str, rules: &Rules) -> Result<Answer, SafetyError> {
-    let job = scene
-        .prepare(&scene.case(case).unwrap())
-        .unwrap_or_else(|wrong| panic!("{wrong}"))
-        .job();
+    let job =
+        scene.prepare(&scene.case(case).unwrap()).unwrap_or_else(|wrong| panic!("{wrong}")).job();
     search(&job.setup, &job.plan, rules, 1, &|| false, &mut |_| {})
 }
 
@@ -62,10 +57,7 @@ fn agrees(answer: &Answer, wanted: f64, width: f64) {
     assert!(high - low <= width, "{low} {high}");
     // The width, and 0.2 % for what the model is not rigid.
     let slack = 2e-3 * wanted;
-    assert!(
-        low - slack <= wanted && wanted <= high + slack,
-        "{low} .. {high}, {wanted}"
-    );
+    assert!(low - slack <= wanted && wanted <= high + slack, "{low} .. {high}, {wanted}");
 }
 
 #[test]
@@ -73,11 +65,7 @@ fn a_stone_on_a_slope_whatever_counts_as_moved() {
     let scene = scene(STONE);
     let wanted = libm::tan(40f64.to_radians()) / libm::tan(30f64.to_radians());
     for moved in [2e-3, 4e-3, 2e-2] {
-        let rules = Rules {
-            width: 0.005,
-            moved: Some(moved),
-            ..Rules::default()
-        };
+        let rules = Rules { width: 0.005, moved: Some(moved), ..Rules::default() };
         let answer = safety(&scene, "default", &rules).unwrap();
         agrees(&answer, wanted, rules.width);
         assert_eq!(answer.mechanism, Some(Mechanism::Sliding));
@@ -88,28 +76,16 @@ fn a_stone_on_a_slope_whatever_counts_as_moved() {
 
 #[test]
 fn from_the_start_the_same_answer() {
-    let rules = Rules {
-        width: 0.005,
-        from_start: true,
-        ..Rules::default()
-    };
+    let rules = Rules { width: 0.005, from_start: true, ..Rules::default() };
     let answer = safety(&scene(STONE), "default", &rules).unwrap();
-    agrees(
-        &answer,
-        libm::tan(40f64.to_radians()) / libm::tan(30f64.to_radians()),
-        rules.width,
-    );
+    agrees(&answer, libm::tan(40f64.to_radians()) / libm::tan(30f64.to_radians()), rules.width);
 }
 
 #[test]
 fn below_one_it_is_found_too() {
     let weak = STONE.replace("\"40 deg\"", "\"20 deg\"");
     let answer = safety(&scene(&weak), "default", &Rules::default()).unwrap();
-    agrees(
-        &answer,
-        libm::tan(20f64.to_radians()) / libm::tan(30f64.to_radians()),
-        0.01,
-    );
+    agrees(&answer, libm::tan(20f64.to_radians()) / libm::tan(30f64.to_radians()), 0.01);
     assert_ne!(answer.trials[0].state, State::Stable);
 }
 
@@ -149,12 +125,7 @@ fn the_strengths_of_a_material_or_a_group_are_reduced_alone() {
         (list("rock"), list("firm"), of(40.0), "stone"),
         (vec![], list("loose"), of(35.0), "other"),
     ] {
-        let rules = Rules {
-            width: 0.005,
-            materials,
-            groups,
-            ..Rules::default()
-        };
+        let rules = Rules { width: 0.005, materials, groups, ..Rules::default() };
         let answer = safety(&scene, "default", &rules).unwrap();
         agrees(&answer, wanted, rules.width);
         let names: Vec<&str> = answer.moving.iter().map(|m| m.0.as_str()).collect();
@@ -171,15 +142,9 @@ fn the_strengths_of_a_material_or_a_group_are_reduced_alone() {
             rules("chalk", "firm", "default"),
             "no material is called `chalk`; there are: rock, shale",
         ),
-        (
-            rules("rock", "firmer", "default"),
-            "no group is called `firmer`; there are: ",
-        ),
+        (rules("rock", "firmer", "default"), "no group is called `firmer`; there are: "),
         // The stone of the group has no joint with shale.
-        (
-            rules("shale", "firm", "bedding"),
-            "none of the chosen interfaces has a strength",
-        ),
+        (rules("shale", "firm", "bedding"), "none of the chosen interfaces has a strength"),
     ] {
         let wrong = safety(&scene, "default", &rules).unwrap_err().to_string();
         assert!(wrong.contains(told), "{wrong}");
@@ -191,43 +156,18 @@ fn what_cannot_be_reduced_is_told() {
     let smooth = STONE.replace("friction_angle = \"40 deg\"", "friction_angle = \"0 deg\"");
     let smooth = smooth.replace("tilt = \"30 deg\"", "");
     let wrong = safety(&scene(&smooth), "default", &Rules::default());
-    assert!(
-        matches!(wrong, Err(SafetyError::NoStrength(_))),
-        "{wrong:?}"
-    );
-    let rules = Rules {
-        interfaces: vec!["plane".to_owned()],
-        ..Rules::default()
-    };
-    let wrong = safety(&scene(STONE), "default", &rules)
-        .unwrap_err()
-        .to_string();
-    assert!(
-        wrong.contains("`plane`") && wrong.contains("default"),
-        "{wrong}"
-    );
-    let rules = Rules {
-        width: 0.0,
-        ..Rules::default()
-    };
-    assert!(matches!(
-        safety(&scene(STONE), "default", &rules),
-        Err(SafetyError::NotANumber)
-    ));
+    assert!(matches!(wrong, Err(SafetyError::NoStrength(_))), "{wrong:?}");
+    let rules = Rules { interfaces: vec!["plane".to_owned()], ..Rules::default() };
+    let wrong = safety(&scene(STONE), "default", &rules).unwrap_err().to_string();
+    assert!(wrong.contains("`plane`") && wrong.contains("default"), "{wrong}");
+    let rules = Rules { width: 0.0, ..Rules::default() };
+    assert!(matches!(safety(&scene(STONE), "default", &rules), Err(SafetyError::NotANumber)));
 }
 
 fn limit(scene: &Scene, key: &str, range: &str, width: &str, threads: usize) -> Answer {
     let quantity = Quantity::read(key, range, Some(width)).unwrap();
     let (case, rules) = (scene.plain(), Rules::default());
-    let found = over_quantity(
-        scene,
-        &case,
-        &quantity,
-        &rules,
-        threads,
-        &|| false,
-        &mut |_| {},
-    );
+    let found = over_quantity(scene, &case, &quantity, &rules, threads, &|| false, &mut |_| {});
     found.unwrap_or_else(|wrong| panic!("{wrong}"))
 }
 
@@ -271,25 +211,12 @@ fn trials_side_by_side_give_the_same_answer() {
     let friction = "interfaces.default.friction_angle";
     let angle = |threads| limit(&stone, friction, "20 deg..40 deg", "0.5 deg", threads);
     let factor = |threads, from_start| {
-        let rules = Rules {
-            from_start,
-            ..Rules::default()
-        };
+        let rules = Rules { from_start, ..Rules::default() };
         let mut told = Vec::new();
         let mut report = |t: &riprap::run::safety::Trial| told.push(t.value);
-        let answer = search(
-            &job.setup,
-            &job.plan,
-            &rules,
-            threads,
-            &|| false,
-            &mut report,
-        );
+        let answer = search(&job.setup, &job.plan, &rules, threads, &|| false, &mut report);
         let answer = answer.unwrap();
-        assert_eq!(
-            told,
-            answer.trials.iter().map(|t| t.value).collect::<Vec<_>>()
-        );
+        assert_eq!(told, answer.trials.iter().map(|t| t.value).collect::<Vec<_>>());
         timeless(answer)
     };
     for threads in [2, 3] {
@@ -327,11 +254,7 @@ fn ranges_and_values_that_cannot_be_are_told() {
     assert!(wrong.contains("friction angle"), "{wrong}");
     // Nothing fails: no limit, and no panic.
     let none = limit(&stone, key, "35 deg..40 deg", "1 deg", 2);
-    assert!(
-        !none.is_found() && none.words().contains("nothing fails"),
-        "{}",
-        none.words()
-    );
+    assert!(!none.is_found() && none.words().contains("nothing fails"), "{}", none.words());
 }
 
 /// What falls in a phase of the scene and comes to rest on the floor has not stood.
@@ -339,35 +262,21 @@ fn ranges_and_values_that_cannot_be_are_told() {
 fn rubble_at_rest_does_not_stand() {
     let step = STONE
         .replace("tilt = \"30 deg\"", "")
-        .replace(
-            "corner = [\"0 m\", \"0 m\"]",
-            "corner = [\"0 m\", \"0.5 m\"]",
-        )
+        .replace("corner = [\"0 m\", \"0 m\"]", "corner = [\"0 m\", \"0.5 m\"]")
         .replace(
             "kind = \"static\"\nuntil = { unbalanced = 1e-6, steps = 50000 }",
             "until = { time = \"2 s\" }",
         );
-    let answer = limit(
-        &scene(&step),
-        "blocks.stone.rectangle.corner.1",
-        "0 m..0.5 m",
-        "0.4 m",
-        1,
-    );
+    let answer = limit(&scene(&step), "blocks.stone.rectangle.corner.1", "0 m..0.5 m", "0.4 m", 1);
     assert_eq!(answer.trials[0].state, State::Stable, "{:?}", answer.trials);
     assert_eq!(answer.trials[1].state, State::Undecided);
-    assert!(
-        answer.trials[1].note.contains("`stone` had moved"),
-        "{:?}",
-        answer.trials[1]
-    );
+    assert!(answer.trials[1].note.contains("`stone` had moved"), "{:?}", answer.trials[1]);
 }
 
 fn verified(file: &str, changes: &[(&str, &str)]) -> Scene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/verify");
-    let changes: Vec<(String, String)> = (changes.iter())
-        .map(|(key, value)| ((*key).to_owned(), (*value).to_owned()))
-        .collect();
+    let changes: Vec<(String, String)> =
+        (changes.iter()).map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
     Scene::load(&path.join(file), &changes).unwrap()
 }
 
@@ -385,11 +294,7 @@ fn the_thinnest_arch_that_stands() {
     );
     let key = "blocks.arch.arch.thickness";
     let answer = limit(&arch, key, "0.95 m..1.15 m", "200 mm", 1);
-    assert_eq!(
-        (answer.stable_at, answer.fails_at),
-        (Some(1.15), Some(0.95)),
-        "{answer:?}"
-    );
+    assert_eq!((answer.stable_at, answer.fails_at), (Some(1.15), Some(0.95)), "{answer:?}");
     assert_eq!(answer.mechanism, Some(Mechanism::Both));
     // It falls in the static phase of the scene already.
     assert!(answer.trials[0].note.contains("`decentre`"), "{answer:?}");
@@ -409,15 +314,8 @@ fn plane_failure() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../scenes/verify/planar/g1_plane_failure.toml");
     let scene = Scene::load(&path, &[]).unwrap();
-    let rules = Rules {
-        width: 0.002,
-        ..Rules::default()
-    };
-    for (case, wanted) in [
-        ("default", 1.076_187),
-        ("cohesion", 1.205_961),
-        ("water", 1.100_313),
-    ] {
+    let rules = Rules { width: 0.002, ..Rules::default() };
+    for (case, wanted) in [("default", 1.076_187), ("cohesion", 1.205_961), ("water", 1.100_313)] {
         let answer = safety(&scene, case, &rules).unwrap();
         agrees(&answer, wanted, rules.width);
     }
@@ -427,10 +325,7 @@ fn plane_failure() {
 #[test]
 fn plane_failure_under_a_water_table() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/verify/engineering");
-    let rules = Rules {
-        width: 0.002,
-        ..Rules::default()
-    };
+    let rules = Rules { width: 0.002, ..Rules::default() };
     for file in ["water_plane_failure", "water_plane_failure_space"] {
         let scene = Scene::load(&folder.join(file).with_extension("toml"), &[]).unwrap();
         for (case, wanted) in [("default", 1.100_313), ("dry", 1.205_961)] {

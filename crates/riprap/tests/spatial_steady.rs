@@ -69,10 +69,7 @@ damping = { mass = "20 1/s" }
 "#
     .to_owned();
     for course in 0..6 {
-        let (x, z) = (
-            0.25 * f64::from(course % 2),
-            1e-5 + 0.20001 * f64::from(course),
-        );
+        let (x, z) = (0.25 * f64::from(course % 2), 1e-5 + 0.20001 * f64::from(course));
         text += &format!(
             r#"
 [[blocks]]
@@ -88,10 +85,7 @@ copies = {{ count = 12, step = ["0.50001 m", "0 m", "0 m"] }}
         let corners = (0..36).map(|k| {
             let angle = f64::from(k / 2) * std::f64::consts::TAU / 18.0 + 0.1 * f64::from(drum);
             let (x, y) = (0.4 * angle.cos(), 0.4 * angle.sin() - 3.0);
-            format!(
-                r#"["{x} m", "{y} m", "{} m"]"#,
-                low + 0.3 * f64::from(k % 2)
-            )
+            format!(r#"["{x} m", "{y} m", "{} m"]"#, low + 0.3 * f64::from(k % 2))
         });
         let corners: Vec<String> = corners.collect();
         text += &format!(

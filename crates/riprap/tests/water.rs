@@ -8,10 +8,7 @@ use riprap::run::simulation::{Simulation, Snapshot, Stage};
 use riprap::scenario::Source;
 
 fn scene(text: &str) -> Scene {
-    let source = Source {
-        name: "scene.toml".to_owned(),
-        text: text.to_owned(),
-    };
+    let source = Source { name: "scene.toml".to_owned(), text: text.to_owned() };
     Scene::parse(source, ".".into(), &[]).unwrap_or_else(|wrong| panic!("{wrong}"))
 }
 
@@ -26,10 +23,7 @@ fn simulation(text: &str, threads: usize) -> Simulation {
 
 /// What is wrong with a scene, errors and warnings.
 fn told(text: &str) -> String {
-    let source = Source {
-        name: "scene.toml".to_owned(),
-        text: text.to_owned(),
-    };
+    let source = Source { name: "scene.toml".to_owned(), text: text.to_owned() };
     let scene = match Scene::parse(source, ".".into(), &[]) {
         Ok(scene) => scene,
         Err(wrong) => return wrong.to_string(),
@@ -37,9 +31,7 @@ fn told(text: &str) -> String {
     match scene.prepare(&scene.case("default").unwrap()) {
         Ok(prepared) => {
             let all = prepared.model.warnings.iter();
-            all.map(|w| w.message.clone())
-                .collect::<Vec<_>>()
-                .join("\n")
+            all.map(|w| w.message.clone()).collect::<Vec<_>>().join("\n")
         }
         Err(wrong) => wrong.to_string(),
     }
@@ -347,11 +339,7 @@ fn seepage_in_space_pushes_both_sides_of_a_joint_alike() {
     let world = view.world;
     assert!(world.seepage_inflow() > 0.0);
     let found = world.seepage.as_ref().unwrap();
-    assert!(
-        found.is_found() && found.joints.len() > 100,
-        "{}",
-        found.left
-    );
+    assert!(found.is_found() && found.joints.len() > 100, "{}", found.left);
     // A closed box of blocks is pushed from outside alone: here by still water under a level table, all of it wet, with Archimedes' force in the end.
     let dry = found.pressures.iter().filter(|p| p[0] <= 0.0).count();
     assert!(dry > 0 && dry < found.joints.len(), "{dry}");
@@ -382,15 +370,9 @@ fn what_is_wrong_with_seepage_in_space_is_told() {
     let row = ", row_end = [\"6 m\", \"3.9 m\", \"3 m\"]";
     for (told, words) in [
         (with(row, ""), "is a single hole"),
+        (with(row, ", row_end = [\"6.5 m\", \"0.1 m\", \"-0.5 m\"]"), "lie on one line"),
         (
-            with(row, ", row_end = [\"6.5 m\", \"0.1 m\", \"-0.5 m\"]"),
-            "lie on one line",
-        ),
-        (
-            with(
-                "to = [\"6.5 m\", \"0.1 m\", \"-0.5 m\"]",
-                "to = [\"6 m\", \"0.1 m\", \"3 m\"]",
-            ),
+            with("to = [\"6.5 m\", \"0.1 m\", \"-0.5 m\"]", "to = [\"6 m\", \"0.1 m\", \"3 m\"]"),
             "has no length",
         ),
         (
@@ -407,13 +389,7 @@ fn what_is_wrong_with_seepage_in_space_is_told() {
             ),
             "seeps in a periodic model",
         ),
-        (
-            with(
-                "from = [\"6 m\", \"0.1 m\", \"3 m\"]",
-                "from = [\"6 m\", \"3 m\"]",
-            ),
-            "from",
-        ),
+        (with("from = [\"6 m\", \"0.1 m\", \"3 m\"]", "from = [\"6 m\", \"3 m\"]"), "from"),
     ] {
         assert!(told.contains(words), "{words}: {told}");
     }
@@ -434,19 +410,13 @@ fn what_is_wrong_with_water_is_told() {
             format!("{high}points = [[\"0 m\", \"1 m\"], [\"1 m\", \"1 m\"]]\n{low}"),
             "only one is possible",
         ),
-        (
-            format!("{low}[water.high]\npoints = [[\"0 m\", \"1 m\"]]\n"),
-            "fewer than two corners",
-        ),
+        (format!("{low}[water.high]\npoints = [[\"0 m\", \"1 m\"]]\n"), "fewer than two corners"),
         (
             format!("{low}[water.high]\npoints = [[\"2 m\", \"1 m\"], [\"1 m\", \"1 m\"]]\n"),
             "is not less than",
         ),
         (low.to_owned(), "there is no water table `high`"),
-        (
-            format!("{high}{low}[water.none]\nlevel = \"1 m\"\n"),
-            "cannot be called `none`",
-        ),
+        (format!("{high}{low}[water.none]\nlevel = \"1 m\"\n"), "cannot be called `none`"),
         (
             format!("{high}[water.low]\nlevel = \"-2 m\"\n"),
             "water.low has no effect: it lies below all blocks",
@@ -455,10 +425,7 @@ fn what_is_wrong_with_water_is_told() {
             format!("{high}[water.low]\nlevel = \"-2 m\"\nseepage.aperture = \"1 mm\"\n"),
             "water.low has no effect: it lies below all blocks",
         ),
-        (
-            format!("{low}{high}seepage.aperture = \"0 mm\"\n"),
-            "aperture",
-        ),
+        (format!("{low}{high}seepage.aperture = \"0 mm\"\n"), "aperture"),
         (
             format!("{low}{high}seepage = {{ aperture = \"1 mm\", aperture_min = \"2 mm\" }}\n"),
             "lies outside of its limits",
@@ -474,10 +441,7 @@ fn what_is_wrong_with_water_is_told() {
             "has no length",
         ),
         (format!("{high}density = \"0 kg/m3\"\n{low}"), "density"),
-        (
-            format!("{high}azimuth = \"0 deg\"\n{low}"),
-            "distances run along x",
-        ),
+        (format!("{high}azimuth = \"0 deg\"\n{low}"), "distances run along x"),
     ] {
         let told = with(&tables);
         assert!(told.contains(words), "{words}: {told}");
@@ -508,10 +472,7 @@ fn what_is_wrong_with_water_is_told() {
         (phases("[\"high\", \"high\"]"), "stands twice"),
         (phases("[\"high\", \"none\"]"), "beside other water tables"),
         (phases("[]"), "empty list"),
-        (
-            phases("[\"high\", \"middle\"]"),
-            "there is no water table `middle`",
-        ),
+        (phases("[\"high\", \"middle\"]"), "there is no water table `middle`"),
     ] {
         assert!(told.contains(words), "{words}: {told}");
     }
@@ -521,35 +482,17 @@ fn what_is_wrong_with_water_is_told() {
         "[water.high.seepage]",
         "within = { min = [\"0 m\", \"0 m\"], max = [\"1 m\", \"1 m\"] }\n[water.high.seepage]",
     );
-    assert!(
-        told(&seeps).contains("seeps and has a box"),
-        "{}",
-        told(&seeps)
-    );
+    assert!(told(&seeps).contains("seeps and has a box"), "{}", told(&seeps));
     let folder = tempfile::tempdir().unwrap();
     let several = several(folder.path());
-    assert!(
-        told(&several).contains("end 13.000 m inside the model"),
-        "{}",
-        told(&several)
-    );
+    assert!(told(&several).contains("end 13.000 m inside the model"), "{}", told(&several));
     for (heads, words) in [
-        (
-            "x [m],y [m],z [m]\n0,0,1\n1,0,1\n0,1,1\n",
-            "has no height at (1 m, 1 m)",
-        ),
-        (
-            "x [m],y [m],z [m]\n0,0,1\n1,0,1\n",
-            "one line of places only",
-        ),
+        ("x [m],y [m],z [m]\n0,0,1\n1,0,1\n0,1,1\n", "has no height at (1 m, 1 m)"),
+        ("x [m],y [m],z [m]\n0,0,1\n1,0,1\n", "one line of places only"),
         ("x,y,z [kg]\n0,0,1\n1,0,1\n", "kg"),
     ] {
         std::fs::write(folder.path().join("heads.csv"), heads).unwrap();
-        assert!(
-            told(&several).contains(words),
-            "{words}: {}",
-            told(&several)
-        );
+        assert!(told(&several).contains(words), "{words}: {}", told(&several));
     }
     let silent = PLANE.replace("water = \"high\"\n", "");
     assert!(told(&silent).contains("does not say which water table stands"));
@@ -560,9 +503,7 @@ fn what_is_wrong_with_water_is_told() {
         "gravity = [\"0 m/s2\", \"-9.81 m/s2\"]\ntilt = \"5 deg\"",
     );
     assert!(told(&tilted).contains("gravity that points down"));
-    let later = PLANE.replace(
-        "water = \"low\"",
-        "water = \"low\"\ngravity = [\"1 m/s2\", \"-9.81 m/s2\"]",
-    );
+    let later =
+        PLANE.replace("water = \"low\"", "water = \"low\"\ngravity = [\"1 m/s2\", \"-9.81 m/s2\"]");
     assert!(told(&later).contains("gravity that points down"));
 }

@@ -82,9 +82,7 @@ pub fn jump(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                 }
             }
             if begun(field, "jumps.run")? < begun(field, "whole.run")? + 20 {
-                return Err(format!(
-                    "{at}: the clock has not been asked for the time of day"
-                ));
+                return Err(format!("{at}: the clock has not been asked for the time of day"));
             }
         }
     }
@@ -93,22 +91,12 @@ pub fn jump(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
 
 /// Builds the library for jumps every `stretch` questions.
 fn library(folder: &Path, stretch: usize) -> Result<PathBuf, String> {
-    let (source, built) = (
-        folder.join(format!("clock_{stretch}.rs")),
-        folder.join(format!("libclock_{stretch}.so")),
-    );
+    let (source, built) =
+        (folder.join(format!("clock_{stretch}.rs")), folder.join(format!("libclock_{stretch}.so")));
     let text = format!("{LIBRARY}const STRETCH: usize = {stretch};\n");
     std::fs::write(&source, text).map_err(|e| format!("{}: {e}", source.display()))?;
     let output = Command::new("rustc")
-        .args([
-            "--edition",
-            "2024",
-            "--crate-type",
-            "cdylib",
-            "-C",
-            "panic=abort",
-            "-o",
-        ])
+        .args(["--edition", "2024", "--crate-type", "cdylib", "-C", "panic=abort", "-o"])
         .args([&built, &source])
         .output()
         .map_err(|e| format!("rustc: {e}"))?;
@@ -120,20 +108,9 @@ fn library(folder: &Path, stretch: usize) -> Result<PathBuf, String> {
 
 /// Runs a scene to its end and returns the hash of its state.
 fn run(field: &Field<'_>, file: &str, out: &str, clock: Option<&Path>) -> Result<String, String> {
-    let words = [
-        "run",
-        file,
-        "--out",
-        out,
-        "--force",
-        "--threads",
-        "1",
-        "--quiet",
-    ];
+    let words = ["run", file, "--out", out, "--force", "--threads", "1", "--quiet"];
     let preload = clock.map(|library| ("LD_PRELOAD", library));
-    let how = field
-        .program
-        .run_with(&field.folder, &words, LONG, preload.as_slice())?;
+    let how = field.program.run_with(&field.folder, &words, LONG, preload.as_slice())?;
     if how.slow || how.code != Some(0) {
         return Err(format!("exit {:?}: {}", how.code, how.said));
     }
@@ -144,10 +121,6 @@ fn run(field: &Field<'_>, file: &str, out: &str, clock: Option<&Path>) -> Result
 fn begun(field: &Field<'_>, run: &str) -> Result<u32, String> {
     let path = field.folder.join(run).join("manifest.json");
     let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-    let year = text
-        .split("\"started\": \"")
-        .nth(1)
-        .and_then(|rest| rest.get(..4));
-    year.and_then(|year| year.parse().ok())
-        .ok_or_else(|| format!("{}: no year", path.display()))
+    let year = text.split("\"started\": \"").nth(1).and_then(|rest| rest.get(..4));
+    year.and_then(|year| year.parse().ok()).ok_or_else(|| format!("{}: no year", path.display()))
 }

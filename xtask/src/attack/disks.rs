@@ -34,15 +34,7 @@ pub fn full(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
     std::fs::write(&path, scene).map_err(|e| format!("{}: {e}", path.display()))?;
     let disk = field.folder.join("disk");
     std::fs::create_dir_all(&disk).map_err(|e| format!("{}: {e}", disk.display()))?;
-    let whole = [
-        "run",
-        "t.toml",
-        "--quiet",
-        "--threads",
-        "1",
-        "--out",
-        "whole.run",
-    ];
+    let whole = ["run", "t.toml", "--quiet", "--threads", "1", "--out", "whole.run"];
     field.program.answer(&field.folder, &whole)?;
     for _ in 0..(field.tries / 10).clamp(4, 100) {
         let size = SIZE[0] + chance.below(SIZE[1]);

@@ -84,15 +84,7 @@ pub fn kills(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
         let begun = Instant::now();
         ended(&field.program.run_within(
             &field.folder,
-            &[
-                "run",
-                &file,
-                "--out",
-                "whole.run",
-                "--force",
-                "--threads",
-                "1",
-            ],
+            &["run", &file, "--out", "whole.run", "--force", "--threads", "1"],
             LONG,
         )?)?;
         let whole = begun.elapsed();
@@ -116,10 +108,9 @@ pub fn kills(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
                 found.failures.push(format!("{name}: {why}"));
             }
             if !differ.is_empty() {
-                found.failures.push(format!(
-                    "{name}, after {kills} kills: {} differ",
-                    differ.join(", ")
-                ));
+                found
+                    .failures
+                    .push(format!("{name}, after {kills} kills: {} differ", differ.join(", ")));
             }
             if kills == before {
                 return Err(format!("{name}: the run is over before it can be killed"));
@@ -145,15 +136,7 @@ fn one_death(
     if died.exists() {
         std::fs::remove_dir_all(&died).map_err(|e| format!("{}: {e}", died.display()))?;
     }
-    let begin = [
-        "run",
-        file,
-        "--out",
-        "died.run",
-        "--force",
-        "--threads",
-        "1",
-    ];
+    let begin = ["run", file, "--out", "died.run", "--force", "--threads", "1"];
     let mut child = field.program.start(&field.folder, &begin)?;
     // From here on there is something to resume.
     let checkpoints = field.folder.join("died.run/checkpoints");
@@ -195,11 +178,7 @@ fn ended(how: &Ended) -> Result<(), String> {
 pub fn threads(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
     let mut found = Found::default();
     let smoke = field.tries < 100;
-    let counts: &[&str] = if smoke {
-        &["3"]
-    } else {
-        &["2", "3", "4", "5", "6", "7", "8"]
-    };
+    let counts: &[&str] = if smoke { &["3"] } else { &["2", "3", "4", "5", "6", "7", "8"] };
     let mut scenes: Vec<(&str, String)> = engines(field.root)?.into();
     if !smoke {
         for file in [
@@ -216,16 +195,8 @@ pub fn threads(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
         let scene = shortened(&scene, if smoke { 100 } else { 2000 });
         write(field, "t.toml", &scene)?;
         let run = |threads: &str| -> Result<String, String> {
-            let words = [
-                "run",
-                "t.toml",
-                "--out",
-                "a.run",
-                "--force",
-                "--threads",
-                threads,
-                "--quiet",
-            ];
+            let words =
+                ["run", "t.toml", "--out", "a.run", "--force", "--threads", threads, "--quiet"];
             ended(&field.program.run_within(&field.folder, &words, LONG)?)?;
             hash(field, "a.run")
         };
@@ -234,12 +205,10 @@ pub fn threads(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
             found.tries += 1;
             match run(count) {
                 Ok(hash) if hash == one => {}
-                Ok(_) => found.failures.push(format!(
-                    "{name} on {count} threads: another state than on 1"
-                )),
-                Err(why) => found
+                Ok(_) => found
                     .failures
-                    .push(format!("{name} on {count} threads: {why}")),
+                    .push(format!("{name} on {count} threads: another state than on 1")),
+                Err(why) => found.failures.push(format!("{name} on {count} threads: {why}")),
             }
         }
     }
@@ -258,21 +227,9 @@ pub fn speed(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                     continue;
                 }
                 found.tries += 1;
-                write(
-                    field,
-                    "t.toml",
-                    &falling(space == "plane", stiffness, speed),
-                )?;
-                let words = [
-                    "run",
-                    "t.toml",
-                    "--out",
-                    "a.run",
-                    "--force",
-                    "--threads",
-                    "1",
-                    "--quiet",
-                ];
+                write(field, "t.toml", &falling(space == "plane", stiffness, speed))?;
+                let words =
+                    ["run", "t.toml", "--out", "a.run", "--force", "--threads", "1", "--quiet"];
                 let how = field.program.run_within(&field.folder, &words, LONG)?;
                 let name = format!("{space}, {stiffness}, {speed} m/s");
                 found.refused += usize::from(how.code == Some(1));

@@ -40,9 +40,7 @@ impl Field<'_> {
         if let Some(why) = ended.wrong().or(more) {
             let kept = format!("failed_{}_{}", found.failures.len() + 1, input.0);
             self.write(&kept, input.1)?;
-            found
-                .failures
-                .push(format!("{}: {why}", self.folder.join(kept).display()));
+            found.failures.push(format!("{}: {why}", self.folder.join(kept).display()));
         }
         Ok(())
     }
@@ -64,9 +62,7 @@ impl Field<'_> {
                 continue;
             }
             self.write("t.toml", text.as_bytes())?;
-            let ended = self
-                .program
-                .run_within(&self.folder, &["check", "t.toml"], QUICK)?;
+            let ended = self.program.run_within(&self.folder, &["check", "t.toml"], QUICK)?;
             if ended.code == Some(0) {
                 corpus.push(text);
             }
@@ -133,23 +129,13 @@ pub fn first_steps(field: &Field<'_>, chance: &mut Chance) -> Result<Found, Stri
         });
         let input = lines.collect::<Vec<_>>().join("\n");
         field.write("t.toml", input.as_bytes())?;
-        let words = [
-            "run",
-            "t.toml",
-            "--out",
-            "a.run",
-            "--force",
-            "--threads",
-            "1",
-            "--quiet",
-        ];
+        let words = ["run", "t.toml", "--out", "a.run", "--force", "--threads", "1", "--quiet"];
         let ended = field.program.run(&field.folder, &words)?;
         let energies = std::fs::read_to_string(field.folder.join("a.run/energy.csv"));
         let wrong = ended.code == Some(0)
             && energies.is_ok_and(|text| {
                 let last = text.lines().skip(1).last().unwrap_or("").to_owned();
-                last.split(',')
-                    .any(|cell| cell.parse::<f64>().is_ok_and(|x| !x.is_finite()))
+                last.split(',').any(|cell| cell.parse::<f64>().is_ok_and(|x| !x.is_finite()))
             });
         let wrong = wrong.then(|| "exit 0 with energies that are not numbers".to_owned());
         field.note(&mut found, &ended, ("t.toml", input.as_bytes()), wrong)?;
@@ -171,33 +157,13 @@ fn readers(root: &Path) -> Result<Vec<Reader>, String> {
         ("msh/bricks_22_ascii.msh", SPACE, "mesh.msh = \"FILE\"", ""),
         ("msh/bricks_22_binary.msh", SPACE, "mesh.msh = \"FILE\"", ""),
         ("msh/bricks_41_ascii.msh", SPACE, "mesh.msh = \"FILE\"", ""),
-        (
-            "msh/cylinder_41_binary.msh",
-            SPACE,
-            "mesh.msh = \"FILE\"",
-            "",
-        ),
+        ("msh/cylinder_41_binary.msh", SPACE, "mesh.msh = \"FILE\"", ""),
         ("shapes/grains3d.tess", SPACE, "mesh.tess = \"FILE\"", ""),
-        (
-            "shapes/grains2d.tess",
-            PLANE,
-            "polygons = { tess = \"FILE\" }",
-            "",
-        ),
+        ("shapes/grains2d.tess", PLANE, "polygons = { tess = \"FILE\" }", ""),
         ("shapes/two_ascii.stl", SPACE, "mesh.stl = \"FILE\"", ""),
         ("shapes/two_binary.stl", SPACE, "mesh.stl = \"FILE\"", ""),
-        (
-            "shapes/two_ascii.stl",
-            SPACE,
-            "terrain.stl = \"FILE\"",
-            BALL,
-        ),
-        (
-            "shapes/section_R12.dxf",
-            PLANE,
-            "polygons = { dxf = \"FILE\", layers = [\"rock\"] }",
-            "",
-        ),
+        ("shapes/two_ascii.stl", SPACE, "terrain.stl = \"FILE\"", BALL),
+        ("shapes/section_R12.dxf", PLANE, "polygons = { dxf = \"FILE\", layers = [\"rock\"] }", ""),
         (
             "shapes/section_R2010_binary.dxf",
             PLANE,
@@ -293,9 +259,7 @@ pub fn checkpoints(field: &Field<'_>, chance: &mut Chance) -> Result<Found, Stri
             write(path, &last)?;
         }
         let name = run.file_name().unwrap_or_default().to_string_lossy();
-        let ended = field
-            .program
-            .run(&field.folder, &["resume", &name, "--quiet"])?;
+        let ended = field.program.run(&field.folder, &["resume", &name, "--quiet"])?;
         let wrong = (ended.code == Some(0)).then(|| "a damaged checkpoint was taken".to_owned());
         field.note(&mut found, &ended, ("checkpoint.rck", &last), wrong)?;
     }

@@ -48,19 +48,14 @@ pub fn two(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
             words.extend(changes.iter().map(String::as_str));
             field.program.run_within(&field.folder, &words, limit)
         };
-        let whole = if few || takes_long(&path) {
-            None
-        } else {
-            Some(compare(None, WHOLE)?)
-        };
+        let whole = if few || takes_long(&path) { None } else { Some(compare(None, WHOLE)?) };
         found.slow += usize::from(whole.as_ref().is_some_and(|ended| ended.slow));
         let wrong = match whole {
             Some(whole) if !whole.slow => failed(&whole),
             Some(_) | None if few => failed(&compare(Some(FEW), LONG)?),
-            Some(_) | None => short(
-                |steps| compare(Some(steps), LONG),
-                &field.folder.join("a.compare"),
-            )?,
+            Some(_) | None => {
+                short(|steps| compare(Some(steps), LONG), &field.folder.join("a.compare"))?
+            }
         };
         let wrong = wrong.map(|why| format!("{name}: {why}"));
         found.failures.extend(wrong);
@@ -104,18 +99,12 @@ fn pressed(folder: &Path) -> Result<bool, String> {
         let mut any = false;
         for row in table.records() {
             let row = row.map_err(wrong)?;
-            let mut cells = heads
-                .iter()
-                .zip(row.iter())
-                .filter(|(head, _)| stored(head));
+            let mut cells = heads.iter().zip(row.iter()).filter(|(head, _)| stored(head));
             any |= cells.any(|(_, cell)| cell.parse::<f64>().is_ok_and(|energy| energy > 0.0));
         }
         Ok(Some(any))
     };
     let laws = std::fs::read_dir(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-    let laws: Vec<bool> = laws
-        .map(one)
-        .filter_map(Result::transpose)
-        .collect::<Result<_, _>>()?;
+    let laws: Vec<bool> = laws.map(one).filter_map(Result::transpose).collect::<Result<_, _>>()?;
     Ok(laws.len() == 2 && laws.iter().all(|any| *any))
 }

@@ -32,10 +32,7 @@ impl Ended {
             Some(0..=3) if !self.said.contains("panicked") => None,
             code => {
                 let said = self.said.lines().find(|l| l.contains("panicked"));
-                Some(format!(
-                    "exit {code:?}: {}",
-                    said.or(self.said.lines().last()).unwrap_or("")
-                ))
+                Some(format!("exit {code:?}: {}", said.or(self.said.lines().last()).unwrap_or("")))
             }
         }
     }
@@ -43,9 +40,7 @@ impl Ended {
 
 impl Program {
     pub fn new(binary: &Path) -> Self {
-        Self {
-            binary: binary.to_owned(),
-        }
+        Self { binary: binary.to_owned() }
     }
 
     /// Its file.

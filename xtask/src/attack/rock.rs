@@ -20,16 +20,7 @@ fn few(field: &Field<'_>) -> bool {
 fn ran(field: &Field<'_>, scene: &str) -> Result<Ended, String> {
     let path = field.folder.join("t.toml");
     std::fs::write(&path, scene).map_err(|e| format!("{}: {e}", path.display()))?;
-    let words = [
-        "run",
-        "t.toml",
-        "--out",
-        "a.run",
-        "--force",
-        "--threads",
-        "1",
-        "--quiet",
-    ];
+    let words = ["run", "t.toml", "--out", "a.run", "--force", "--threads", "1", "--quiet"];
     field.program.run_within(&field.folder, &words, LONG)
 }
 
@@ -44,10 +35,7 @@ fn last(field: &Field<'_>) -> Result<f64, String> {
 
 /// Keeps a scene that failed.
 fn keep(field: &Field<'_>, name: &str) {
-    let _ = std::fs::copy(
-        field.folder.join("t.toml"),
-        field.folder.join(format!("{name}.toml")),
-    );
+    let _ = std::fs::copy(field.folder.join("t.toml"), field.folder.join(format!("{name}.toml")));
 }
 
 /// Rock cut at random by joint sets, disks or into cells, that settles and is excavated, slowly or at once.
@@ -67,9 +55,7 @@ pub fn jointed(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> 
                 keep(field, &name);
                 let said = how.said.lines().rev().find(|l| l.starts_with("error"));
                 let why = said.unwrap_or("").chars().take(300).collect::<String>();
-                found
-                    .failures
-                    .push(format!("{name}: {:?}: {why}", how.code));
+                found.failures.push(format!("{name}: {:?}: {why}", how.code));
             }
         }
     }
@@ -144,11 +130,7 @@ fn rock(
         }
     };
     let kind = |chance: &mut Chance, share: usize| {
-        if chance.below(10) < share {
-            "kind = \"static\"\n"
-        } else {
-            ""
-        }
+        if chance.below(10) < share { "kind = \"static\"\n" } else { "" }
     };
     let room = chance.below(2) == 0;
     let (first, second) = (kind(chance, 6), kind(chance, 3));
@@ -161,11 +143,7 @@ fn rock(
         chance.of(&[0, 10, 30, 45]),
         chance.of(&["50 MPa/m", "100 MPa/m", "1 GPa/m", "10 GPa/m"]),
         block("ore", 0.0, length),
-        if room {
-            block("room", length, 0.5 * length)
-        } else {
-            String::new()
-        },
+        if room { block("room", length, 0.5 * length) } else { String::new() },
         if room { "remove = [\"room\"]\n" } else { "" },
     ))
 }
@@ -192,9 +170,7 @@ pub fn thin(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                     };
                     if sunk > thickness + 2.0 * gap {
                         keep(field, &format!("thin_{k}{l}{m}{plane}"));
-                        found
-                            .failures
-                            .push(format!("{name}: {:?}, sunk {sunk} m", how.code));
+                        found.failures.push(format!("{name}: {:?}, sunk {sunk} m", how.code));
                     }
                 }
             }
@@ -237,22 +213,14 @@ fn layer(plane: bool, stiffness: &str, thickness: f64, gap: f64) -> String {
         format!("[[blocks]]\nname = \"{name}\"\nmaterial = \"r\"\n{shape}\n")
     };
     let (space, along) = if plane {
-        (
-            "[space.planar]\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]\n",
-            "y",
-        )
+        ("[space.planar]\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]\n", "y")
     } else {
         ("[space.spatial]\ngravity = \"9.81 m/s2\"\n", "z")
     };
     format!(
         "{head}{space}{}{}{}[[outputs]]\nhistory = {{ name = \"roof\", field = \"block.displacement.{along}\", of = \"roof\", every = \"10 ms\" }}\n",
         block("floor", -4.0, 0.0, 4.0),
-        block(
-            "layer",
-            0.0,
-            thickness,
-            if thickness > 0.2 { 0.15 } else { 4.0 }
-        ),
+        block("layer", 0.0, thickness, if thickness > 0.2 { 0.15 } else { 4.0 }),
         block("roof", above, above + 8.0, 4.0),
     )
 }
@@ -260,21 +228,14 @@ fn layer(plane: bool, stiffness: &str, thickness: f64, gap: f64) -> String {
 /// Columns of deformable blocks that are too soft for their weight.
 pub fn folded(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
     let mut found = Found::default();
-    for (k, young) in ["2 kPa", "20 kPa", "100 kPa", "1 MPa", "100 MPa"]
-        .iter()
-        .enumerate()
-    {
+    for (k, young) in ["2 kPa", "20 kPa", "100 kPa", "1 MPa", "100 MPa"].iter().enumerate() {
         for strain in ["small", "total_lagrangian"] {
             for kind in ["kind = \"static\"\n", ""] {
                 if few(field) && (k != 1 || kind.is_empty()) {
                     continue;
                 }
                 found.tries += 1;
-                let until = if kind.is_empty() {
-                    "time = \"1 s\""
-                } else {
-                    "unbalanced = 1e-4"
-                };
+                let until = if kind.is_empty() { "time = \"1 s\"" } else { "unbalanced = 1e-4" };
                 let scene = format!(
                     "riprap = 1\ntitle = \"folded\"\n[space.spatial]\ngravity = \"9.81 m/s2\"\n[materials.r]\ndensity = \"2600 kg/m3\"\nyoung = \"{young}\"\n\
                      poisson = 0.25\n[interfaces.default]\nfriction_angle = \"30 deg\"\nbrittle_bond = {{ thickness = \"10 mm\", elastic = true }}\n\
@@ -293,9 +254,7 @@ pub fn folded(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                     Some(1) if !how.slow => {}
                     code => {
                         keep(field, &format!("folded_{k}{strain}"));
-                        found
-                            .failures
-                            .push(format!("{name}: {code:?}: below its foot"));
+                        found.failures.push(format!("{name}: {code:?}: below its foot"));
                     }
                 }
             }
@@ -316,17 +275,11 @@ pub fn forces(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                 found.tries += 1;
                 let how = ran(field, &falling(plane, release, step))?;
                 let name = format!("plane {plane}, released {release}, steps {step}");
-                let fallen = if how.code == Some(0) {
-                    -last(field)?
-                } else {
-                    f64::NAN
-                };
+                let fallen = if how.code == Some(0) { -last(field)? } else { f64::NAN };
                 let fell = (fallen - 5.0).abs() < MISSED;
                 if !fell {
                     keep(field, &format!("forces_{plane}{release}"));
-                    found
-                        .failures
-                        .push(format!("{name}: {:?}, fallen {fallen} m of 5", how.code));
+                    found.failures.push(format!("{name}: {:?}, fallen {fallen} m of 5", how.code));
                 }
             }
         }
@@ -337,21 +290,14 @@ pub fn forces(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
 /// A block that falls for a second from the start of the second phase on.
 fn falling(plane: bool, release: bool, step: &str) -> String {
     let vector = |down: &str| {
-        if plane {
-            format!("[\"0 m/s2\", \"-{down} m/s2\"]")
-        } else {
-            format!("\"{down} m/s2\"")
-        }
+        if plane { format!("[\"0 m/s2\", \"-{down} m/s2\"]") } else { format!("\"{down} m/s2\"") }
     };
     let step = match step {
         "auto" => String::new(),
         given => format!("time_step = \"{given}\"\n"),
     };
     let (space, shape) = if plane {
-        (
-            "planar",
-            "rectangle = { corner = [\"0 m\", \"0 m\"], size = [\"1 m\", \"1 m\"] }",
-        )
+        ("planar", "rectangle = { corner = [\"0 m\", \"0 m\"], size = [\"1 m\", \"1 m\"] }")
     } else {
         (
             "spatial",
@@ -359,11 +305,7 @@ fn falling(plane: bool, release: bool, step: &str) -> String {
         )
     };
     let (start, change, hold) = if release {
-        (
-            "10",
-            "release = [\"b\"]\n".to_owned(),
-            "[[supports]]\non.block = \"b\"\nfixed = {}\n",
-        )
+        ("10", "release = [\"b\"]\n".to_owned(), "[[supports]]\non.block = \"b\"\nfixed = {}\n")
     } else {
         ("0", format!("gravity = {}\n", vector("10")), "")
     };

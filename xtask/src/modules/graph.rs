@@ -31,11 +31,7 @@ pub fn graph(modules: &Crate) -> Graph {
         for words in &module.mentions {
             let found = place(modules, here, words, &mut Vec::new());
             // A single word may be a variable that is called like a module.
-            to.extend(
-                found
-                    .filter(|p| words.len() > 1 || !p.whole)
-                    .map(|p| p.module),
-            );
+            to.extend(found.filter(|p| words.len() > 1 || !p.whole).map(|p| p.module));
         }
         to.remove(here);
         arrows.insert(here.clone(), to);
@@ -74,10 +70,7 @@ fn walk(
 ) -> Option<Place> {
     let module = modules.get(&at)?;
     let Some((word, rest)) = words.split_first() else {
-        return Some(Place {
-            module: at,
-            whole: true,
-        });
+        return Some(Place { module: at, whole: true });
     };
     if module.children.contains(word) {
         let below = [at.as_slice(), std::slice::from_ref(word)].concat();
@@ -87,10 +80,7 @@ fn walk(
         }
     }
     if module.items.contains(word) {
-        return Some(Place {
-            module: at,
-            whole: false,
-        });
+        return Some(Place { module: at, whole: false });
     }
     let mark = (at.clone(), word.clone());
     if tried.contains(&mark) {
@@ -118,10 +108,8 @@ fn walk(
 pub fn circles(graph: &Graph) -> Vec<Vec<Words>> {
     let names: Vec<&Words> = graph.keys().collect();
     let number = |name: &Words| names.binary_search(&name).ok();
-    let arrows: Vec<Vec<usize>> = graph
-        .values()
-        .map(|to| to.iter().filter_map(number).collect())
-        .collect();
+    let arrows: Vec<Vec<usize>> =
+        graph.values().map(|to| to.iter().filter_map(number).collect()).collect();
     let mut search = Search {
         arrows: &arrows,
         index: vec![None; names.len()],

@@ -68,12 +68,7 @@ fn read_items(
     path: Words,
     into: &mut Crate,
 ) -> Result<(), String> {
-    let mut reader = Reader {
-        module: Module {
-            file: file.to_path_buf(),
-            ..Module::default()
-        },
-    };
+    let mut reader = Reader { module: Module { file: file.to_path_buf(), ..Module::default() } };
     for item in items {
         if attributes(item).iter().any(is_test) {
             continue;
@@ -85,10 +80,7 @@ fn read_items(
         };
         let name = inner.ident.to_string();
         if inner.attrs.iter().any(|a| a.path().is_ident("path")) {
-            return Err(format!(
-                "{}: `#[path]` on `mod {name}` is not understood",
-                file.display()
-            ));
+            return Err(format!("{}: `#[path]` on `mod {name}` is not understood", file.display()));
         }
         reader.module.children.insert(name.clone());
         let mut below = path.clone();
@@ -98,11 +90,7 @@ fn read_items(
             Some((_, items)) => read_items(items, file, &inside, below, into)?,
             None => {
                 let beside = folder.join(format!("{name}.rs"));
-                let own = if beside.exists() {
-                    beside
-                } else {
-                    inside.join("mod.rs")
-                };
+                let own = if beside.exists() { beside } else { inside.join("mod.rs") };
                 read_file(&own, &inside, below, into)?;
             }
         }
@@ -184,11 +172,7 @@ struct Reader {
 impl Reader {
     fn imports(&mut self, tree: &UseTree, before: &Words, handed_on: bool) {
         let mut put = |name: Option<String>, from: Words| {
-            self.module.imports.push(Import {
-                name,
-                from,
-                handed_on,
-            });
+            self.module.imports.push(Import { name, from, handed_on });
         };
         match tree {
             UseTree::Path(path) => {

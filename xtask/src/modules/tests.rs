@@ -19,10 +19,7 @@ fn parsed(test: &str, files: &[(&str, &str)]) -> Crate {
 
 fn arrows(modules: &Crate, from: &str) -> BTreeSet<String> {
     let from: Words = from.split("::").map(str::to_owned).collect();
-    graph::graph(modules)[&from]
-        .iter()
-        .map(|w| w.join("::"))
-        .collect()
+    graph::graph(modules)[&from].iter().map(|w| w.join("::")).collect()
 }
 
 fn set(words: &[&str]) -> BTreeSet<String> {
@@ -69,29 +66,20 @@ fn tests_comments_and_strings_are_none() {
         ("c.rs", "pub fn g() {}"),
     ];
     // What follows a test module is read like the rest.
-    assert_eq!(
-        arrows(&parsed("tests", &files), "crate::a"),
-        set(&["crate::c"])
-    );
+    assert_eq!(arrows(&parsed("tests", &files), "crate::a"), set(&["crate::c"]));
 }
 
 #[test]
 fn an_arrow_goes_through_names_handed_on() {
     let files = [
-        (
-            "lib.rs",
-            "mod a; mod b; pub use b::Thing; pub use b::deep as shallow;",
-        ),
+        ("lib.rs", "mod a; mod b; pub use b::Thing; pub use b::deep as shallow;"),
         ("a.rs", "use crate::Thing; fn f() { crate::shallow::g() }"),
         ("b.rs", "pub mod deep; pub use deep::inner::*;"),
         ("b/deep/mod.rs", "pub mod inner; pub fn g() {}"),
         ("b/deep/inner.rs", "pub struct Thing;"),
     ];
     let modules = parsed("handed", &files);
-    assert_eq!(
-        arrows(&modules, "crate::a"),
-        set(&["crate::b::deep", "crate::b::deep::inner"])
-    );
+    assert_eq!(arrows(&modules, "crate::a"), set(&["crate::b::deep", "crate::b::deep::inner"]));
     assert_eq!(arrows(&modules, "crate"), set(&[]));
     assert_eq!(arrows(&modules, "crate::b"), set(&[]));
 }
@@ -102,10 +90,7 @@ fn circles_are_found_and_variables_are_no_modules() {
         ("lib.rs", "mod a; mod b; mod c; mod step;"),
         ("a.rs", "use crate::b::B; pub struct A;"),
         ("b.rs", "use crate::c::C; pub struct B;"),
-        (
-            "c.rs",
-            "use super::a::A; pub struct C; fn f(step: f64) -> f64 { step }",
-        ),
+        ("c.rs", "use super::a::A; pub struct C; fn f(step: f64) -> f64 { step }"),
         ("step.rs", "use crate::a::A;"),
     ];
     let modules = parsed("circles", &files);
@@ -136,10 +121,7 @@ fn arrows_between_crates_are_those_of_the_table() {
                     [dev-dependencies]\nriprap.workspace = true\n";
     let found = forbidden_arrows("riprap-planar", manifest);
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(
-        found[0].contains("may not use `riprap-spatial`"),
-        "{found:?}"
-    );
+    assert!(found[0].contains("may not use `riprap-spatial`"), "{found:?}");
     assert_eq!(forbidden_arrows("riprap-cli", manifest).len(), 0);
 }
 
@@ -149,35 +131,11 @@ fn words_are_forbidden_where_the_table_says() {
         let modules = parsed("words", &[("lib.rs", text)]);
         forbidden_words(Path::new("/"), name, &modules).len()
     };
-    assert_eq!(
-        found(
-            "riprap-planar",
-            "fn f(m: std::collections::HashMap<u8, u8>) {}"
-        ),
-        1
-    );
-    assert_eq!(
-        found("riprap-scenario", "use std::collections::HashMap;"),
-        0
-    );
-    assert_eq!(
-        found("riprap-scenario", "fn f(x: f64) { x.mul_add(x, x); }"),
-        1
-    );
-    assert_eq!(
-        found(
-            "riprap-plot",
-            "fn f(x: f64) { assert!(x.mul_add(x, x) > 0.0); }"
-        ),
-        1
-    );
+    assert_eq!(found("riprap-planar", "fn f(m: std::collections::HashMap<u8, u8>) {}"), 1);
+    assert_eq!(found("riprap-scenario", "use std::collections::HashMap;"), 0);
+    assert_eq!(found("riprap-scenario", "fn f(x: f64) { x.mul_add(x, x); }"), 1);
+    assert_eq!(found("riprap-plot", "fn f(x: f64) { assert!(x.mul_add(x, x) > 0.0); }"), 1);
     assert_eq!(found("riprap", "use rayon::prelude::*;"), 1);
-    assert_eq!(
-        found("riprap-core", "fn f() { std::thread::spawn(|| ()); }"),
-        1
-    );
-    assert_eq!(
-        found("riprap-core", "#[cfg(test)] mod tests { use rayon::x; }"),
-        0
-    );
+    assert_eq!(found("riprap-core", "fn f() { std::thread::spawn(|| ()); }"), 1);
+    assert_eq!(found("riprap-core", "#[cfg(test)] mod tests { use rayon::x; }"), 0);
 }

@@ -27,12 +27,8 @@ const SCOPES: [(&str, Concerns); 11] = [
     // Joints of rigid blocks that can give way to found contact.
     ("Rigid joints in space:", joined),
     // The same where blocks lie on each other at the start: stones that are poured have no joints.
-    ("Joints in space that give way:", |scene| {
-        joined(scene) && !scene.contains("pour = ")
-    }),
-    ("Terrain in space:", |scene| {
-        in_space(scene) && scene.contains("terrain")
-    }),
+    ("Joints in space that give way:", |scene| joined(scene) && !scene.contains("pour = ")),
+    ("Terrain in space:", |scene| in_space(scene) && scene.contains("terrain")),
     ("Rupture of bolts:", |scene| scene.contains("rupture = ")),
     ("Seepage:", |scene| scene.contains("seepage")),
     ("Water:", |scene| scene.contains("[water.")),
@@ -76,9 +72,7 @@ impl Now {
                 name,
             }
         };
-        Self {
-            scenes: fast.into_iter().chain(long).map(scene).collect(),
-        }
+        Self { scenes: fast.into_iter().chain(long).map(scene).collect() }
     }
 
     pub(super) fn digest(&self, scene: &str) -> &str {
@@ -168,10 +162,7 @@ mod tests {
         assert_eq!(numerics(text, &format!("{cut}voronoi = {{}}")), 2);
         let moved = "[space.planar]\nmotion.velocity.x.constant = 0\n";
         assert_eq!(numerics(text, moved), 3);
-        assert_eq!(
-            numerics(text, &format!("{moved}motion.velocity.y.constant = 0\n")),
-            2
-        );
+        assert_eq!(numerics(text, &format!("{moved}motion.velocity.y.constant = 0\n")), 2);
         assert_eq!(numerics(text, space), 5);
         assert_eq!(numerics(text, &format!("{space}pour = {{}}")), 4);
         assert_eq!(numerics(text, &format!("{space}terrain.csv")), 6);

@@ -151,16 +151,10 @@ impl Probes {
             }
             let run = |steps| begin(root, binary, &case, steps, "made");
             let probe = match old {
-                Some(steps) => Probe {
-                    steps,
-                    state: run(steps)?,
-                },
+                Some(steps) => Probe { steps, state: run(steps)? },
                 None => new(run, spent.entry(case.0.clone()).or_default())?,
             };
-            println!(
-                "{} ({}): {} steps of each phase",
-                case.0, case.1, probe.steps
-            );
+            println!("{} ({}): {} steps of each phase", case.0, case.1, probe.steps);
             self.0.insert(case, probe);
         }
         Ok(())
@@ -178,10 +172,8 @@ impl Probes {
     ) -> Result<(Vec<String>, usize), String> {
         let claimed = cases(rows, Some(now));
         let probe = |case: &Case| self.0.get(case).filter(|p| p.steps > 0).cloned();
-        let due: Vec<(Case, Probe)> = claimed
-            .into_iter()
-            .filter_map(|case| Some((case.clone(), probe(&case)?)))
-            .collect();
+        let due: Vec<(Case, Probe)> =
+            claimed.into_iter().filter_map(|case| Some((case.clone(), probe(&case)?))).collect();
         let next = AtomicUsize::new(0);
         let work = |worker: usize| -> Result<Vec<(usize, String)>, String> {
             let mut found = Vec::new();
@@ -213,11 +205,7 @@ impl Probes {
 
 /// What is said of a probe that differs.
 fn differs((scene, case): &Case, steps: usize) -> String {
-    let case = if case.is_empty() {
-        String::new()
-    } else {
-        format!(" ({case})")
-    };
+    let case = if case.is_empty() { String::new() } else { format!(" ({case})") };
     format!(
         "the first {steps} steps of each phase of {scene}{case} compute something else than when its rows were made: write an entry under *Numerics* in CHANGELOG.md that \
          concerns it (how an entry begins says which scenes it concerns) and `cargo xtask verify-all --table`, or find what changed"
@@ -242,10 +230,7 @@ fn new(run: impl Fn(usize) -> Result<String, String>, spent: &mut Spent) -> Resu
     if spent.steps > 0 {
         let (probe, seconds) = timed(spent.steps)?;
         if spent.seconds + seconds > SCENE {
-            return Ok(Probe {
-                steps: 0,
-                state: LEFT_OUT.to_owned(),
-            });
+            return Ok(Probe { steps: 0, state: LEFT_OUT.to_owned() });
         }
         spent.seconds += seconds;
         return Ok(probe);
@@ -285,9 +270,7 @@ fn begin(
     let said = |words: &[&str]| {
         let mut command = Command::new(binary);
         command.args(words).current_dir(root).stdin(Stdio::null());
-        command
-            .output()
-            .map_err(|e| format!("{}: {e}", binary.display()))
+        command.output().map_err(|e| format!("{}: {e}", binary.display()))
     };
     let run = said(&words)?;
     let hash = said(&["hash", &out])?;
@@ -343,9 +326,7 @@ mod tests {
             digest: "d".to_owned(),
             numerics,
         };
-        Now {
-            scenes: vec![scene],
-        }
+        Now { scenes: vec![scene] }
     }
 
     fn rows() -> Vec<Row> {
@@ -358,19 +339,10 @@ mod tests {
         let mut probes = Probes::parse(TEXT).unwrap();
         assert_eq!(probes.judge(&rows(), &now(3)), Ok(()));
         let none = Probes::default();
-        assert!(
-            none.judge(&rows(), &now(3))
-                .unwrap_err()
-                .contains("--probes")
-        );
+        assert!(none.judge(&rows(), &now(3)).unwrap_err().contains("--probes"));
         // Stale rows claim nothing.
         assert_eq!(none.judge(&rows(), &now(4)), Ok(()));
-        assert!(
-            probes
-                .judge(&rows()[..1], &now(3))
-                .unwrap_err()
-                .contains("(two)")
-        );
+        assert!(probes.judge(&rows()[..1], &now(3)).unwrap_err().contains("(two)"));
         probes.keep(&rows()[..1]);
         assert_eq!(probes.judge(&rows()[..1], &now(3)), Ok(()));
     }

@@ -26,17 +26,8 @@ const LINE: &str = "| [Verification](verification.md) |";
 pub const DATA: &str = "docs/src/verification.csv";
 
 /// Columns that are read from a check.
-const CELLS: [&str; 9] = [
-    "scene",
-    "case",
-    "check",
-    "status",
-    "measured",
-    "unit",
-    "expected",
-    "tolerance",
-    "note",
-];
+const CELLS: [&str; 9] =
+    ["scene", "case", "check", "status", "measured", "unit", "expected", "tolerance", "note"];
 /// Columns that name a check.
 const NAME: usize = 3;
 /// The column of the result.
@@ -51,17 +42,12 @@ pub fn is_long(scene: &str) -> bool {
 
 /// Scenes with checks, relative to the root: the fast ones, then the long ones.
 pub fn scenes(root: &Path) -> (Vec<String>, Vec<String>) {
-    let all = files(&root.join("scenes"), &["toml"])
-        .into_iter()
-        .filter(|path| {
-            let text = std::fs::read_to_string(path).unwrap_or_default();
-            let mut keys = text
-                .lines()
-                .map(str::trim)
-                .filter(|l| !l.is_empty() && !l.starts_with('#'));
-            keys.next().is_some_and(|l| l.starts_with("riprap"))
-                && text.lines().any(|l| l.trim() == "[[checks]]")
-        });
+    let all = files(&root.join("scenes"), &["toml"]).into_iter().filter(|path| {
+        let text = std::fs::read_to_string(path).unwrap_or_default();
+        let mut keys = text.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with('#'));
+        keys.next().is_some_and(|l| l.starts_with("riprap"))
+            && text.lines().any(|l| l.trim() == "[[checks]]")
+    });
     let (long, fast) = all.map(|p| shown(root, &p)).partition(|name| is_long(name));
     (fast, long)
 }
@@ -78,20 +64,14 @@ pub struct Row {
 impl Row {
     /// Of a check that has just been run.
     fn new(check: &Value, run: [String; 4]) -> Self {
-        Self {
-            cells: CELLS.iter().map(|key| cell(check, key)).collect(),
-            run,
-        }
+        Self { cells: CELLS.iter().map(|key| cell(check, key)).collect(), run }
     }
 
     /// Of a record of the file; `None` where it has other columns.
     fn read(record: &csv::StringRecord) -> Option<Self> {
         let cells: Vec<String> = record.iter().map(str::to_owned).collect();
         let (cells, run) = cells.split_at_checked(CELLS.len())?;
-        Some(Self {
-            cells: cells.to_vec(),
-            run: run.to_vec().try_into().ok()?,
-        })
+        Some(Self { cells: cells.to_vec(), run: run.to_vec().try_into().ok()? })
     }
 
     pub fn scene(&self) -> &str {
@@ -170,10 +150,7 @@ pub fn merge(rows: &[Row], checks: &[Value], now: &Now, [date, commit]: [&str; 2
     out.retain(|row| now.known(row.scene()) && !ran(row.scene()));
     for check in checks {
         let scene = check["scene"].as_str().unwrap_or("");
-        let basis = [
-            now.numerics(scene).to_string(),
-            now.digest(scene).to_owned(),
-        ];
+        let basis = [now.numerics(scene).to_string(), now.digest(scene).to_owned()];
         let [numerics, digest] = basis;
         let run = [date.to_owned(), commit.to_owned(), numerics, digest];
         let new = Row::new(check, run);
@@ -199,20 +176,14 @@ pub fn differences(rows: &[Row], checks: &[Value], now: &Now) -> Vec<String> {
         .collect();
     for check in &checks {
         let new = Row::new(check, Default::default());
-        let Some(at) = left
-            .iter()
-            .position(|r| r.cells[..NAME] == new.cells[..NAME])
-        else {
+        let Some(at) = left.iter().position(|r| r.cells[..NAME] == new.cells[..NAME]) else {
             out.push(format!("no row: {}", new.name()));
             continue;
         };
         let old = left.remove(at);
         if old.cells != new.cells {
             let [was, is] = [&old.cells, &new.cells].map(|c| c[NAME..].join(", "));
-            out.push(format!(
-                "{}: the row says {was}; it came out {is}",
-                new.name()
-            ));
+            out.push(format!("{}: the row says {was}; it came out {is}", new.name()));
         }
     }
     let ran = |scene: &str| checks.iter().any(|c| c["scene"] == scene);
@@ -258,10 +229,7 @@ pub fn page(rows: &[Row], now: &Now) -> String {
         let _ = writeln!(
             out,
             "| [{}](../../{}) | {} | {} | {} |",
-            scene
-                .name
-                .trim_start_matches("scenes/")
-                .trim_end_matches(".toml"),
+            scene.name.trim_start_matches("scenes/").trim_end_matches(".toml"),
             scene.name,
             escaped(&scene.title),
             numbers.join(" | "),
@@ -273,19 +241,8 @@ pub fn page(rows: &[Row], now: &Now) -> String {
         let [_, case, check, _, measured, unit, expected, _, note] = &row.cells[..] else {
             continue;
         };
-        let unit = if unit.is_empty() {
-            String::new()
-        } else {
-            format!(" {unit}")
-        };
-        let cells = [
-            row.scene(),
-            case,
-            check,
-            &format!("{measured}{unit}"),
-            expected,
-            note,
-        ];
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        let cells = [row.scene(), case, check, &format!("{measured}{unit}"), expected, note];
         let _ = writeln!(out, "| {} |", cells.map(escaped).join(" | "));
     }
     out
@@ -353,11 +310,7 @@ pub fn this_run(root: &Path) -> [String; 2] {
     let date = said("date", &["-u", "+%Y-%m-%d"]).unwrap_or_default();
     let commit = said("git", &["rev-parse", "--short=9", "HEAD"]);
     let changed = said("git", &["status", "--porcelain", "--untracked-files=no"]);
-    let sign = if changed.is_some_and(|c| !c.is_empty()) {
-        "+"
-    } else {
-        ""
-    };
+    let sign = if changed.is_some_and(|c| !c.is_empty()) { "+" } else { "" };
     let commit = commit.map_or("no commit".to_owned(), |c| format!("{c}{sign}"));
     [date, commit]
 }
@@ -374,9 +327,7 @@ mod tests {
             digest: "d1".to_owned(),
             numerics,
         };
-        Now {
-            scenes: ["scenes/a.toml", "scenes/long/b.toml"].map(scene).to_vec(),
-        }
+        Now { scenes: ["scenes/a.toml", "scenes/long/b.toml"].map(scene).to_vec() }
     }
 
     const DAY: [&str; 2] = ["2026-01-01", "abc"];
@@ -399,10 +350,7 @@ mod tests {
             "{text}"
         );
         let mut file = csv::Reader::from_reader(text.as_bytes());
-        let again: Vec<Row> = file
-            .records()
-            .map(|r| Row::read(&r.unwrap()).unwrap())
-            .collect();
+        let again: Vec<Row> = file.records().map(|r| Row::read(&r.unwrap()).unwrap()).collect();
         assert_eq!(again, rows);
         let page = page(&rows, &now(3));
         assert!(page.contains("1 passed, 0 failed, 1 skipped; 0 stale"));
@@ -417,10 +365,7 @@ mod tests {
 
     #[test]
     fn long_rows_go_stale_with_the_numerics_and_all_with_their_scene() {
-        let checks = [
-            check("scenes/a.toml", 1.5),
-            check("scenes/long/b.toml", 2.5),
-        ];
+        let checks = [check("scenes/a.toml", 1.5), check("scenes/long/b.toml", 2.5)];
         let rows = merge(&[], &checks, &now(3), DAY);
         assert!(rows.iter().all(|r| r.fresh(&now(3))));
         let fresh: Vec<bool> = rows.iter().map(|r| r.fresh(&now(4))).collect();

@@ -70,12 +70,7 @@ pub struct Plot {
     #[arg(long)]
     pub png: bool,
     /// Field that colours the blocks
-    #[arg(
-        long,
-        alias = "field",
-        value_name = "FIELD",
-        default_value = "displacement"
-    )]
+    #[arg(long, alias = "field", value_name = "FIELD", default_value = "displacement")]
     pub by: String,
     /// Time of the frame that is drawn; repeatable for blocks, sections, lines and heave [default: the last]
     #[arg(long, value_name = "TIME")]
@@ -108,20 +103,10 @@ pub struct Plot {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub at: Option<String>,
     /// Where a line begins: x, y and in space z, with commas between
-    #[arg(
-        long,
-        value_name = "PLACE",
-        allow_hyphen_values = true,
-        requires = "to"
-    )]
+    #[arg(long, value_name = "PLACE", allow_hyphen_values = true, requires = "to")]
     pub from: Option<String>,
     /// Where it ends
-    #[arg(
-        long,
-        value_name = "PLACE",
-        allow_hyphen_values = true,
-        requires = "from"
-    )]
+    #[arg(long, value_name = "PLACE", allow_hyphen_values = true, requires = "from")]
     pub to: Option<String>,
     /// Projection of the stereonet
     #[arg(long, value_parser = word::<Projection>(), value_name = "PROJECTION", default_value = "equal-area")]

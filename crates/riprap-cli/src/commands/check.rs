@@ -75,9 +75,7 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
 /// What was read of the files that the scene names, a line each.
 pub(super) fn imports_text(s: &Summary) -> String {
     let lines = s.imports.iter();
-    lines
-        .map(|words| format!("  file       {words}\n"))
-        .collect()
+    lines.map(|words| format!("  file       {words}\n")).collect()
 }
 
 fn model_text(s: &Summary) -> String {
@@ -98,18 +96,12 @@ fn model_text(s: &Summary) -> String {
         grouped(s.near_pairs as u64),
     );
     if let Some((depth, [a, b])) = &s.deepest_overlap {
-        text.push_str(&format!(
-            ", deepest overlap {} between {a} and {b}",
-            si(*depth, "m")
-        ));
+        text.push_str(&format!(", deepest overlap {} between {a} and {b}", si(*depth, "m")));
     }
     text.push('\n');
     text.push_str(&passing_text(s));
     if !s.slivers.is_empty() {
-        text.push_str(&format!(
-            "  slivers    {} (see the warnings)\n",
-            s.slivers.len()
-        ));
+        text.push_str(&format!("  slivers    {} (see the warnings)\n", s.slivers.len()));
     }
     text
 }
@@ -161,11 +153,8 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
             (n, false) => format!("{n} levels"),
             (n, true) => format!("{n} levels while running"),
         };
-        let all: Vec<String> = setup
-            .refinements
-            .iter()
-            .map(|r| before(r.levels, r.during.is_some()))
-            .collect();
+        let all: Vec<String> =
+            setup.refinements.iter().map(|r| before(r.levels, r.during.is_some())).collect();
         if !all.is_empty() {
             text.push_str(&format!("  splitting  {}\n", all.join(", ")));
         }
@@ -233,10 +222,7 @@ fn expected_text(f: &Forecast, before: f64) -> String {
         } else {
             ""
         };
-        text.push_str(&format!(
-            "  fastest    {} (block {block}){guard}\n",
-            si(*speed, "m/s")
-        ));
+        text.push_str(&format!("  fastest    {} (block {block}){guard}\n", si(*speed, "m/s")));
     }
     if let Some(found) = &f.found {
         text.push_str(&found_text(found));
@@ -278,11 +264,7 @@ fn steps_text(f: &Forecast) -> String {
     let time = |steps: u64| duration(steps as f64 / f.steps_per_second);
     match (f.steps, f.iterations) {
         (Some(n), _) if f.tried_to_end => {
-            format!(
-                "{} steps (a trial came to the end), about {}",
-                grouped(n),
-                time(n)
-            )
+            format!("{} steps (a trial came to the end), about {}", grouped(n), time(n))
         }
         (Some(n), _) => match f.least_steps {
             _ if f.at_most => format!("up to {} steps, up to about {}", grouped(n), time(n)),
@@ -322,9 +304,7 @@ fn found_text(found: &Outlook) -> String {
         1 => "1 block".to_owned(),
         several => format!("{} blocks", grouped(several as u64)),
     };
-    let fall = height.map_or(String::new(), |height| {
-        format!(", a fall of {},", si(height, "m"))
-    });
+    let fall = height.map_or(String::new(), |height| format!(", a fall of {},", si(height, "m")));
     format!(
         "  meeting    {blocks} can meet others; {} pairs are near and {} touch at the start{steps}\n             \
          pressed in by {flat} % of their size under their own weight flat, {corner} % on a corner; a cube's corner that hits with {}{fall} without dashpots goes in too far (block {block})\n",

@@ -14,23 +14,13 @@ const SAMPLE: usize = 32 << 20;
 
 pub fn run() -> Result<(), Failure> {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let build = if cfg!(debug_assertions) {
-        "debug (slow: use --release)"
-    } else {
-        "release"
-    };
+    let build = if cfg!(debug_assertions) { "debug (slow: use --release)" } else { "release" };
     let unknown = || "unknown".to_owned();
     let rows = [
         ("riprap", VERSION.to_owned()),
         ("build", build.to_owned()),
-        (
-            "system",
-            format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
-        ),
-        (
-            "processor",
-            first_of("/proc/cpuinfo", "model name").unwrap_or_else(unknown),
-        ),
+        ("system", format!("{} {}", std::env::consts::OS, std::env::consts::ARCH)),
+        ("processor", first_of("/proc/cpuinfo", "model name").unwrap_or_else(unknown)),
         ("cores", cores.to_string()),
         ("memory", memory().unwrap_or_else(unknown)),
         ("disk", disk()),
@@ -86,13 +76,7 @@ fn disk() -> String {
 /// GB free in the working folder, as `df` says.
 fn free() -> Option<f64> {
     let told = said(Command::new("df").args(["-Pk", "."]))?;
-    let kib: f64 = told
-        .lines()
-        .nth(1)?
-        .split_whitespace()
-        .nth(3)?
-        .parse()
-        .ok()?;
+    let kib: f64 = told.lines().nth(1)?.split_whitespace().nth(3)?.parse().ok()?;
     Some(1024e-9 * kib)
 }
 
@@ -109,12 +93,9 @@ fn browser() -> String {
         "xdg-open",
     ];
     let own = std::env::var("BROWSER").ok().filter(|b| !b.is_empty());
-    let found = own.map(|named| format!("{named} (BROWSER)")).or_else(|| {
-        KNOWN
-            .iter()
-            .find_map(|name| in_path(name))
-            .map(|p| p.display().to_string())
-    });
+    let found = own
+        .map(|named| format!("{named} (BROWSER)"))
+        .or_else(|| KNOWN.iter().find_map(|name| in_path(name)).map(|p| p.display().to_string()));
     match found {
         Some(found) => found,
         // There it is part of the system and in no path.
@@ -138,21 +119,13 @@ fn python() -> String {
         let version = words.next().unwrap_or("?");
         let modules: Vec<&str> = words.collect();
         let with = |list: &[&str]| {
-            if list.is_empty() {
-                "none".to_owned()
-            } else {
-                list.join(", ")
-            }
+            if list.is_empty() { "none".to_owned() } else { list.join(", ") }
         };
         let without: Vec<&str> = ["riprap", "numpy", "pyvista", "matplotlib"]
             .into_iter()
             .filter(|module| !modules.contains(module))
             .collect();
-        return format!(
-            "{version} with {}; without {}",
-            with(&modules),
-            with(&without)
-        );
+        return format!("{version} with {}; without {}", with(&modules), with(&without));
     }
     "none found; only the package for Python needs it".to_owned()
 }
@@ -188,6 +161,5 @@ fn in_path(name: &str) -> Option<PathBuf> {
 fn first_of(file: &str, key: &str) -> Option<String> {
     let text = std::fs::read_to_string(file).ok()?;
     let line = text.lines().find(|l| l.starts_with(key))?;
-    line.split_once(':')
-        .map(|(_, value)| value.trim().to_owned())
+    line.split_once(':').map(|(_, value)| value.trim().to_owned())
 }

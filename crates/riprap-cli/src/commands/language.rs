@@ -15,11 +15,7 @@ use crate::{concepts, scenes, screen};
 
 /// `riprap schema`.
 pub fn schema(args: &Schema) -> Result<(), Failure> {
-    let text = if args.markdown {
-        scenario::markdown()
-    } else {
-        scenario::schema_text()
-    };
+    let text = if args.markdown { scenario::markdown() } else { scenario::schema_text() };
     screen::line(text.trim_end());
     Ok(())
 }
@@ -59,21 +55,10 @@ pub fn explain(args: &Explain, style: Style) -> Result<(), Failure> {
             Provenance::Default => "default",
             Provenance::Derived => "derived",
         };
-        [
-            one.key.clone(),
-            one.value.clone(),
-            from.to_owned(),
-            one.why.clone(),
-        ]
+        [one.key.clone(), one.value.clone(), from.to_owned(), one.why.clone()]
     });
     let rows: Vec<[String; 4]> = rows.collect();
-    let width = |i: usize| {
-        rows.iter()
-            .map(|row| row[i].chars().count())
-            .max()
-            .unwrap_or(0)
-            .min(60)
-    };
+    let width = |i: usize| rows.iter().map(|row| row[i].chars().count()).max().unwrap_or(0).min(60);
     let (keys, values) = (width(0), width(1));
     for [key, value, from, why] in &rows {
         let line = format!("{key:<keys$}  {value:<values$}  {from:<8} {why}");

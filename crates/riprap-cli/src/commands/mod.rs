@@ -41,11 +41,7 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
             .map_err(|e| Failure::Output(format!("could not write {}: {e}", path.display())));
     }
     riprap::record::write_whole(&target, bytes).map_err(|error| {
-        Failure::Output(format!(
-            "could not write {}: {}",
-            path.display(),
-            error.source
-        ))
+        Failure::Output(format!("could not write {}: {}", path.display(), error.source))
     })
 }
 

@@ -22,10 +22,7 @@ pub fn run(args: &New) -> Result<(), Failure> {
     let template = templates::find(&args.template).ok_or_else(|| {
         let names: Vec<&str> = TEMPLATES.iter().map(|t| t.name).collect();
         let known = names.join(", ");
-        Failure::Input(format!(
-            "there is no template {:?}; there are: {known}",
-            args.template
-        ))
+        Failure::Input(format!("there is no template {:?}; there are: {known}", args.template))
     })?;
     let name = args.name.as_deref().unwrap_or(template.name);
     let path = scene_path(name)?;
@@ -70,17 +67,14 @@ fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
         // Refused by the system itself: what came to be there since is safe too.
         options.create_new(true);
     }
-    options
-        .open(path)
-        .and_then(|mut file| file.write_all(text.as_bytes()))
-        .map_err(|error| {
-            let shown = path.display();
-            if error.kind() == ErrorKind::AlreadyExists {
-                Failure::Input(format!("{shown} is already there; --force replaces it"))
-            } else {
-                Failure::Output(format!("could not write {shown}: {error}"))
-            }
-        })
+    options.open(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
+        let shown = path.display();
+        if error.kind() == ErrorKind::AlreadyExists {
+            Failure::Input(format!("{shown} is already there; --force replaces it"))
+        } else {
+            Failure::Output(format!("could not write {shown}: {error}"))
+        }
+    })
 }
 
 #[cfg(test)]
@@ -89,11 +83,9 @@ mod tests {
 
     #[test]
     fn the_ending_is_added_once() {
-        for (name, path) in [
-            ("hill", "hill.toml"),
-            ("hill.toml", "hill.toml"),
-            ("a/hill.v2", "a/hill.v2.toml"),
-        ] {
+        for (name, path) in
+            [("hill", "hill.toml"), ("hill.toml", "hill.toml"), ("a/hill.v2", "a/hill.v2.toml")]
+        {
             assert_eq!(scene_path(name).unwrap(), Path::new(path));
         }
         assert!(scene_path("..").is_err());

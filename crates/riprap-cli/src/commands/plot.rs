@@ -39,10 +39,7 @@ pub fn all(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     ];
     match Cli::try_parse_from(words).map(|cli| cli.verb) {
         Ok(Verb::Plot(args)) => draw(&args),
-        Ok(_) | Err(_) => Err(Failure::Input(format!(
-            "{} cannot be plotted",
-            folder.display()
-        ))),
+        Ok(_) | Err(_) => Err(Failure::Input(format!("{} cannot be plotted", folder.display()))),
     }
 }
 
@@ -101,22 +98,9 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
         (
             "time",
             !args.time.is_empty(),
-            &[
-                "blocks",
-                "section",
-                "line",
-                "ppv",
-                "crater",
-                "heave",
-                "stereonet",
-                "rose",
-            ],
+            &["blocks", "section", "line", "ppv", "crater", "heave", "stereonet", "rose"],
         ),
-        (
-            "by",
-            args.by != "displacement",
-            &["blocks", "section", "line"],
-        ),
+        ("by", args.by != "displacement", &["blocks", "section", "line"]),
         ("log", args.log, FLAT),
         ("vectors", args.vectors.is_some(), FLAT),
         ("stress", args.stress, FLAT),
@@ -124,18 +108,10 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
         ("cracks", args.cracks, FLAT),
         ("window", args.window.is_some(), FLAT),
         ("exaggerate", args.exaggerate.is_some(), FLAT),
-        (
-            "normal",
-            args.normal != Normal::Y,
-            &["blocks", "section", "heave"],
-        ),
+        ("normal", args.normal != Normal::Y, &["blocks", "section", "heave"]),
         ("at", args.at.is_some(), FLAT),
         ("from", args.from.is_some(), &["line"]),
-        (
-            "projection",
-            args.projection != Projection::EqualArea,
-            &["stereonet"],
-        ),
+        ("projection", args.projection != Projection::EqualArea, &["stereonet"]),
         ("surface", args.surface, &["ppv"]),
         ("uplift", args.uplift.is_some(), &["crater"]),
         ("source", args.source.is_some(), &["crater", "heave"]),
@@ -146,9 +122,7 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
         // All but lines and spectra are among all pictures.
         None => pictures != ["line"],
     };
-    let unread = given
-        .into_iter()
-        .filter(|(_, given, pictures)| *given && !reads(pictures));
+    let unread = given.into_iter().filter(|(_, given, pictures)| *given && !reads(pictures));
     unread.map(|(option, _, _)| option).collect()
 }
 
@@ -186,12 +160,7 @@ fn window(given: Option<&[String]>) -> Result<Option<[f64; 4]>, Failure> {
     let Some(texts) = given else { return Ok(None) };
     let mut ends = [0.0; 4];
     for (end, text) in ends.iter_mut().zip(texts) {
-        *end = quantity(
-            text,
-            Dim::LENGTH,
-            "window",
-            "--window '0 m' '0 m' '5 m' '3 m'",
-        )?;
+        *end = quantity(text, Dim::LENGTH, "window", "--window '0 m' '0 m' '5 m' '3 m'")?;
     }
     if ends[0] < ends[2] && ends[1] < ends[3] {
         return Ok(Some(ends));
@@ -216,10 +185,7 @@ fn line(args: &Plot) -> Result<Option<Along>, Failure> {
         let length = |part| quantity(part, Dim::LENGTH, "length", "--from '0 m, 3 m'");
         parts.into_iter().map(length).collect()
     };
-    Ok(Some(Along {
-        from: place(from)?,
-        to: place(to)?,
-    }))
+    Ok(Some(Along { from: place(from)?, to: place(to)? }))
 }
 
 /// The arguments, read.
@@ -236,14 +202,7 @@ impl<'a> Asked<'a> {
         let frames = args
             .time
             .iter()
-            .map(|t| {
-                Ok(Which::Time(quantity(
-                    t,
-                    Dim::TIME,
-                    "time",
-                    "--time '0.5 s'",
-                )?))
-            })
+            .map(|t| Ok(Which::Time(quantity(t, Dim::TIME, "time", "--time '0.5 s'")?)))
             .collect::<Result<_, Failure>>()?;
         let length = |text: &Option<String>, example| match text {
             Some(text) => quantity(text, Dim::LENGTH, "length", example).map(Some),
@@ -273,10 +232,7 @@ impl<'a> Asked<'a> {
     fn out(&self, name: &str) -> PathBuf {
         let ending = if self.args.png { "png" } else { "svg" };
         let plots = self.args.run.join("plots");
-        self.args
-            .output
-            .clone()
-            .unwrap_or_else(|| plots.join(format!("{name}.{ending}")))
+        self.args.output.clone().unwrap_or_else(|| plots.join(format!("{name}.{ending}")))
     }
 
     /// The file of histories, which may be drawn over another one.
@@ -313,11 +269,7 @@ impl<'a> Asked<'a> {
     fn drawn(&self, what: &str) -> Result<Vec<PathBuf>, PlotError> {
         let (folder, by) = (&self.args.run, &self.args.by);
         let last = [Which::Last];
-        let frames = if self.frames.is_empty() {
-            &last
-        } else {
-            &self.frames[..]
-        };
+        let frames = if self.frames.is_empty() { &last } else { &self.frames[..] };
         let source = self.args.source.as_deref();
         let against = self.args.against.as_deref();
         match what {
@@ -340,10 +292,7 @@ impl<'a> Asked<'a> {
             },
             "ppv" => plot::ppv(folder, frames[0], self.args.surface, &self.out(what)),
             "crater" => {
-                let options = CraterOptions {
-                    uplift: self.uplift,
-                    source,
-                };
+                let options = CraterOptions { uplift: self.uplift, source };
                 plot::crater(folder, frames[0], options, &self.out(what))
             }
             "heave" => {
@@ -374,20 +323,16 @@ impl<'a> Asked<'a> {
 pub fn quantity(text: &str, wanted: Dim, what: &str, example: &str) -> Result<f64, Failure> {
     match units::parse(text) {
         Ok((value, dim)) if dim == wanted => Ok(value),
-        Ok(_) | Err(_) => Err(Failure::Input(format!(
-            "{text:?} is no {what}; write for example {example}"
-        ))),
+        Ok(_) | Err(_) => {
+            Err(Failure::Input(format!("{text:?} is no {what}; write for example {example}")))
+        }
     }
 }
 
 /// A history's name without what a file name cannot hold.
 fn file_name(history: &str) -> String {
     let safe = |c: char| {
-        if c.is_alphanumeric() || "-_.".contains(c) {
-            c
-        } else {
-            '_'
-        }
+        if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }
     };
     history.chars().map(safe).collect()
 }
@@ -408,9 +353,7 @@ mod tests {
     #[test]
     fn options_that_do_not_suit_a_picture_are_told() {
         let told = |words: &str| {
-            let words = ["riprap", "plot", "a.run"]
-                .into_iter()
-                .chain(words.split(' '));
+            let words = ["riprap", "plot", "a.run"].into_iter().chain(words.split(' '));
             let Verb::Plot(args) = Cli::try_parse_from(words).unwrap().verb else {
                 panic!("no plot");
             };
@@ -418,15 +361,9 @@ mod tests {
         };
         assert_eq!(told("energy --time 1s --log"), ["time", "log"]);
         assert_eq!(told("slip --by velocity"), ["by"]);
-        assert_eq!(
-            told("rose --projection equal-angle --time 1s"),
-            ["projection"]
-        );
+        assert_eq!(told("rose --projection equal-angle --time 1s"), ["projection"]);
         assert_eq!(told("ppv --surface --uplift 1mm"), ["uplift"]);
-        assert_eq!(
-            told("line --from 0m,0m --to 1m,0m --isolines 4"),
-            ["isolines"]
-        );
+        assert_eq!(told("line --from 0m,0m --to 1m,0m --isolines 4"), ["isolines"]);
         assert!(told("blocks --time 1s --by velocity --log --stress --cracks").is_empty());
         assert!(told("heave --normal x --source a --time 1s").is_empty());
         assert!(told("--time 1s --log --surface --png").is_empty());

@@ -92,11 +92,7 @@ fn types(touch: &Touch) -> String {
             names.push(name);
         }
     }
-    if names.is_empty() {
-        "-".to_owned()
-    } else {
-        names.join(",")
-    }
+    if names.is_empty() { "-".to_owned() } else { names.join(",") }
 }
 
 fn length(text: &str) -> Result<f64, Failure> {

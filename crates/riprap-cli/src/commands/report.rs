@@ -25,20 +25,11 @@ pub fn run(args: &Report) -> Result<(), Failure> {
             other => return Err(other),
         }
     }
-    let limits = Limits {
-        frames: usize::from(args.frames),
-        ..Limits::default()
-    };
-    let signature = Signature {
-        author: args.author.clone(),
-        project: args.project.clone(),
-    };
+    let limits = Limits { frames: usize::from(args.frames), ..Limits::default() };
+    let signature = Signature { author: args.author.clone(), project: args.project.clone() };
     let html = report::report(&run, &pictures(&args.run), &signature, limits)
         .map_err(|problem| Failure::Input(format!("{}; {}", problem.what, problem.hint)))?;
-    let out = args
-        .output
-        .clone()
-        .unwrap_or_else(|| default_name(&args.run));
+    let out = args.output.clone().unwrap_or_else(|| default_name(&args.run));
     write_file(&out, html.as_bytes())?;
     let size = html.len() as f64 / 1e6;
     screen::line(&format!("{}  ({size:.1} MB)", out.display()));

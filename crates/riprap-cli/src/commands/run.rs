@@ -67,11 +67,7 @@ fn stopped_early(folder: &Path) -> String {
 /// `riprap resume`.
 pub fn resume(args: &Resume) -> Result<(), Failure> {
     run_folder(&args.run, "resume")?;
-    let head = format!(
-        "riprap {}  resuming {}",
-        env!("CARGO_PKG_VERSION"),
-        args.run.display()
-    );
+    let head = format!("riprap {}  resuming {}", env!("CARGO_PKG_VERSION"), args.run.display());
     let early = || "stopped before a step was done: the run can be resumed as before".to_owned();
     with_display(&args.how, &head, &args.run, early, |look| {
         let live = Live::reopen(&args.run, threads(&args.how))?;
@@ -85,11 +81,7 @@ pub fn resume(args: &Resume) -> Result<(), Failure> {
 
 /// Where results go, and what may be replaced there. Without `--out` a name that is not taken.
 pub fn target(out: Option<&Path>, scene: &Path, kind: &str, force: bool) -> (PathBuf, Existing) {
-    let existing = if force {
-        Existing::Force
-    } else {
-        Existing::Refuse
-    };
+    let existing = if force { Existing::Force } else { Existing::Refuse };
     let folder = match out {
         Some(out) => out.to_owned(),
         None if force => default_folder(scene, kind),
@@ -113,11 +105,7 @@ fn with_display(
     let outcome = work(&mut |look| {
         interrupt.begin();
         display.show(look);
-        if interrupt.asked() {
-            Control::Stop
-        } else {
-            Control::Continue
-        }
+        if interrupt.asked() { Control::Stop } else { Control::Continue }
     });
     display.close();
     finish(&outcome?, folder, how.quiet)
@@ -163,9 +151,7 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
                 .map_or(String::new(), |line| {
                     format!("\n  line {line} of scenario.resolved.toml in the run folder")
                 });
-            return Err(Failure::Physics(format!(
-                "{why}{place}\n  results up to there: {shown}"
-            )));
+            return Err(Failure::Physics(format!("{why}{place}\n  results up to there: {shown}")));
         }
     }
     if !quiet {
@@ -174,11 +160,7 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
              paraview {shown}/run.pvd\n"
         ));
     }
-    if tally.failed > 0 {
-        Err(Failure::Checks)
-    } else {
-        Ok(())
-    }
+    if tally.failed > 0 { Err(Failure::Checks) } else { Ok(()) }
 }
 
 /// Line of the resolved scene that holds a formula.
@@ -190,9 +172,7 @@ fn line_of(folder: &Path, formula: &str) -> Option<usize> {
 
 /// Why a static phase has ended.
 fn phase_end(end: &PhaseEnd) -> String {
-    let asked = end.wanted.map_or(String::new(), |wanted| {
-        format!(", {} asked for", ratio(wanted))
-    });
+    let asked = end.wanted.map_or(String::new(), |wanted| format!(", {} asked for", ratio(wanted)));
     format!(
         "phase {:?} ended: {} (unbalanced {}{asked})",
         end.phase,

@@ -85,10 +85,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
         (answer, job)
     };
     // Before the mechanism is run, which takes as long again and may be stopped.
-    write(
-        &folder.join("safety.json"),
-        &serde_json::json!(&answer).to_string(),
-    )?;
+    write(&folder.join("safety.json"), &serde_json::json!(&answer).to_string())?;
     write(&folder.join("safety.csv"), &answer.table())?;
     if let Some(job) = safety::mechanism_job(job, &rules, &answer, FRAMES)? {
         mechanism(job, &folder, existing, threads, &interrupt)?;
@@ -132,17 +129,10 @@ fn mechanism(
 ) -> Result<(), Failure> {
     let target = folder.join("mechanism.run");
     let outcome = job::run(job, &target, existing, threads, &mut |_| {
-        if interrupt.asked() {
-            Control::Stop
-        } else {
-            Control::Continue
-        }
+        if interrupt.asked() { Control::Stop } else { Control::Continue }
     })?;
     if matches!(outcome.ending, Ending::Stopped) {
-        return Err(Failure::Interrupted(format!(
-            "the answer is in {}",
-            folder.display()
-        )));
+        return Err(Failure::Interrupted(format!("the answer is in {}", folder.display())));
     }
     plot::all(&target)?;
     Ok(())

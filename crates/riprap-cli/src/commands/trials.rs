@@ -49,24 +49,14 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
     let interrupt = Interrupt::listen()?;
     let (count, mut rows) = (scene.cases.len(), Vec::new());
     let jobs = threads(&args.how);
-    sweep::sweep(
-        &scene,
-        &folder,
-        existing,
-        jobs,
-        &|| interrupt.asked(),
-        |row: Row| {
-            if !args.how.quiet {
-                let (n, case, steps) = (rows.len() + 1, &row.case, grouped(row.steps));
-                let kept = if row.kept { ", kept from before" } else { "" };
-                screen::line(&format!(
-                    "{n}/{count}  {case}: {}, {steps} steps{kept}",
-                    row.ended
-                ));
-            }
-            rows.push(row);
-        },
-    );
+    sweep::sweep(&scene, &folder, existing, jobs, &|| interrupt.asked(), |row: Row| {
+        if !args.how.quiet {
+            let (n, case, steps) = (rows.len() + 1, &row.case, grouped(row.steps));
+            let kept = if row.kept { ", kept from before" } else { "" };
+            screen::line(&format!("{n}/{count}  {case}: {}, {steps} steps{kept}", row.ended));
+        }
+        rows.push(row);
+    });
     let table =
         sweep::table_with(&rows, earlier.as_deref()).map_err(|e| Failure::Output(e.to_string()))?;
     write_file(&path, &table)?;
@@ -83,22 +73,12 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
         return Err(Failure::Output(row.ended.clone()));
     }
     if interrupt.asked() {
-        return Err(Failure::Interrupted(format!(
-            "see {} for what was done",
-            path.display()
-        )));
+        return Err(Failure::Interrupted(format!("see {} for what was done", path.display())));
     }
     if let Some(row) = rows.iter().find(|row| !row.finished) {
-        return Err(Failure::Physics(format!(
-            "case {}: {}",
-            row.case, row.ended
-        )));
+        return Err(Failure::Physics(format!("case {}: {}", row.case, row.ended)));
     }
-    if tally.failed > 0 {
-        Err(Failure::Checks)
-    } else {
-        Ok(())
-    }
+    if tally.failed > 0 { Err(Failure::Checks) } else { Ok(()) }
 }
 
 /// Makes the folder that holds the sub-folders of several runs.
@@ -141,10 +121,8 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
                     "" => String::new(),
                     words => format!(" ({words})"),
                 };
-                let line = format!(
-                    "trial {count}: {} {word}{measured} {}",
-                    trial.words, trial.note
-                );
+                let line =
+                    format!("trial {count}: {} {word}{measured} {}", trial.words, trial.note);
                 screen::line(line.trim_end());
             }
         },
@@ -189,11 +167,7 @@ pub fn compare(args: &Compare) -> Result<(), Failure> {
         &mut |law, look| {
             display.label(&format!("{law}  "));
             display.show(look);
-            if interrupt.asked() {
-                Control::Stop
-            } else {
-                Control::Continue
-            }
+            if interrupt.asked() { Control::Stop } else { Control::Continue }
         },
     );
     display.close();
@@ -209,14 +183,8 @@ pub fn compare(args: &Compare) -> Result<(), Failure> {
             d.place.clone(),
         ]
     });
-    let heads = [
-        "",
-        trials::LAWS[0],
-        trials::LAWS[1],
-        "largest difference",
-        "of the largest",
-        "where",
-    ];
+    let heads =
+        ["", trials::LAWS[0], trials::LAWS[1], "largest difference", "of the largest", "where"];
     let text = screen::table(&heads, rows);
     screen::print(&text);
     let path = folder.join("compare.txt");

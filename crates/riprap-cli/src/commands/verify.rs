@@ -15,28 +15,20 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
             .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
         if found.is_empty() {
             let shown = path.display();
-            return Err(Failure::Input(format!(
-                "there are no scenes with checks in {shown}"
-            )));
+            return Err(Failure::Input(format!("there are no scenes with checks in {shown}")));
         }
         scenes.extend(found);
     }
     let interrupt = Interrupt::listen()?;
     let jobs = args.jobs.map_or_else(cores, usize::from);
-    let tally = verify::verify(
-        &scenes,
-        args.strict,
-        jobs,
-        &|| interrupt.asked(),
-        |result| {
-            if args.json {
-                // A result is numbers and texts: it always has a JSON form.
-                screen::line(&serde_json::to_string(&result).unwrap_or_default());
-            } else {
-                screen::line(&check_line(&result, true));
-            }
-        },
-    );
+    let tally = verify::verify(&scenes, args.strict, jobs, &|| interrupt.asked(), |result| {
+        if args.json {
+            // A result is numbers and texts: it always has a JSON form.
+            screen::line(&serde_json::to_string(&result).unwrap_or_default());
+        } else {
+            screen::line(&check_line(&result, true));
+        }
+    });
     if !args.json {
         screen::line(&tally.to_string());
     }

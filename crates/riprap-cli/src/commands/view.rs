@@ -21,11 +21,8 @@ pub fn run(args: &View, style: Style) -> Result<(), Failure> {
         }
         return preview(args, style);
     }
-    let runs: Vec<_> = [Some(&args.run), args.other.as_ref()]
-        .into_iter()
-        .flatten()
-        .cloned()
-        .collect();
+    let runs: Vec<_> =
+        [Some(&args.run), args.other.as_ref()].into_iter().flatten().cloned().collect();
     for run in &runs {
         exists(run)?;
     }
@@ -39,9 +36,7 @@ const LOOK: Duration = Duration::from_millis(300);
 fn preview(args: &View, style: Style) -> Result<(), Failure> {
     let scratch = Scratch::new()
         .map_err(|e| Failure::Output(format!("could not make a temporary folder: {e}")))?;
-    let folder = scratch
-        .path()
-        .join(args.run.file_stem().unwrap_or_default());
+    let folder = scratch.path().join(args.run.file_stem().unwrap_or_default());
     let gone = scratch.path().to_owned();
     ctrlc::set_handler(move || {
         // What stays behind goes when the next preview begins.
@@ -172,10 +167,7 @@ until = { time = "1 s" }
     fn a_bad_save_leaves_the_old_model_and_a_good_one_is_shown_after_any_failure() {
         let dir = tempfile::tempdir().unwrap();
         let (file, folder) = (dir.path().join("a.toml"), dir.path().join("a"));
-        let change = Change {
-            set: Vec::new(),
-            case: None,
-        };
+        let change = Change { set: Vec::new(), case: None };
         let save = |text: &str| std::fs::write(&file, text).unwrap();
         let mut shown = None;
         let mut renewed = || {

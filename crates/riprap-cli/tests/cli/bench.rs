@@ -78,9 +78,7 @@ pub struct Said {
 
 impl Bench {
     pub fn new() -> Self {
-        Bench {
-            folder: tempfile::tempdir().expect("a temporary folder"),
-        }
+        Bench { folder: tempfile::tempdir().expect("a temporary folder") }
     }
 
     /// In memory where the machine has such a folder: runs with a checkpoint every few steps otherwise wait for the disk.
@@ -98,10 +96,7 @@ impl Bench {
     /// With a scene that takes far longer than any test waits.
     pub fn with_long_scene() -> Self {
         let bench = Bench::new();
-        bench.file(
-            "long.toml",
-            FALL.replace("time = \"0.2 s\"", "time = \"2000 s\""),
-        );
+        bench.file("long.toml", FALL.replace("time = \"0.2 s\"", "time = \"2000 s\""));
         bench
     }
 
@@ -136,10 +131,7 @@ impl Bench {
     /// The command, not yet started.
     pub fn command(&self, words: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_riprap"));
-        command
-            .args(words)
-            .current_dir(self.folder.path())
-            .env_remove("NO_COLOR");
+        command.args(words).current_dir(self.folder.path()).env_remove("NO_COLOR");
         command
     }
 
@@ -151,13 +143,8 @@ impl Bench {
     /// Starts the command and leaves it running.
     pub fn start(&self, words: &[&str]) -> Running {
         let mut command = self.command(words);
-        command
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped());
-        Running {
-            child: command.spawn().expect("start riprap"),
-        }
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        Running { child: command.spawn().expect("start riprap") }
     }
 
     /// Waits until `there` holds.
@@ -165,10 +152,7 @@ impl Bench {
     pub fn wait_for(&self, what: &str, there: impl Fn() -> bool) {
         let begun = Instant::now();
         while !there() {
-            assert!(
-                begun.elapsed() < Duration::from_secs(60),
-                "waited in vain for {what}"
-            );
+            assert!(begun.elapsed() < Duration::from_secs(60), "waited in vain for {what}");
             std::thread::sleep(Duration::from_millis(20));
         }
     }

@@ -47,20 +47,11 @@ fn silent(scene: &str) {
 
 /// Something thin of this shape between a fixed floor and a roof 5 m high.
 fn between(stiffness: &str, [wide, thick]: [f64; 2], phase: &str) -> String {
-    let thin = brick(
-        "thin",
-        [-wide / 2.0, -wide / 2.0, 0.0],
-        [wide, wide, thick],
-        "",
-    );
+    let thin = brick("thin", [-wide / 2.0, -wide / 2.0, 0.0], [wide, wide, thick], "");
     let floor = brick("floor", [-2.0, -2.0, -4.0], [4.0, 4.0, 4.0], "");
     let roof = brick("roof", [-2.0, -2.0, thick], [4.0, 4.0, 5.0], "");
     let interface = format!("friction_angle = \"30 deg\"\nnormal_stiffness = \"{stiffness}\"");
-    space(
-        "",
-        &interface,
-        &format!("{floor}{thin}{roof}{FIXED}[[phases]]\nname = \"a\"\n{phase}\n"),
-    )
+    space("", &interface, &format!("{floor}{thin}{roof}{FIXED}[[phases]]\nname = \"a\"\n{phase}\n"))
 }
 
 #[test]
@@ -73,9 +64,7 @@ fn what_is_thin_between_joints_is_not_swallowed_in_silence() {
         ("3 MPa/m", [4.0, 0.05]),
     ] {
         let (_, said) = run(&between(stiffness, shape, slow));
-        let said = said
-            .expect(1)
-            .warns(&["thin", "pass through", "as far as the largest ball"]);
+        let said = said.expect(1).warns(&["thin", "pass through", "as far as the largest ball"]);
         let reach = format!("({:.4e} m)", shape[0].min(shape[1]) / 2.0);
         assert!(said.err.contains(&reach), "{reach} {}", said.err);
     }
@@ -131,16 +120,14 @@ fn column(young: &str, strain: &str, phase: &str) -> String {
 fn deformable_blocks_inside_out_stop_a_run_and_strain_beyond_the_law_is_told() {
     let statics = "kind = \"static\"\nuntil = { unbalanced = 1e-4 }";
     let (_, said) = run(&column("20 kPa", "small", statics));
-    said.expect(1)
-        .warns(&["`b.", "inside out", "times its volume", "young", " m: "]);
+    said.expect(1).warns(&["`b.", "inside out", "times its volume", "young", " m: "]);
     let (_, said) = run(&column("300 kPa", "total_lagrangian", statics));
     said.expect(1).warns(&["`b.", "inside out"]);
     // So soft that numbers end before a look finds it: named all the same.
     let (_, said) = run(&column("20 kPa", "total_lagrangian", statics));
     said.expect(1).warns(&["`b."]);
     let (_, said) = run(&column("300 kPa", "small", statics));
-    said.expect(0)
-        .warns(&["was strained by", "%", "`young`", "at ("]);
+    said.expect(0).warns(&["was strained by", "%", "`young`", "at ("]);
     silent(&column("200 MPa", "small", statics));
     silent(&column("200 MPa", "total_lagrangian", statics));
 }
@@ -156,22 +143,14 @@ fn turning(kinematics: &str, time: &str) -> String {
     let b = brick("b", [0.0, -0.5, 0.0], [1.0, 1.0, 1.0], &whirl(2.5));
     let keys = format!("kinematics = \"{kinematics}\"");
     let phase = format!("[[phases]]\nname = \"a\"\nuntil = {{ time = \"{time}\" }}\n");
-    space(
-        &keys,
-        "elastic = true\ndamping_ratio = 0",
-        &format!("{a}{b}{phase}"),
-    )
-    .replace("9.81 m/s2", "0 m/s2")
+    space(&keys, "elastic = true\ndamping_ratio = 0", &format!("{a}{b}{phase}"))
+        .replace("9.81 m/s2", "0 m/s2")
 }
 
 #[test]
 fn small_kinematics_of_blocks_that_turn_far_are_doubted() {
     let (bench, said) = run(&turning("small", "0.3 s"));
-    said.expect(0).warns(&[
-        "turned by 1.5",
-        "small rotations",
-        "kinematics = \"automatic\"",
-    ]);
+    said.expect(0).warns(&["turned by 1.5", "small rotations", "kinematics = \"automatic\""]);
     assert!(bench.read("a.run/manifest.json").contains("turned by 1.5"));
     let (_, said) = run(&turning("small", "0.03 s"));
     said.expect(0).warns(&["turned by 0.15 rad"]);
@@ -199,37 +178,25 @@ fn weight_on_dashpots_is_told_and_is_no_rest() {
     let statics =
         "[[phases]]\nname = \"p\"\nkind = \"static\"\nuntil = { unbalanced = 1e-4, steps = 20000 }";
     let viscous = "viscous = {}";
-    check(&on_base(viscous, dynamic))
-        .expect(0)
-        .warns(&["dashpots", "`base`", "sinks", "in_situ"]);
+    check(&on_base(viscous, dynamic)).expect(0).warns(&["dashpots", "`base`", "sinks", "in_situ"]);
     let (_, said) = run(&on_base(viscous, dynamic));
     said.expect(0).warns(&["dashpots", "`base`", "sinks"]);
     let (_, said) = run(&on_base(viscous, statics));
-    let said = said
-        .expect(0)
-        .warns(&["`base`", "sinks", "ended without rest"]);
+    let said = said.expect(0).warns(&["`base`", "sinks", "ended without rest"]);
     assert!(!said.err.contains("are balanced"), "{}", said.err);
     // Rollers on the sides bear no weight.
     let side = "[[boundaries]]\nname = \"side\"\non.plane = \"x-min\"\nroller = {}\n";
     let with_side = format!("{side}{dynamic}");
-    check(&on_base(viscous, &with_side))
-        .expect(0)
-        .warns(&["dashpots", "`base`"]);
+    check(&on_base(viscous, &with_side)).expect(0).warns(&["dashpots", "`base`"]);
     // A held base, a base that takes up the stress at the start, and one side that bears the weight.
     silent(&on_base("held = {}", statics));
     let stress = "[in_situ.gravity_k0]\nk0 = 0.5\n";
     for (base, rest) in [
-        (
-            viscous,
-            format!("{side}{statics}").replace("roller = {}", "held = {}"),
-        ),
+        (viscous, format!("{side}{statics}").replace("roller = {}", "held = {}")),
         (viscous, format!("{stress}{statics}")),
     ] {
         let told = check(&on_base(base, &rest)).expect(0);
-        assert!(
-            !told.err.contains("dashpots") && !told.out.contains("dashpots"),
-            "{told:?}"
-        );
+        assert!(!told.err.contains("dashpots") && !told.out.contains("dashpots"), "{told:?}");
     }
 }
 
@@ -252,41 +219,30 @@ fn bolts_that_bear_what_no_bar_bears_tie_nothing_or_have_too_many_pieces_are_tol
     let ends = "head = [\"0 m\", \"0 m\", \"0 m\"]\ntoe = [\"0 m\", \"0 m\", \"2 m\"]\ngrout = { stiffness = \"1 GN/m2\" }\nplate = {}\n";
     let weak = format!("{ends}steel = {{ diameter = \"25 mm\", yield_force = \"1 kN\" }}");
     let (_, said) = run(&hanging(&weak, "until = { time = \"2 s\" }"));
-    said.expect(0)
-        .warns(&["bolt `k`", "longer than when it was installed", "rupture"]);
+    said.expect(0).warns(&["bolt `k`", "longer than when it was installed", "rupture"]);
     // It breaks by itself, bears the weight, or has not been drawn far.
     let breaks = weak.replace("\"1 kN\"", "\"1 kN\", rupture = \"10 cm\"");
     let (_, said) = run(&hanging(&breaks, "until = { time = \"2 s\" }"));
-    assert!(
-        !said.expect(0).err.contains("longer than"),
-        "a bar that breaks"
-    );
+    assert!(!said.expect(0).err.contains("longer than"), "a bar that breaks");
     let strong = weak.replace("1 kN", "300 kN");
     silent(&hanging(&strong, "until = { time = \"0.2 s\" }"));
     silent(&hanging(&weak, "until = { time = \"0.2 s\" }"));
     // All of it in one block, here and from a later phase on.
     let inside = "head = [\"0 m\", \"0 m\", \"1.2 m\"]\ntoe = [\"0 m\", \"0 m\", \"1.8 m\"]\ngrout = { stiffness = \"1 GN/m2\" }\nsteel = { diameter = \"25 mm\" }";
     let phase = "until = { time = \"0.1 s\" }";
-    for phases in [
-        phase.to_owned(),
-        format!("{phase}\n[[phases]]\nname = \"b\"\n{phase}"),
-    ] {
+    for phases in [phase.to_owned(), format!("{phase}\n[[phases]]\nname = \"b\"\n{phase}")] {
         let inside = match phases.contains("\"b\"") {
             true => format!("{inside}\nphase = \"b\""),
             false => inside.to_owned(),
         };
         let scene = hanging(&inside, &phases);
-        check(&scene)
-            .expect(0)
-            .warns(&["bolt `k` has no effect", "`floor`"]);
+        check(&scene).expect(0).warns(&["bolt `k` has no effect", "`floor`"]);
         let (_, said) = run(&scene);
         said.expect(0).warns(&["bolt `k` has no effect"]);
     }
     for piece in ["10 nm", "1 um"] {
         let scene = hanging(&format!("{strong}\npiece = \"{piece}\""), phase);
-        check(&scene)
-            .expect(2)
-            .warns(&["bolt.pieces", "pieces", "piece ="]);
+        check(&scene).expect(2).warns(&["bolt.pieces", "pieces", "piece ="]);
     }
     check(&hanging(&format!("{strong}\npiece = \"1 mm\""), phase)).expect(0);
 }
@@ -304,13 +260,8 @@ fn a_pass_across_the_ends_of_a_periodic_model_is_told() {
         .replace("9.81 m/s2", "0 m/s2")
     };
     let (bench, said) = run(&scene("velocity = [\"-5 m/s\", \"0 m/s\", \"0 m/s\"]", 1.0));
-    said.expect(0)
-        .warns(&["blocks `b` and `q`", "across the ends"]);
-    assert!(
-        bench
-            .read("a.run/manifest.json")
-            .contains("across the ends")
-    );
+    said.expect(0).warns(&["blocks `b` and `q`", "across the ends"]);
+    assert!(bench.read("a.run/manifest.json").contains("across the ends"));
 }
 
 #[test]
@@ -325,17 +276,10 @@ fn splitting_everywhere_is_refused_at_its_key_before_it_fills_the_memory() {
             ),
         )
     };
-    check(&scene(".all = {}", 12))
-        .expect(2)
-        .warns(&["refine.many", "6.9e10 blocks", "levels"]);
+    check(&scene(".all = {}", 12)).expect(2).warns(&["refine.many", "6.9e10 blocks", "levels"]);
     let box_ = ".box = { min = [\"0 m\", \"0 m\", \"0 m\"], max = [\"1 m\", \"1 m\", \"1 m\"] }";
-    check(&scene(box_, 12))
-        .expect(2)
-        .warns(&["refine.many", "more than"]);
+    check(&scene(box_, 12)).expect(2).warns(&["refine.many", "more than"]);
     check(&scene(".all = {}", 3)).expect(0);
-    check(&scene(
-        ".ball = { centre = [\"0 m\", \"0 m\", \"0 m\"], radius = \"1 mm\" }",
-        12,
-    ))
-    .expect(0);
+    check(&scene(".ball = { centre = [\"0 m\", \"0 m\", \"0 m\"], radius = \"1 mm\" }", 12))
+        .expect(0);
 }

@@ -10,11 +10,7 @@ const DEFORMABLE: &str =
 
 /// A scene without its checks, with another end and a checkpoint every few steps.
 fn kept(scene: &str, changes: &[(&str, &str)]) -> String {
-    let mut scene = scene
-        .split("[[checks]]")
-        .next()
-        .unwrap_or_default()
-        .to_owned();
+    let mut scene = scene.split("[[checks]]").next().unwrap_or_default().to_owned();
     for (old, new) in changes {
         assert!(scene.contains(old), "{old}");
         scene = scene.replace(old, new);
@@ -27,10 +23,8 @@ struct Chance(u64);
 
 impl Chance {
     fn below(&mut self, limit: u64) -> u64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) % limit
     }
 }
@@ -63,10 +57,7 @@ fn survives_kills(scene: &str, seed: u64) {
     assert_eq!(hash("died.run"), hash("whole.run"), "after {kills} kills");
     for file in ["energy.csv", "events.jsonl", "run.pvd"] {
         let text = |run: &str| bench.read(&format!("{run}/{file}"));
-        assert!(
-            text("died.run") == text("whole.run"),
-            "{file} differs after {kills} kills"
-        );
+        assert!(text("died.run") == text("whole.run"), "{file} differs after {kills} kills");
     }
 }
 
@@ -86,19 +77,13 @@ fn kills_at_any_instant_change_nothing_in_the_plane() {
 
 #[test]
 fn kills_at_any_instant_change_nothing_with_rigid_blocks_in_space() {
-    let end = (
-        "until = { unbalanced = 1e-9, steps = 20000 }",
-        "until = { steps = 200000 }",
-    );
+    let end = ("until = { unbalanced = 1e-9, steps = 20000 }", "until = { steps = 200000 }");
     survives_kills(&kept(RIGID, &[end]), 2);
 }
 
 #[test]
 fn kills_at_any_instant_change_nothing_with_deformable_blocks() {
-    let end = (
-        "until = { time = \"72 ms\" }",
-        "until = { time = \"200 ms\" }",
-    );
+    let end = ("until = { time = \"72 ms\" }", "until = { time = \"200 ms\" }");
     survives_kills(&kept(DEFORMABLE, &[end]), 3);
 }
 
@@ -122,19 +107,11 @@ fn a_limit_of_file_sizes_is_an_error_of_writing() {
 #[test]
 fn a_second_writer_is_refused_and_the_first_goes_on() {
     let bench = Bench::in_memory();
-    bench.file(
-        "fall.toml",
-        FALL.replace("time = \"0.2 s\"", "time = \"4 s\""),
-    );
-    bench
-        .run(&["run", "fall.toml", "--out", "alone.run"])
-        .expect(0);
+    bench.file("fall.toml", FALL.replace("time = \"0.2 s\"", "time = \"4 s\""));
+    bench.run(&["run", "fall.toml", "--out", "alone.run"]).expect(0);
     let first = bench.start(&["run", "fall.toml", "--out", "a.run"]);
     bench.wait_for("the run", || bench.path("a.run/manifest.json").exists());
-    for words in [
-        &["run", "fall.toml", "--out", "a.run", "--force"][..],
-        &["resume", "a.run"],
-    ] {
+    for words in [&["run", "fall.toml", "--out", "a.run", "--force"][..], &["resume", "a.run"]] {
         let said = bench.run(words);
         assert!(matches!(said.code, Some(2 | 3)), "{words:?}: {said:?}");
         assert!(said.err.contains("a.run"), "{said:?}");
@@ -147,13 +124,8 @@ fn a_second_writer_is_refused_and_the_first_goes_on() {
 #[test]
 fn damaged_checkpoints_are_passed_over_or_named() {
     let bench = Bench::in_memory();
-    bench.file(
-        "fall.toml",
-        FALL.replace("time = \"0.2 s\"", "time = \"1 s\""),
-    );
-    bench
-        .run(&["run", "fall.toml", "--out", "whole.run"])
-        .expect(0);
+    bench.file("fall.toml", FALL.replace("time = \"0.2 s\"", "time = \"1 s\""));
+    bench.run(&["run", "fall.toml", "--out", "whole.run"]).expect(0);
     let whole = bench.run(&["hash", "whole.run"]).expect(0).out;
     let begin = || {
         let run = bench.start(&["run", "fall.toml", "--out", "a.run", "--force"]);
@@ -209,13 +181,7 @@ fn a_checkpoint_of_another_scene_is_refused_by_name() {
     killed(&bench, "drop.toml", "b.run", &[]);
     put(&bench, "b.run", "a.run");
     let said = bench.run(&["resume", "a.run"]).expect(2);
-    for part in [
-        "another scene",
-        "a stone drops",
-        "drop.toml",
-        "a block falls",
-        "fall.toml",
-    ] {
+    for part in ["another scene", "a stone drops", "drop.toml", "a block falls", "fall.toml"] {
         assert!(said.err.contains(part), "no {part:?} in\n{}", said.err);
     }
     // Beside a good one of its own it is passed over, with a word.
@@ -237,15 +203,12 @@ fn a_scene_edited_since_is_told_with_its_keys() {
     let bench = Bench::in_memory();
     let slow = FALL.replace("time = \"0.2 s\"", "time = \"2 s\"");
     bench.file("fall.toml", &slow);
-    bench
-        .run(&["run", "fall.toml", "--out", "whole.run"])
-        .expect(0);
+    bench.run(&["run", "fall.toml", "--out", "whole.run"]).expect(0);
     killed(&bench, "fall.toml", "a.run", &[]);
     // A comment changes nothing.
     bench.file("fall.toml", format!("# seen again\n{slow}"));
-    let edited = slow
-        .replace("2000 kg/m3", "2500 kg/m3")
-        .replace("friction_angle = \"30 deg\"\n", "");
+    let edited =
+        slow.replace("2000 kg/m3", "2500 kg/m3").replace("friction_angle = \"30 deg\"\n", "");
     bench.file("fall.toml", edited);
     let said = bench.run(&["resume", "a.run"]).expect(0);
     let said = said.warns(&[
@@ -253,11 +216,7 @@ fn a_scene_edited_since_is_told_with_its_keys() {
         "values of its checkpoint",
     ]);
     assert!(!said.err.contains("scenario.resolved.toml"), "{}", said.err);
-    assert!(
-        bench
-            .read("a.run/manifest.json")
-            .contains("materials.rock.density")
-    );
+    assert!(bench.read("a.run/manifest.json").contains("materials.rock.density"));
     let hash = |run: &str| bench.run(&["hash", run]).expect(0).out;
     assert_eq!(hash("a.run"), hash("whole.run"));
 }
@@ -267,12 +226,7 @@ fn what_is_not_edited_is_not_told() {
     let bench = Bench::new();
     let slow = FALL.replace("time = \"0.2 s\"", "time = \"2 s\"");
     bench.file("fall.toml", &slow);
-    killed(
-        &bench,
-        "fall.toml",
-        "a.run",
-        &["--set", "materials.rock.density=2100 kg/m3"],
-    );
+    killed(&bench, "fall.toml", "a.run", &["--set", "materials.rock.density=2100 kg/m3"]);
     bench.file("fall.toml", format!("# seen again\n{slow}"));
     let said = bench.run(&["resume", "a.run"]).expect(0);
     assert!(!said.err.contains("edited"), "{}", said.err);
@@ -281,10 +235,7 @@ fn what_is_not_edited_is_not_told() {
 #[test]
 fn a_checkpoint_of_an_older_format_is_refused_by_number() {
     let bench = Bench::in_memory();
-    bench.file(
-        "fall.toml",
-        FALL.replace("time = \"0.2 s\"", "time = \"4 s\""),
-    );
+    bench.file("fall.toml", FALL.replace("time = \"0.2 s\"", "time = \"4 s\""));
     killed(&bench, "fall.toml", "a.run", &[]);
     for path in bench.checkpoints("a.run") {
         let mut bytes = std::fs::read(&path).unwrap();

@@ -34,10 +34,7 @@ fn a_formula_that_is_no_number_is_named_with_its_line() {
     assert!(!said.err.contains("time step"), "{}", said.err);
     // The free fall was over before that, but the run is not what it should have been.
     let checks = bench.read("a.run/checks.jsonl");
-    assert!(
-        checks.contains("failed") && !checks.contains("passed"),
-        "{checks}"
-    );
+    assert!(checks.contains("failed") && !checks.contains("passed"), "{checks}");
     assert!(checks.contains("before its end"), "{checks}");
 }
 
@@ -99,9 +96,7 @@ fn a_formula_of_a_boundary_that_is_no_number_is_named_with_its_condition() {
         bench.file("a.toml", bar(&condition, block));
         let out = format!("{k}.run");
         let said = bench.run(&["run", "a.toml", "--out", &out, "-q"]).expect(1);
-        let said = said
-            .warns(&words)
-            .warns(&["not finite at this time", "line "]);
+        let said = said.warns(&words).warns(&["not finite at this time", "line "]);
         assert!(!said.err.contains("they are numbers"), "{}", said.err);
         assert!(!said.err.contains("time step"), "{}", said.err);
     }
@@ -113,26 +108,10 @@ fn numbers_beyond_all_sense_are_refused_by_their_key() {
     let still = "velocity = [\"0 m/s\", \"0 m/s\"]";
     let dashpot = "time_step = \"10 us\"\ndamping = { stiffness = \"1e300 s\" }";
     let cases = [
-        (
-            still,
-            format!("{still}\nspin = \"1e10 rad/s\""),
-            "`spin` is out of range",
-        ),
-        (
-            "time_step = \"10 us\"",
-            dashpot.to_owned(),
-            "`stiffness` is out of range",
-        ),
-        (
-            "2000 kg/m3",
-            "1e300 kg/m3".to_owned(),
-            "`density` is out of range",
-        ),
-        (
-            "2000 kg/m3",
-            "1e-200 kg/m3".to_owned(),
-            "`density` is out of range",
-        ),
+        (still, format!("{still}\nspin = \"1e10 rad/s\""), "`spin` is out of range"),
+        ("time_step = \"10 us\"", dashpot.to_owned(), "`stiffness` is out of range"),
+        ("2000 kg/m3", "1e300 kg/m3".to_owned(), "`density` is out of range"),
+        ("2000 kg/m3", "1e-200 kg/m3".to_owned(), "`density` is out of range"),
     ];
     for (old, new, words) in cases {
         let said = run(&[(old, &new)]).1.expect(2);
@@ -146,29 +125,18 @@ fn numbers_beyond_all_sense_are_refused_by_their_key() {
     ] {
         let said = run(&[(old, &new), ("\"0.2 m\"]", "\"0 m\"]")]).1;
         assert!(matches!(said.code, Some(0..=1)), "{new}: {said:?}");
-        assert!(
-            !said.err.contains("kinetic energy is not finite"),
-            "{new}: {}",
-            said.err
-        );
+        assert!(!said.err.contains("kinetic energy is not finite"), "{new}: {}", said.err);
     }
 }
 
 #[test]
 fn a_step_far_above_the_stable_one_stops_the_run_and_is_named() {
-    let long = (
-        "time_step = \"10 us\"",
-        "time_step = \"20 ms\"\nmax_residual = 0.1",
-    );
+    let long = ("time_step = \"10 us\"", "time_step = \"20 ms\"\nmax_residual = 0.1");
     let touching = ("\"0.2 m\"]", "\"0 m\"]");
     let end = ("time = \"0.2 s\"", "time = \"2 s\"");
     let (bench, said) = run(&[long, touching, end]);
     said.expect(1).warns(&["times the stable one"]);
-    assert!(
-        bench
-            .read("a.run/manifest.json")
-            .contains("\"ended\": \"unstable\"")
-    );
+    assert!(bench.read("a.run/manifest.json").contains("\"ended\": \"unstable\""));
 }
 
 /// They were those of the last row of `energy.csv`: of the start, at which nothing had moved.
@@ -176,19 +144,13 @@ fn a_step_far_above_the_stable_one_stops_the_run_and_is_named() {
 fn the_energies_of_a_run_that_is_stopped_are_those_of_its_last_state() {
     let bench = Bench::new();
     let fast = FALL
-        .replace(
-            "velocity = [\"0 m/s\", \"0 m/s\"]",
-            "velocity = [\"0 m/s\", \"-30 m/s\"]",
-        )
+        .replace("velocity = [\"0 m/s\", \"0 m/s\"]", "velocity = [\"0 m/s\", \"-30 m/s\"]")
         .replace("100 MPa/m", "1 MPa/m");
     bench.file("a.toml", fast);
     let said = bench.run(&["run", "a.toml"]).expect(1);
     let line = said.out.lines().find(|line| line.starts_with("energy"));
     let line = line.unwrap_or_else(|| panic!("{}", said.out));
-    assert!(
-        line.starts_with("energy at t = ") && line.contains("contact normal"),
-        "{line}"
-    );
+    assert!(line.starts_with("energy at t = ") && line.contains("contact normal"), "{line}");
     let table = bench.read("a.run/energy.csv");
     assert!(!line.contains("t = 0 s"), "{line}\n{table}");
 }
@@ -221,10 +183,7 @@ fn the_step_is_blamed_only_where_half_of_it_was_tried() {
     said.warns(&["with half the stable step", "the step is to blame"]);
     // A contact too soft for the stone: no step helps.
     let soft = ("100 MPa/m", "1 MPa/m");
-    let fast = (
-        "velocity = [\"0 m/s\", \"0 m/s\"]",
-        "velocity = [\"0 m/s\", \"-30 m/s\"]",
-    );
+    let fast = ("velocity = [\"0 m/s\", \"0 m/s\"]", "velocity = [\"0 m/s\", \"-30 m/s\"]");
     let auto = ("time_step = \"10 us\"", "");
     let said = run(&[soft, fast, auto, touching]).1.expect(1);
     let said = said.warns(&["with half the step it is stopped as well", "not to blame"]);
@@ -238,9 +197,7 @@ fn a_smaller_safety_shortens_the_steps_of_found_contacts() {
     bench.file("a.toml", CORNER);
     let steps = |safety: &str| {
         let set = format!("phases.impact.safety={safety}");
-        let args = [
-            "run", "a.toml", "--out", "a.run", "-q", "--force", "--set", &set,
-        ];
+        let args = ["run", "a.toml", "--out", "a.run", "-q", "--force", "--set", &set];
         bench.run(&args).expect(0);
         let manifest: serde_json::Value =
             serde_json::from_str(&bench.read("a.run/manifest.json")).unwrap();
@@ -280,10 +237,7 @@ fn no_block_passes_through_a_floor_in_silence() {
 #[test]
 fn no_block_sinks_into_the_ground_in_silence() {
     let bench = Bench::new();
-    bench.file(
-        "ground.csv",
-        "x_m,y_m,z_m\n-4,-4,0\n4,-4,0\n-4,4,0\n4,4,0\n",
-    );
+    bench.file("ground.csv", "x_m,y_m,z_m\n-4,-4,0\n4,-4,0\n-4,4,0\n4,4,0\n");
     let head = "riprap = 1\ntitle = \"a fall\"\nspace.spatial.gravity = \"9.81 m/s2\"\n\
         [materials.rock]\ndensity = \"2500 kg/m3\"\nyoung = \"20 GPa\"\npoisson = 0.25\n";
     let block = "[[blocks]]\nname = \"a\"\nmaterial = \"rock\"\nvelocity = [\"0 m/s\", \"0 m/s\", \"-20 m/s\"]\n\
@@ -327,10 +281,7 @@ fn no_block_sinks_into_the_ground_in_silence() {
             }
         }
     }
-    assert!(
-        fine > 1 && warned > 1 && stopped > 1,
-        "{fine} {warned} {stopped}"
-    );
+    assert!(fine > 1 && warned > 1 && stopped > 1, "{fine} {warned} {stopped}");
 }
 
 /// A heavy block at rest, a light one that nothing holds, and a phase that ends when forces are balanced.
@@ -356,14 +307,8 @@ fn a_falling_block_does_not_hide_behind_the_balance_of_others() {
     let (bench, said) = pile(own, "velocity = [\"0 m/s\", \"0 m/s\"]", until);
     let said = said.warns(&["not every block is", "`stone`", "falls or slides"]);
     let events = bench.read("a.run/events.jsonl");
-    assert!(
-        events.contains("but not on every block"),
-        "{events} {said:?}"
-    );
-    assert!(
-        events.contains("\"least_balanced\":{\"block\":\"stone\""),
-        "{events}"
-    );
+    assert!(events.contains("but not on every block"), "{events} {said:?}");
+    assert!(events.contains("\"least_balanced\":{\"block\":\"stone\""), "{events}");
     // Nothing pushes the stone, but it goes.
     let none = "gravity = [\"0 m/s2\", \"0 m/s2\"]";
     let until = "until = { time = \"0.1 s\" }";
@@ -377,9 +322,7 @@ fn round_off_of_a_thick_slice_stops_no_run() {
     let bench = Bench::new();
     bench.file("rest.toml", REST);
     let thick = "space.planar.thickness=1000 km";
-    bench
-        .run(&["run", "rest.toml", "-q", "--set", thick])
-        .expect(0);
+    bench.run(&["run", "rest.toml", "-q", "--set", thick]).expect(0);
 }
 
 /// The phase can end in balance, with the block somewhere else.
@@ -399,20 +342,13 @@ fn a_block_that_was_thrown_out_of_another_is_named() {
 /// A fast block makes the guard against tunnelling shorten what the scene gives.
 #[test]
 fn a_given_time_step_that_is_made_shorter_is_told_once_with_both_numbers() {
-    let fast = (
-        "velocity = [\"0 m/s\", \"0 m/s\"]",
-        "velocity = [\"0 m/s\", \"300 m/s\"]",
-    );
+    let fast = ("velocity = [\"0 m/s\", \"0 m/s\"]", "velocity = [\"0 m/s\", \"300 m/s\"]");
     let long = ("time_step = \"10 us\"", "time_step = \"2 ms\"");
     let (bench, said) = run(&[fast, long]);
     let wanted = "the `time_step` of phase `fall`, 2.000e-3 s, was made shorter for a block that is fast for its size: ";
     assert_eq!(said.err.matches(wanted).count(), 1, "{said:?}");
     assert!(said.err.contains("s at the least (step "), "{said:?}");
-    assert!(
-        bench
-            .read("a.run/manifest.json")
-            .contains("was made shorter")
-    );
+    assert!(bench.read("a.run/manifest.json").contains("was made shorter"));
     let said = bench.run(&["check", "a.toml"]);
     assert_eq!(said.err.matches(wanted).count(), 1, "{said:?}");
     assert!(!run(&[]).1.err.contains("made shorter"));
@@ -474,8 +410,5 @@ fn parts_that_are_too_crooked_to_be_cut_again_are_told() {
     bench.file("a.toml", CROOKED);
     let said = bench.run(&["run", "a.toml", "--out", "a.run", "-q"]);
     let said = said.expect(0);
-    said.warns(&[
-        "10 blocks meet the criterion of cutting and stay whole",
-        "`snap`",
-    ]);
+    said.warns(&["10 blocks meet the criterion of cutting and stay whole", "`snap`"]);
 }

@@ -8,9 +8,7 @@ fn short(text: &str) -> String {
     let (mut wanted, mut ended) = (true, false);
     for line in text.lines() {
         if line.starts_with('[') {
-            wanted = !["[[checks]]", "[bisect", "[sweep"]
-                .iter()
-                .any(|head| line.starts_with(head));
+            wanted = !["[[checks]]", "[bisect", "[sweep"].iter().any(|head| line.starts_with(head));
             ended = false;
         }
         if !wanted {
@@ -38,10 +36,7 @@ fn short(text: &str) -> String {
 fn every_template_runs() {
     let bench = Bench::new();
     let list = bench.run(&["new", "--list"]).expect(0).out;
-    let names: Vec<&str> = list
-        .lines()
-        .filter_map(|line| line.split_whitespace().next())
-        .collect();
+    let names: Vec<&str> = list.lines().filter_map(|line| line.split_whitespace().next()).collect();
     assert!(names.len() > 10, "{list}");
     for (name, line) in names.into_iter().zip(list.lines()) {
         bench.run(&["new", name, "--template", name]).expect(0);
@@ -51,19 +46,12 @@ fn every_template_runs() {
         let found: serde_json::Value = serde_json::from_str(&said).expect("JSON");
         let words: Vec<&str> = line.split_whitespace().collect();
         let blocks = found["model"]["blocks"].to_string();
-        let space = if text.contains("[space.planar]") {
-            "plane"
-        } else {
-            "space"
-        };
+        let space = if text.contains("[space.planar]") { "plane" } else { "space" };
         assert_eq!(words[1..4], [space, blocks.as_str(), "blocks"], "{line}");
         assert!(words[4].parse::<f64>().is_ok() && words[5] == "s", "{line}");
         bench.file(&file, short(&text));
         let out = format!("{name}.run");
         bench.run(&["run", &file, "--out", &out]).expect(0);
-        assert!(
-            bench.path(&out).join("run.pvd").exists(),
-            "{name} left no frames"
-        );
+        assert!(bench.path(&out).join("run.pvd").exists(), "{name} left no frames");
     }
 }

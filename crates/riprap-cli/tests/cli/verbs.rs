@@ -15,11 +15,7 @@ fn check_tells_what_to_expect() {
     let said = bench.run(&["check", "fall.toml", "--json"]).expect(0);
     let value: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
     assert_eq!(value["model"]["blocks"], 2);
-    assert!(
-        value["expected"]["stable_time_step"]
-            .as_f64()
-            .is_some_and(|dt| dt > 1e-5)
-    );
+    assert!(value["expected"]["stable_time_step"].as_f64().is_some_and(|dt| dt > 1e-5));
     assert_eq!(value["expected"]["steps"], 20_000);
 }
 
@@ -27,30 +23,15 @@ fn check_tells_what_to_expect() {
 fn set_changes_a_key_and_wrong_keys_are_explained() {
     let bench = Bench::with_scene();
     bench
-        .run(&[
-            "check",
-            "fall.toml",
-            "--set",
-            "phases.fall.until.time=0.1 s",
-        ])
+        .run(&["check", "fall.toml", "--set", "phases.fall.until.time=0.1 s"])
         .expect(0)
         .says(&["10 000 steps"]);
     bench
-        .run(&[
-            "check",
-            "fall.toml",
-            "--set",
-            "phases.fall.utnil.time=0.1 s",
-        ])
+        .run(&["check", "fall.toml", "--set", "phases.fall.utnil.time=0.1 s"])
         .expect(2)
         .warns(&["until"]);
     bench
-        .run(&[
-            "check",
-            "fall.toml",
-            "--set",
-            "materials.rock.density=30 deg",
-        ])
+        .run(&["check", "fall.toml", "--set", "materials.rock.density=30 deg"])
         .expect(2)
         .warns(&["density", "kg/m3"]);
 }
@@ -59,21 +40,9 @@ fn set_changes_a_key_and_wrong_keys_are_explained() {
 fn wrong_scenes_point_at_the_place() {
     let bench = Bench::new();
     for (name, text, parts) in [
-        (
-            "unit",
-            FALL.replace("2000 kg/m3", "20 kN/m3"),
-            ["unit.toml:9:11", "unit weight"],
-        ),
-        (
-            "key",
-            FALL.replace("density", "densty"),
-            ["key.toml:9:1", "did you mean `density`"],
-        ),
-        (
-            "syntax",
-            FALL.replace("riprap = 1", "riprap = = 1"),
-            ["syntax.toml:2", "TOML"],
-        ),
+        ("unit", FALL.replace("2000 kg/m3", "20 kN/m3"), ["unit.toml:9:11", "unit weight"]),
+        ("key", FALL.replace("density", "densty"), ["key.toml:9:1", "did you mean `density`"]),
+        ("syntax", FALL.replace("riprap = 1", "riprap = = 1"), ["syntax.toml:2", "TOML"]),
         ("empty", String::new(), ["empty.toml", "missing"]),
     ] {
         let file = format!("{name}.toml");
@@ -98,21 +67,10 @@ fn wrong_scenes_point_at_the_place() {
             }
         }
     }
-    for verb in [
-        "check",
-        "run",
-        "sweep",
-        "bisect",
-        "safety",
-        "compare",
-        "probe-contact",
-        "explain",
-        "hash",
-    ] {
-        bench
-            .run(&[verb, "missing.toml"])
-            .expect(2)
-            .warns(&["missing.toml"]);
+    for verb in
+        ["check", "run", "sweep", "bisect", "safety", "compare", "probe-contact", "explain", "hash"]
+    {
+        bench.run(&[verb, "missing.toml"]).expect(2).warns(&["missing.toml"]);
     }
     bench.file("noise.toml", [0u8, 159, 146, 150, 255, 7, 27, 91]);
     let said = bench.run(&["run", "noise.toml"]).expect(2);
@@ -123,9 +81,7 @@ fn wrong_scenes_point_at_the_place() {
 fn colours_only_where_they_are_wanted() {
     let bench = Bench::new();
     bench.file("a.toml", "riprap = 1\n");
-    let said = bench
-        .run(&["check", "a.toml", "--color", "always"])
-        .expect(2);
+    let said = bench.run(&["check", "a.toml", "--color", "always"]).expect(2);
     assert!(said.err.contains('\u{1b}'));
     let said = bench.run(&["check", "a.toml"]).expect(2);
     assert!(!said.err.contains('\u{1b}'));
@@ -135,10 +91,9 @@ fn colours_only_where_they_are_wanted() {
 fn verify_closes_with_its_counts() {
     let bench = Bench::with_scene();
     bench.file("notes.toml", "not = \"a scene\"\n");
-    let known = FALL.replace("-0.5*10*t^2", "-0.5*9*t^2").replace(
-        "relative = 1e-6",
-        "relative = 1e-6\nknown = \"the moon is near\"",
-    );
+    let known = FALL
+        .replace("-0.5*10*t^2", "-0.5*9*t^2")
+        .replace("relative = 1e-6", "relative = 1e-6\nknown = \"the moon is near\"");
     bench.file("known.toml", known);
     bench.run(&["verify", "."]).expect(0).says(&[
         "passed",
@@ -146,16 +101,10 @@ fn verify_closes_with_its_counts() {
         "the moon is near",
         "1 passed, 0 failed, 1 skipped",
     ]);
-    bench
-        .run(&["verify", ".", "--strict"])
-        .expect(1)
-        .says(&["1 passed, 1 failed, 0 skipped"]);
+    bench.run(&["verify", ".", "--strict"]).expect(1).says(&["1 passed, 1 failed, 0 skipped"]);
     let said = bench.run(&["verify", "fall.toml", "--json"]).expect(0);
     let value: serde_json::Value = serde_json::from_str(said.out.trim()).expect("one JSON line");
-    assert_eq!(
-        (&value["check"], &value["status"]),
-        (&"free fall".into(), &"passed".into())
-    );
+    assert_eq!((&value["check"], &value["status"]), (&"free fall".into(), &"passed".into()));
     std::fs::create_dir(bench.path("none")).unwrap();
     bench.run(&["verify", "none"]).expect(2);
 }
@@ -165,42 +114,22 @@ fn a_sweep_writes_one_table() {
     let bench = Bench::new();
     let sweep = "[sweep]\n\"blocks.stone.velocity\" = [[\"0 m/s\", \"0 m/s\"], [\"1 m/s\", \"0 m/s\"]]\n\n[bisect]";
     bench.file("two.toml", FALL.replace("[bisect]", sweep));
-    bench
-        .run(&["sweep", "two.toml"])
-        .expect(0)
-        .says(&["2/2", "checks: 2 passed", "two.sweep"]);
+    bench.run(&["sweep", "two.toml"]).expect(0).says(&["2/2", "checks: 2 passed", "two.sweep"]);
     let table = bench.read("two.sweep/sweep.csv");
     assert_eq!(table.lines().count(), 3, "{table}");
-    assert!(
-        table
-            .lines()
-            .next()
-            .is_some_and(|head| head.contains("height [m]")),
-        "{table}"
-    );
+    assert!(table.lines().next().is_some_and(|head| head.contains("height [m]")), "{table}");
     // The same again is kept; another input is not mixed into it.
-    bench
-        .run(&["sweep", "two.toml", "--out", "two.sweep"])
-        .expect(0)
-        .says(&["2/2", "kept from before", "checks: 2 passed"]);
+    bench.run(&["sweep", "two.toml", "--out", "two.sweep"]).expect(0).says(&[
+        "2/2",
+        "kept from before",
+        "checks: 2 passed",
+    ]);
     assert_eq!(bench.read("two.sweep/sweep.csv"), table);
-    let other = [
-        "sweep",
-        "two.toml",
-        "--out",
-        "two.sweep",
-        "--set",
-        "phases.fall.until.time=0.1 s",
-    ];
-    bench
-        .run(&other)
-        .expect(2)
-        .warns(&["holds a run of another input", "--force"]);
+    let other =
+        ["sweep", "two.toml", "--out", "two.sweep", "--set", "phases.fall.until.time=0.1 s"];
+    bench.run(&other).expect(2).warns(&["holds a run of another input", "--force"]);
     assert_eq!(bench.read("two.sweep/sweep.csv"), table);
-    bench
-        .run(&["run", "two.toml", "--case", "nonsense"])
-        .expect(2)
-        .warns(&["its cases are"]);
+    bench.run(&["run", "two.toml", "--case", "nonsense"]).expect(2).warns(&["its cases are"]);
 }
 
 #[test]
@@ -225,50 +154,28 @@ fn bisect_finds_the_limit() {
     };
     assert_eq!(limit_of("default"), limit);
     assert!((-4.0..-1.5).contains(&limit_of("heavy")));
-    bench
-        .run(&["bisect", "cases.toml", "--case", "light"])
-        .expect(2)
-        .warns(&["its cases are"]);
-    bench.file(
-        "none.toml",
-        FALL.split("[bisect]").next().unwrap_or_default(),
-    );
-    bench
-        .run(&["bisect", "none.toml"])
-        .expect(2)
-        .warns(&["no [bisect] table"]);
+    bench.run(&["bisect", "cases.toml", "--case", "light"]).expect(2).warns(&["its cases are"]);
+    bench.file("none.toml", FALL.split("[bisect]").next().unwrap_or_default());
+    bench.run(&["bisect", "none.toml"]).expect(2).warns(&["no [bisect] table"]);
 }
 
 #[test]
 fn safety_finds_the_factor_and_leaves_a_run_of_the_mechanism() {
     let bench = Bench::new();
     bench.file("stone.toml", STONE);
-    let said = bench
-        .run(&["safety", "stone.toml", "--width", "0.02"])
-        .expect(0);
+    let said = bench.run(&["safety", "stone.toml", "--width", "0.02"]).expect(0);
     assert!(said.out.contains("factor of safety: 1.4"), "{}", said.out);
     assert!(
-        said.out
-            .contains("mechanism: 1 block slides or falls without turning: stone"),
+        said.out.contains("mechanism: 1 block slides or falls without turning: stone"),
         "{}",
         said.out
     );
     for file in ["safety.csv", "safety.json", "mechanism.run/manifest.json"] {
         assert!(bench.path("stone.safety").join(file).exists(), "{file}");
     }
+    bench.run(&["safety", "stone.toml", "--out", "stone.safety"]).expect(2);
     bench
-        .run(&["safety", "stone.toml", "--out", "stone.safety"])
-        .expect(2);
-    bench
-        .run(&[
-            "safety",
-            "stone.toml",
-            "--force",
-            "--out",
-            "stone.safety",
-            "--moved",
-            "5 kg",
-        ])
+        .run(&["safety", "stone.toml", "--force", "--out", "stone.safety", "--moved", "5 kg"])
         .expect(2)
         .warns(&["length"]);
     bench
@@ -317,11 +224,7 @@ fn compare_runs_both_laws() {
         "height",
         "largest displacement",
     ]);
-    assert!(
-        bench
-            .path("fall.compare/penetration_potential/manifest.json")
-            .exists()
-    );
+    assert!(bench.path("fall.compare/penetration_potential/manifest.json").exists());
 }
 
 #[test]
@@ -331,29 +234,19 @@ fn probe_contact_shows_touching_pairs() {
     let said = bench.run(&["probe-contact", "touch.toml", "--json"]);
     if said.code == Some(0) {
         let value: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
-        assert_eq!(
-            (&value[0]["first"], &value[0]["second"]),
-            (&"floor".into(), &"stone".into())
-        );
-        bench
-            .run(&["probe-contact", "touch.toml"])
-            .expect(0)
-            .says(&["floor", "stone", "overlap"]);
-        bench
-            .run(&["probe-contact", "touch.toml", "--pair", "floor", "x"])
-            .expect(2);
+        assert_eq!((&value[0]["first"], &value[0]["second"]), (&"floor".into(), &"stone".into()));
+        bench.run(&["probe-contact", "touch.toml"]).expect(0).says(&["floor", "stone", "overlap"]);
+        bench.run(&["probe-contact", "touch.toml", "--pair", "floor", "x"]).expect(2);
     } else {
         said.expect(2).warns(&["overlap"]);
     }
     bench.file("apart.toml", FALL);
-    bench
-        .run(&["probe-contact", "apart.toml"])
-        .expect(0)
-        .says(&["nothing touches"]);
-    bench
-        .run(&["probe-contact", "apart.toml", "--threshold", "0.3 m"])
-        .expect(0)
-        .says(&["floor", "stone", "gap 200 mm"]);
+    bench.run(&["probe-contact", "apart.toml"]).expect(0).says(&["nothing touches"]);
+    bench.run(&["probe-contact", "apart.toml", "--threshold", "0.3 m"]).expect(0).says(&[
+        "floor",
+        "stone",
+        "gap 200 mm",
+    ]);
 }
 
 #[test]
@@ -361,23 +254,13 @@ fn a_report_is_one_file() {
     let bench = Bench::with_scene();
     bench.run(&["run", "fall.toml", "-q"]).expect(0);
     bench
-        .run(&[
-            "report",
-            "fall.run",
-            "--author",
-            "A. Stone",
-            "--project",
-            "Pit <3>",
-        ])
+        .run(&["report", "fall.run", "--author", "A. Stone", "--project", "Pit <3>"])
         .expect(0)
         .says(&["fall.html", "MB"]);
     let page = bench.read("fall.html");
     // The model as it was before it moved.
     let setup = bench.read("fall.run/plots/setup.svg");
-    assert!(
-        setup.contains(">rock<") && setup.contains("t = 0 s"),
-        "{setup}"
-    );
+    assert!(setup.contains(">rock<") && setup.contains("t = 0 s"), "{setup}");
     for part in [
         "<th>author</th><td>A. Stone</td>",
         "<th>project</th><td>Pit &lt;3&gt;</td>",
@@ -399,19 +282,15 @@ fn a_report_is_one_file() {
     let ledger = page.split("Energy ledger</h2>").nth(1).unwrap();
     let ledger = ledger.split("</table>").next().unwrap();
     let digits = |cell: &str| cell.chars().filter(char::is_ascii_digit).count();
-    let cells = ledger
-        .split("<td>")
-        .filter(|c| c.starts_with(|x: char| x == '-' || x.is_ascii_digit()));
-    assert!(
-        cells.clone().count() > 4 && cells.clone().all(|c| digits(c) < 9),
-        "{ledger}"
-    );
+    let cells =
+        ledger.split("<td>").filter(|c| c.starts_with(|x: char| x == '-' || x.is_ascii_digit()));
+    assert!(cells.clone().count() > 4 && cells.clone().all(|c| digits(c) < 9), "{ledger}");
     // Of the script only the two ends of its element.
     assert_eq!(page.matches("</script").count(), 2);
-    bench.run(&["report", "nothing.run"]).expect(2).warns(&[
-        "nothing.run does not exist",
-        "the folder that `riprap run` made",
-    ]);
+    bench
+        .run(&["report", "nothing.run"])
+        .expect(2)
+        .warns(&["nothing.run does not exist", "the folder that `riprap run` made"]);
     bench
         .run(&["report", "fall.run", "-o", "no/such/folder.html"])
         .expect(3)
@@ -427,53 +306,29 @@ fn folders_and_scenes_are_viewed() {
         .expect(2)
         .warns(&["neither a run folder nor a scene"]);
     bench.file("wrong.toml", FALL.replace("density", "densty"));
-    bench
-        .run(&["view", "wrong.toml", "--no-open"])
-        .expect(2)
-        .warns(&["did you mean `density`"]);
+    bench.run(&["view", "wrong.toml", "--no-open"]).expect(2).warns(&["did you mean `density`"]);
     bench
         .run(&["view", "fall.toml", "fall.run", "--no-open"])
         .expect(2)
         .warns(&["a scene is looked at alone"]);
-    bench
-        .run(&["view", "nothing.run", "--no-open"])
-        .expect(2)
-        .warns(&["does not exist"]);
+    bench.run(&["view", "nothing.run", "--no-open"]).expect(2).warns(&["does not exist"]);
 }
 
 #[test]
 fn plots_are_drawn() {
     let bench = Bench::with_scene();
     bench.run(&["run", "fall.toml", "-q"]).expect(0);
-    bench
-        .run(&["plot", "fall.run"])
-        .expect(0)
-        .says(&["energy.svg", "histories.svg", "blocks"]);
+    bench.run(&["plot", "fall.run"]).expect(0).says(&["energy.svg", "histories.svg", "blocks"]);
     let drawn = bench.read("fall.run/plots/energy.svg");
-    assert!(
-        drawn.starts_with("<?xml") || drawn.starts_with("<svg"),
-        "{}",
-        &drawn[..40]
-    );
-    bench
-        .run(&["plot", "fall.run", "height", "-o", "h.png"])
-        .expect(0);
+    assert!(drawn.starts_with("<?xml") || drawn.starts_with("<svg"), "{}", &drawn[..40]);
+    bench.run(&["plot", "fall.run", "height", "-o", "h.png"]).expect(0);
     let png = std::fs::read(bench.path("h.png")).expect("the picture");
     assert_eq!(&png[..4], b"\x89PNG");
-    bench
-        .run(&["plot", "fall.run", "hieght"])
-        .expect(2)
-        .warns(&["did you mean `height`"]);
-    bench
-        .run(&["plot", "fall.run", "blocks", "--time", "soon"])
-        .expect(2);
+    bench.run(&["plot", "fall.run", "hieght"]).expect(2).warns(&["did you mean `height`"]);
+    bench.run(&["plot", "fall.run", "blocks", "--time", "soon"]).expect(2);
     bench.run(&["plot", "nowhere"]).expect(2);
     let strip = ["--time", "0 s", "--time", "0.2 s", "--vectors", "velocity"];
-    let words = [
-        &["plot", "fall.run", "blocks", "--exaggerate", "2"],
-        &strip[..],
-    ]
-    .concat();
+    let words = [&["plot", "fall.run", "blocks", "--exaggerate", "2"], &strip[..]].concat();
     bench.run(&words).expect(0);
     let drawn = bench.read("fall.run/plots/blocks_displacement.svg");
     assert!(drawn.contains("displacements × 2") && drawn.contains("longest arrow"));
@@ -501,23 +356,14 @@ fn plots_are_drawn() {
         .run(&line("0.5 m, -9 m, 0 m", "0.5 m, 9 m"))
         .expect(2)
         .warns(&["in the plane, where a place has x and y; (0.5, -9, 0) m has 3 coordinates"]);
-    bench
-        .run(&["plot", "fall.run", "spectrum", "height"])
-        .expect(0)
-        .says(&["spectrum_height.svg"]);
+    bench.run(&["plot", "fall.run", "spectrum", "height"]).expect(0).says(&["spectrum_height.svg"]);
 }
 
 #[test]
 fn the_language_explains_itself() {
     let bench = Bench::with_scene();
-    bench
-        .run(&["explain", "friction_angle"])
-        .expect(0)
-        .says(&["interfaces.*.friction_angle"]);
-    bench
-        .run(&["explain", "frition_angle"])
-        .expect(2)
-        .warns(&["did you mean"]);
+    bench.run(&["explain", "friction_angle"]).expect(0).says(&["interfaces.*.friction_angle"]);
+    bench.run(&["explain", "frition_angle"]).expect(2).warns(&["did you mean"]);
     bench.run(&["explain", "fall.toml"]).expect(0).says(&[
         "interfaces.default.shear_stiffness",
         "default",
@@ -526,14 +372,8 @@ fn the_language_explains_itself() {
     let said = bench.run(&["schema"]).expect(0);
     let schema: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
     assert!(schema["properties"]["blocks"].is_object());
-    bench
-        .run(&["schema", "--markdown"])
-        .expect(0)
-        .says(&["# Scenario reference"]);
-    bench
-        .run(&["fields"])
-        .expect(0)
-        .says(&["block.displacement", "energy.residual"]);
+    bench.run(&["schema", "--markdown"]).expect(0).says(&["# Scenario reference"]);
+    bench.run(&["fields"]).expect(0).says(&["block.displacement", "energy.residual"]);
     bench.run(&["doctor"]).expect(0).says(&["riprap", "cores"]);
 }
 
@@ -545,10 +385,7 @@ fn hashes_tell_scenes_apart() {
         bench.run(&words).expect(0).out
     };
     assert_eq!(hash(&[]), hash(&[]));
-    assert_ne!(
-        hash(&[]),
-        hash(&["--set", "materials.rock.density=2001 kg/m3"])
-    );
+    assert_ne!(hash(&[]), hash(&["--set", "materials.rock.density=2001 kg/m3"]));
     assert_eq!(hash(&[]).trim().len(), 64);
 }
 
@@ -556,18 +393,11 @@ fn hashes_tell_scenes_apart() {
 fn a_closed_pipe_is_no_error() {
     let bench = Bench::new();
     let mut command = bench.command(&["schema"]);
-    command
-        .stdout(std::process::Stdio::piped())
-        .stderr(std::process::Stdio::piped());
+    command.stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
     let mut child = command.spawn().expect("start riprap");
     drop(child.stdout.take());
     let ended = child.wait_with_output().expect("wait");
-    assert_eq!(
-        ended.status.code(),
-        Some(0),
-        "{}",
-        String::from_utf8_lossy(&ended.stderr)
-    );
+    assert_eq!(ended.status.code(), Some(0), "{}", String::from_utf8_lossy(&ended.stderr));
 }
 
 #[test]
@@ -586,16 +416,8 @@ fn every_template_is_written_and_can_be_used() {
             .expect(0)
             .says(&[&format!("wrote {file}"), &format!("riprap run {file}")]);
         bench.run(&["explain", &file]).expect(0);
-        bench
-            .run(&["new", name, "--template", name])
-            .expect(2)
-            .warns(&["--force"]);
-        bench
-            .run(&["new", &file, "--template", name, "--force"])
-            .expect(0);
+        bench.run(&["new", name, "--template", name]).expect(2).warns(&["--force"]);
+        bench.run(&["new", &file, "--template", name, "--force"]).expect(0);
     }
-    bench
-        .run(&["new", "x", "--template", "nonsense"])
-        .expect(2)
-        .warns(&["there is no template"]);
+    bench.run(&["new", "x", "--template", "nonsense"]).expect(2).warns(&["there is no template"]);
 }

@@ -30,11 +30,7 @@ const VERBS: [&str; 21] = [
 fn help_lists_every_verb_and_the_exit_codes() {
     let said = Bench::new().run(&["--help"]).expect(0);
     for verb in VERBS {
-        assert!(
-            said.out.lines().any(|l| l.trim_start().starts_with(verb)),
-            "{verb}\n{}",
-            said.out
-        );
+        assert!(said.out.lines().any(|l| l.trim_start().starts_with(verb)), "{verb}\n{}", said.out);
     }
     assert!(said.out.contains("Exit codes:") && said.out.contains("First steps:"));
     assert_eq!(said.err, "");
@@ -45,11 +41,7 @@ fn every_verb_has_a_help_text_with_an_example() {
     let bench = Bench::new();
     for verb in VERBS {
         let said = bench.run(&[verb, "--help"]).expect(0);
-        assert!(
-            said.out.contains(&format!("Usage: riprap {verb}")),
-            "{}",
-            said.out
-        );
+        assert!(said.out.contains(&format!("Usage: riprap {verb}")), "{}", said.out);
         if verb != "doctor" {
             assert!(said.out.contains("Example"), "{verb}: {}", said.out);
         }
@@ -86,11 +78,7 @@ fn the_version_says_package_commit_and_target() {
 #[test]
 fn wrong_verbs_get_a_suggestion() {
     let bench = Bench::new();
-    for (word, verb) in [
-        ("rnu", "riprap run"),
-        ("solve", "riprap run"),
-        ("fos", "safety"),
-    ] {
+    for (word, verb) in [("rnu", "riprap run"), ("solve", "riprap run"), ("fos", "safety")] {
         bench.run(&[word, "a.toml"]).expect(2).warns(&[word, verb]);
     }
 }
@@ -98,15 +86,9 @@ fn wrong_verbs_get_a_suggestion() {
 #[test]
 fn resume_says_what_it_wanted() {
     let bench = Bench::with_scene();
-    bench
-        .run(&["resume", "fall.toml"])
-        .expect(2)
-        .warns(&["is a scene", "riprap run fall.toml"]);
+    bench.run(&["resume", "fall.toml"]).expect(2).warns(&["is a scene", "riprap run fall.toml"]);
     bench.run(&["run", "fall.toml", "-q"]).expect(0);
-    bench
-        .run(&["resume", "fall.toml"])
-        .expect(2)
-        .warns(&["riprap resume fall.run"]);
+    bench.run(&["resume", "fall.toml"]).expect(2).warns(&["riprap resume fall.run"]);
 }
 
 #[test]
@@ -123,16 +105,10 @@ fn a_name_that_is_nearly_right_is_answered_with_the_right_one() {
     }
     bench.run(&["run", "fall.toml", "-q"]).expect(0);
     for (words, meant) in [
-        (
-            vec!["plot", "fall.run", "blocks", "velocity"],
-            "--by velocity",
-        ),
+        (vec!["plot", "fall.run", "blocks", "velocity"], "--by velocity"),
         (vec!["plot", "fall"], "write riprap plot fall.run"),
         (vec!["report", "fall.toml"], "write riprap report fall.run"),
-        (
-            vec!["paraview", "fall.toml"],
-            "write riprap paraview fall.run",
-        ),
+        (vec!["paraview", "fall.toml"], "write riprap paraview fall.run"),
     ] {
         bench.run(&words).expect(2).warns(&[meant]);
     }
@@ -154,16 +130,11 @@ fn doctor_looks_at_all_that_riprap_meets() {
         "python",
         "devices",
     ] {
-        let line = said
-            .out
-            .lines()
-            .find(|l| l.split_whitespace().next() == Some(word));
+        let line = said.out.lines().find(|l| l.split_whitespace().next() == Some(word));
         assert!(line.is_some_and(|l| l.len() > 10), "{word}: {}", said.out);
     }
     assert!(said.out.contains("MB/s written"), "{}", said.out);
-    let left = std::fs::read_dir(bench.path("."))
-        .expect("a folder")
-        .count();
+    let left = std::fs::read_dir(bench.path(".")).expect("a folder").count();
     assert_eq!(left, 0, "the sample of the disk is gone");
 }
 
@@ -242,9 +213,7 @@ fn every_verb_has_a_manual_page() {
     bench.run(&["man", "--out", "pages"]).expect(0);
     for verb in VERBS {
         // Hyphens of names are written as minus signs.
-        let page = bench
-            .read(&format!("pages/riprap-{verb}.1"))
-            .replace("\\-", "-");
+        let page = bench.read(&format!("pages/riprap-{verb}.1")).replace("\\-", "-");
         assert!(page.contains(&format!("riprap-{verb}")), "{page}");
     }
 }
@@ -271,30 +240,16 @@ fn words_are_explained_by_what_speaks_of_them() {
         "scenes/verify/planar/a5_stop.toml",
     ]);
     bench.run(&["explain", "pore", "pressure"]).expect(0);
-    bench
-        .run(&["explain", "block.velocity"])
-        .expect(0)
-        .says(&["a field of [space.spatial]"]);
-    bench
-        .run(&["explain", "nonsense"])
-        .expect(2)
-        .warns(&["nothing was found"]);
-    bench
-        .run(&["explain", "fricton_angel"])
-        .expect(2)
-        .warns(&["friction_angle"]);
-    bench
-        .run(&["explain", "phases.fall.utnil"])
-        .expect(2)
-        .warns(&["until"]);
+    bench.run(&["explain", "block.velocity"]).expect(0).says(&["a field of [space.spatial]"]);
+    bench.run(&["explain", "nonsense"]).expect(2).warns(&["nothing was found"]);
+    bench.run(&["explain", "fricton_angel"]).expect(2).warns(&["friction_angle"]);
+    bench.run(&["explain", "phases.fall.utnil"]).expect(2).warns(&["until"]);
 }
 
 #[test]
 fn comparing_in_space_says_that_it_is_for_the_plane() {
     let bench = Bench::new();
-    bench
-        .run(&["new", "bricks", "--template", "bricks"])
-        .expect(0);
+    bench.run(&["new", "bricks", "--template", "bricks"]).expect(0);
     bench
         .run(&["compare", "bricks.toml"])
         .expect(2)
@@ -310,16 +265,8 @@ fn a_wrong_formula_is_shown_at_its_character() {
     let said = bench.run(&["check", "a.toml"]).expect(2);
     let line = text.lines().position(|l| l.starts_with("formula")).unwrap() + 1;
     let column = text.lines().nth(line - 1).unwrap().len();
-    assert!(
-        said.err.contains("a parenthesis is not closed"),
-        "{}",
-        said.err
-    );
-    assert!(
-        said.err.contains(&format!("a.toml:{line}:{column}")),
-        "{}",
-        said.err
-    );
+    assert!(said.err.contains("a parenthesis is not closed"), "{}", said.err);
+    assert!(said.err.contains(&format!("a.toml:{line}:{column}")), "{}", said.err);
     let chosen = FALL.replace("-0.5*10*t^2", "if(t < 1, -5*min(t, 7)^2, sqrt(-1))");
     bench.file("a.toml", chosen);
     bench.run(&["run", "a.toml", "--out", "a.run"]).expect(0);
@@ -366,9 +313,5 @@ fn explained_keys_are_those_that_set_takes() {
     let set = format!("{key}=7 deg");
     let said = bench.run(&["explain", "tun.toml", "--set", &set]).expect(0);
     let line = said.out.lines().find(|line| line.starts_with(key));
-    assert!(
-        line.is_some_and(|line| line.contains("7 deg")),
-        "{}",
-        said.out
-    );
+    assert!(line.is_some_and(|line| line.contains("7 deg")), "{}", said.out);
 }

@@ -69,10 +69,8 @@ fn same_words(shown: &[&str], printed: &[&str]) -> bool {
 /// Whether a printed line is what the page shows; `...` stands for any words.
 fn same_line(shown: &str, printed: &str) -> bool {
     let words: Vec<&str> = printed.split_whitespace().collect();
-    let parts: Vec<Vec<&str>> = shown
-        .split("...")
-        .map(|part| part.split_whitespace().collect())
-        .collect();
+    let parts: Vec<Vec<&str>> =
+        shown.split("...").map(|part| part.split_whitespace().collect()).collect();
     let [first, middle @ .., last] = &parts[..] else {
         return same_words(&parts[0], &words);
     };
@@ -114,9 +112,7 @@ fn missing<'a>(shown: &'a [String], printed: &[String]) -> Option<&'a str> {
 /// Runs a page's commands in an empty folder, which is returned.
 fn run_page(name: &str) -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let programs = Path::new(env!("CARGO_BIN_EXE_riprap"))
-        .parent()
-        .expect("a folder");
+    let programs = Path::new(env!("CARGO_BIN_EXE_riprap")).parent().expect("a folder");
     let path = std::env::var("PATH").unwrap_or_default();
     let mut code = 0;
     for item in items(&read(&pages().join(name))) {
@@ -142,17 +138,10 @@ fn run_page(name: &str) -> TempDir {
         // Progress, warnings and notes go to stderr, results to stdout.
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
         let said = text(&output.stderr) + &text(&output.stdout);
-        let printed: Vec<String> = said
-            .lines()
-            .filter(|line| !line.trim().is_empty())
-            .map(str::to_owned)
-            .collect();
+        let printed: Vec<String> =
+            said.lines().filter(|line| !line.trim().is_empty()).map(str::to_owned).collect();
         let wants_error = shown.iter().any(|line| line.starts_with("error"));
-        assert_eq!(
-            code == 0,
-            !wants_error,
-            "{name}: `{command}` ended with {code}\n{said}"
-        );
+        assert_eq!(code == 0, !wants_error, "{name}: `{command}` ended with {code}\n{said}");
         if let Some(line) = missing(&shown, &printed) {
             panic!("{name}: `{command}` did not print\n  {line}\nbut\n{said}");
         }

@@ -75,28 +75,16 @@ fn the_fields_page_is_fresh() {
 fn fields_of(fields: &[serde_json::Value], text: &mut String) {
     let about = [
         ("block", "One block: `of = \"name\"`."),
-        (
-            "pair",
-            "Two blocks, summed over their contacts: `of = [\"first\", \"second\"]`.",
-        ),
+        ("pair", "Two blocks, summed over their contacts: `of = [\"first\", \"second\"]`."),
         ("group", "A group of blocks: `of = \"group\"`."),
         ("cavity", "A charge or another cavity: `of = \"source\"`."),
-        (
-            "boundary",
-            "A condition on free faces: `of = \"its name\"`.",
-        ),
+        ("boundary", "A condition on free faces: `of = \"its name\"`."),
         (
             "support",
             "A support: `of = \"its name\"`, without one the block or group that it is on.",
         ),
-        (
-            "load",
-            "A load: `of = \"its name\"`, without one the block or group that it is on.",
-        ),
-        (
-            "bolt",
-            "Bolts: `of = \"name\"` of one, or of several alike.",
-        ),
+        ("load", "A load: `of = \"its name\"`, without one the block or group that it is on."),
+        ("bolt", "Bolts: `of = \"name\"` of one, or of several alike."),
         ("model", "The whole model; without `of`."),
         ("energy", "The energy ledger; without `of`."),
     ];
@@ -171,11 +159,7 @@ fn the_command_line_page_is_fresh() {
         "# Command line\n\nMade from the help texts; do not edit, run `{HOW}`.\n\n```text\n{overview}\n```\n"
     );
     for verb in verbs {
-        let _ = write!(
-            text,
-            "\n## riprap {verb}\n\n```text\n{}\n```\n",
-            help(&[&verb, "--help"])
-        );
+        let _ = write!(text, "\n## riprap {verb}\n\n```text\n{}\n```\n", help(&[&verb, "--help"]));
     }
     page("cli.md", &text);
 }

@@ -122,9 +122,7 @@ fn links_lead_to_headings() {
 fn is_repository_path(word: &str) -> bool {
     let rooted = ["crates/", "scenes/", "docs/", "xtask/", "tests/"];
     rooted.iter().any(|root| word.starts_with(root))
-        && word
-            .chars()
-            .all(|c| c.is_ascii_alphanumeric() || "/._-".contains(c))
+        && word.chars().all(|c| c.is_ascii_alphanumeric() || "/._-".contains(c))
 }
 
 #[test]
@@ -159,10 +157,7 @@ fn every_page_is_in_the_summary() {
     }
     for target in listed {
         let later = WRITTEN_LATER.contains(&target.as_str());
-        assert!(
-            later || Path::new(&pages()).join(&target).exists(),
-            "{target}"
-        );
+        assert!(later || Path::new(&pages()).join(&target).exists(), "{target}");
     }
 }
 
@@ -199,9 +194,7 @@ fn modules() -> Vec<(Vec<String>, String)> {
 
 /// Whether a source says that it has an item of this name.
 fn defines(text: &str, item: &str) -> bool {
-    let kinds = [
-        "fn", "struct", "enum", "trait", "type", "const", "static", "mod",
-    ];
+    let kinds = ["fn", "struct", "enum", "trait", "type", "const", "static", "mod"];
     text.match_indices(item).any(|(at, _)| {
         let before = text[..at].trim_end();
         let after = text[at + item.len()..].chars().next();

@@ -33,10 +33,7 @@ fn quoted<'a>(page: &'a str, quote: &str) -> Result<&'a str, String> {
         let (number, rest) = rest.split_at(end.unwrap_or(rest.len()));
         (!number.is_empty() && rest.starts_with(after)).then_some(number)
     };
-    let found: Vec<&str> = page
-        .match_indices(before)
-        .filter_map(|(at, _)| number(at))
-        .collect();
+    let found: Vec<&str> = page.match_indices(before).filter_map(|(at, _)| number(at)).collect();
     match found[..] {
         [one] => Ok(one),
         [] => Err("the page does not say so".to_owned()),
@@ -75,9 +72,7 @@ fn prose_quotes_what_runs_gave() {
                 && row[2] == *check
         };
         let Some(row) = rows.iter().find(of_case) else {
-            wrong.push(format!(
-                "verification.csv has no row {scene}, {case}, {check}"
-            ));
+            wrong.push(format!("verification.csv has no row {scene}, {case}, {check}"));
             continue;
         };
         let (measured, factor): (f64, f64) = match (row[4].parse(), factor.parse()) {

@@ -133,10 +133,7 @@ impl Formula {
     }
 
     fn compiled(text: &str) -> Result<Self, FormulaError> {
-        Ok(Self {
-            text: text.to_owned(),
-            program: Box::new(parse::parse(text)?),
-        })
+        Ok(Self { text: text.to_owned(), program: Box::new(parse::parse(text)?) })
     }
 
     /// The text it was compiled from.
@@ -152,10 +149,7 @@ impl Formula {
         let named = |index: usize| {
             let name = names.get(index).map_or("", |(name, _)| name.as_str());
             let given = values.iter().find(|(n, _)| *n == name);
-            given
-                .map(|(_, value)| *value)
-                .or_else(|| constant(name))
-                .unwrap_or(f64::NAN)
+            given.map(|(_, value)| *value).or_else(|| constant(name)).unwrap_or(f64::NAN)
         };
         let mut stack: Vec<f64> = Vec::with_capacity(8);
         let mut at = 0;

@@ -13,11 +13,7 @@ use super::TimeFunction;
 #[inline(always)]
 #[must_use]
 pub fn local_drag(share: f64, force: f64, velocity: f64) -> f64 {
-    if velocity == 0.0 || share == 0.0 {
-        0.0
-    } else {
-        -share * force.abs() * velocity.signum()
-    }
+    if velocity == 0.0 || share == 0.0 { 0.0 } else { -share * force.abs() * velocity.signum() }
 }
 
 /// What mass damping of rate `alpha` (1/s) makes of a kick over `span` (s): half the share of the velocity that it takes.
@@ -33,11 +29,7 @@ pub fn fade(alpha: f64, span: f64) -> f64 {
 #[inline(always)]
 #[must_use]
 pub fn past(before: f64, after: f64) -> f64 {
-    if before > 0.0 {
-        before / (before + after)
-    } else {
-        0.0
-    }
+    if before > 0.0 { before / (before + after) } else { 0.0 }
 }
 
 /// Velocity change under `force`, with `ease` the span over the inertia: mass damping acts on the mean of the velocities before and

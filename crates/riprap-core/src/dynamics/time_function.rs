@@ -71,12 +71,7 @@ impl TimeFunction {
     pub fn at(&self, t: f64) -> f64 {
         match self {
             Self::Constant(value) => *value,
-            Self::Ramp {
-                from,
-                to,
-                start,
-                end,
-            } => {
+            Self::Ramp { from, to, start, end } => {
                 if t <= *start {
                     *from
                 } else if t >= *end {
@@ -85,14 +80,7 @@ impl TimeFunction {
                     from + (to - from) * (t - start) / (end - start)
                 }
             }
-            Self::Sine {
-                amplitude,
-                frequency,
-                phase,
-                offset,
-                start,
-                cycles,
-            } => {
+            Self::Sine { amplitude, frequency, phase, offset, start, cycles } => {
                 let since = t - start;
                 if since < 0.0 || cycles.is_some_and(|n| since * frequency >= n) {
                     return *offset;
@@ -109,11 +97,7 @@ impl TimeFunction {
             }
             Self::Table { t: times, v } => table_at(times, v, t),
             Self::Formula(formula) => formula.value(&[("t", t)]),
-            Self::Duvall {
-                amplitude,
-                decay,
-                rise,
-            } => {
+            Self::Duvall { amplitude, decay, rise } => {
                 if t > 0.0 {
                     amplitude * (libm::exp(-decay * t) - libm::exp(-rise * t))
                 } else {
@@ -171,14 +155,7 @@ impl TimeFunction {
                 put(*start, *value);
                 put(*end, -value);
             }
-            Self::Sine {
-                amplitude,
-                frequency,
-                phase,
-                start,
-                cycles,
-                ..
-            } => {
+            Self::Sine { amplitude, frequency, phase, start, cycles, .. } => {
                 put(*start, amplitude * libm::sin(*phase));
                 if let Some(n) = cycles {
                     let angle = 2.0 * std::f64::consts::PI * n + phase;
@@ -211,19 +188,13 @@ impl TimeFunction {
     /// Zero until time 0, straight up to `peak` at `rise` (s), straight down to zero at `rise + fall`.
     #[must_use]
     pub fn triangle(peak: f64, rise: f64, fall: f64) -> Self {
-        Self::Table {
-            t: vec![0.0, rise, rise + fall],
-            v: vec![0.0, peak, 0.0],
-        }
+        Self::Table { t: vec![0.0, rise, rise + fall], v: vec![0.0, peak, 0.0] }
     }
 
     /// One until `start` (s), straight down to zero over `span` (s).
     #[must_use]
     pub fn fade(start: f64, span: f64) -> Self {
-        Self::Table {
-            t: vec![start, start + span],
-            v: vec![1.0, 0.0],
-        }
+        Self::Table { t: vec![start, start + span], v: vec![1.0, 0.0] }
     }
 }
 
@@ -254,11 +225,7 @@ mod tests {
             t: vec![0.0, at, at, 1.0],
             v: vec![0.0, 0.0, 4.0, 4.0],
         };
-        let pulse = |at: f64| TimeFunction::Pulse {
-            value: 4.0,
-            start: at,
-            end: 1.0,
-        };
+        let pulse = |at: f64| TimeFunction::Pulse { value: 4.0, start: at, end: 1.0 };
         for at in [0.31, 0.35, 0.399, 0.4, 0.401, 0.45] {
             for function in [table(at), pulse(at)] {
                 // Kicks at 0, 0.1, ... 0.9 s in steps of 0.1 s: the first one spans half a step.
@@ -280,10 +247,7 @@ mod tests {
 
     #[test]
     fn table_is_linear_inside_and_constant_outside() {
-        let f = TimeFunction::Table {
-            t: vec![1.0, 2.0, 4.0],
-            v: vec![0.0, 10.0, -10.0],
-        };
+        let f = TimeFunction::Table { t: vec![1.0, 2.0, 4.0], v: vec![0.0, 10.0, -10.0] };
         assert_eq!(f.at(0.0), 0.0);
         assert_eq!(f.at(1.5), 5.0);
         assert_eq!(f.at(3.0), 0.0);
@@ -294,9 +258,7 @@ mod tests {
     #[test]
     fn two_exponentials_peak_where_they_shall() {
         let f = TimeFunction::duvall(0.472_470, 1500.0, 6000.0);
-        let TimeFunction::Duvall { amplitude, .. } = f else {
-            panic!("another form")
-        };
+        let TimeFunction::Duvall { amplitude, .. } = f else { panic!("another form") };
         assert!((amplitude - 1.0).abs() < 2e-6, "{amplitude}");
         assert!((f.at(0.308_065e-3) - 0.472_470).abs() < 1e-12);
         assert!(f.at(0.3e-3) < 0.472_470 && f.at(0.316e-3) < 0.472_470);

@@ -88,24 +88,13 @@ mod tests {
             slip: 1e-6,
             state,
         };
-        let states = [
-            BarState::Elastic,
-            BarState::Yielded,
-            BarState::Slipped,
-            BarState::Broken,
-        ];
+        let states = [BarState::Elastic, BarState::Yielded, BarState::Slipped, BarState::Broken];
         let bars: Vec<BoltBar> = (0..).zip(states).map(|(k, s)| bar(k, 1e5, s)).collect();
         let text = csv(&bars, |bolt| ["", "", "", "roof.2"][bolt as usize]).unwrap();
         let lines: Vec<&str> = text.lines().collect();
-        assert_eq!(
-            lines[0],
-            "name,element,x_m,y_m,z_m,axial_force_N,shear_force_N,slip_m,state"
-        );
+        assert_eq!(lines[0], "name,element,x_m,y_m,z_m,axial_force_N,shear_force_N,slip_m,state");
         assert_eq!(lines[1], "roof.2,1,0.5,0.25,0,100000,2500,1e-6,elastic");
-        let words: Vec<&str> = lines[1..]
-            .iter()
-            .filter_map(|l| l.rsplit(',').next())
-            .collect();
+        let words: Vec<&str> = lines[1..].iter().filter_map(|l| l.rsplit(',').next()).collect();
         assert_eq!(words, ["elastic", "yielded", "slipped", "broken"]);
         let cells = surfaces(&bars).unwrap();
         assert_eq!(cells.ends, [2, 4, 6, 8]);

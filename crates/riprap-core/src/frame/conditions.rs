@@ -140,24 +140,13 @@ impl Table {
         Self {
             name: table.name.clone(),
             along: table.along,
-            points: table
-                .points
-                .iter()
-                .map(|p| [p[0] + far, p[1] + origin.z])
-                .collect(),
-            grid: table.grid.as_ref().map(|g| {
-                [
-                    from(&g.x, origin.x),
-                    from(&g.y, origin.y),
-                    from(&g.z, origin.z),
-                ]
-            }),
+            points: table.points.iter().map(|p| [p[0] + far, p[1] + origin.z]).collect(),
+            grid: table
+                .grid
+                .as_ref()
+                .map(|g| [from(&g.x, origin.x), from(&g.y, origin.y), from(&g.z, origin.z)]),
             within: table.zone.map(|zone| [zone.low, zone.high].map(corner)),
-            parts: table
-                .parts
-                .iter()
-                .map(|part| Self::of(part, origin, is_flat))
-                .collect(),
+            parts: table.parts.iter().map(|part| Self::of(part, origin, is_flat)).collect(),
             seeps: table.seepage.is_some(),
         }
     }

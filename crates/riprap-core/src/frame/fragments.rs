@@ -59,12 +59,7 @@ impl Fragments {
             let lead = sets.leader(b as u32) as usize;
             if place[lead] == u32::MAX {
                 place[lead] = list.len() as u32;
-                list.push(Fragment {
-                    blocks: 0,
-                    size: 0.0,
-                    centre: [0.0; 3],
-                    held: false,
-                });
+                list.push(Fragment { blocks: 0, size: 0.0, centre: [0.0; 3], held: false });
             }
             of[b] = Some(place[lead]);
             let fragment = &mut list[place[lead] as usize];
@@ -154,14 +149,7 @@ mod tests {
     #[test]
     fn joined_blocks_are_one_fragment() {
         let at = |x: f64| block(2.0, [x, 0.0, 1.0], false);
-        let blocks = [
-            at(0.0),
-            at(1.0),
-            None,
-            at(5.0),
-            at(2.0),
-            block(7.0, [9.0; 3], false),
-        ];
+        let blocks = [at(0.0), at(1.0), None, at(5.0), at(2.0), block(7.0, [9.0; 3], false)];
         let pairs = [[4, 1], [0, 1]];
         let found = Fragments::new(&blocks, pairs.into_iter(), false);
         let other = Fragments::new(&blocks, pairs.into_iter().rev(), false);
@@ -173,21 +161,13 @@ mod tests {
         assert!(text.starts_with(
             "fragment,blocks,volume_m3,x_m,y_m,z_m,held\n1,1,7,9,9,9,0\n2,3,6,1,0,1,0\n"
         ));
-        assert_eq!(
-            found.members_csv(),
-            "block,fragment\n0,2\n1,2\n3,3\n4,2\n5,1\n"
-        );
+        assert_eq!(found.members_csv(), "block,fragment\n0,2\n1,2\n3,3\n4,2\n5,1\n");
     }
 
     #[test]
     fn what_is_held_is_no_fragment_nor_what_is_joined_to_it() {
         let at = |size: f64, held| block(size, [0.0; 3], held);
-        let blocks = [
-            at(100.0, true),
-            at(1.0, false),
-            at(3.0, false),
-            at(2.0, false),
-        ];
+        let blocks = [at(100.0, true), at(1.0, false), at(3.0, false), at(2.0, false)];
         let found = Fragments::new(&blocks, [[0, 3]].into_iter(), false);
         let sizes: Vec<(f64, bool)> = found.list.iter().map(|f| (f.size, f.held)).collect();
         assert_eq!(sizes, [(3.0, false), (1.0, false), (102.0, true)]);
@@ -201,9 +181,6 @@ mod tests {
     fn in_the_plane_sizes_are_areas() {
         let blocks = [block(1.5, [1.0, 2.0, 0.0], false)];
         let found = Fragments::new(&blocks, std::iter::empty(), true);
-        assert_eq!(
-            found.csv(),
-            "fragment,blocks,area_m2,x_m,y_m,held\n1,1,1.5,1,2,0\n"
-        );
+        assert_eq!(found.csv(), "fragment,blocks,area_m2,x_m,y_m,held\n1,1,1.5,1,2,0\n");
     }
 }

@@ -38,17 +38,10 @@ mod tests {
 
     #[test]
     fn a_row_has_a_number_for_each_column() {
-        let state = BlockState {
-            name: "a.1".to_owned(),
-            numbers: vec![1.0, -2.5, 1e-9, 0.0, 0.1, 3.0],
-        };
+        let state =
+            BlockState { name: "a.1".to_owned(), numbers: vec![1.0, -2.5, 1e-9, 0.0, 0.1, 3.0] };
         let text = csv(PLANAR, &[state]);
         assert_eq!(text.lines().nth(1), Some("a.1,1,-2.5,1e-9,0,0.1,3"));
-        assert_eq!(
-            text.lines()
-                .map(|l| l.split(',').count())
-                .collect::<Vec<_>>(),
-            [7, 7]
-        );
+        assert_eq!(text.lines().map(|l| l.split(',').count()).collect::<Vec<_>>(), [7, 7]);
     }
 }

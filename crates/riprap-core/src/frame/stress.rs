@@ -49,14 +49,9 @@ impl Principal {
 pub fn in_space(stresses: &[Mat3]) -> [Column; 2] {
     let normal = |s: &Mat3| [s.x_axis.x, s.y_axis.y, s.z_axis.z];
     let shear = |s: &Mat3| [s.z_axis.y, s.x_axis.z, s.y_axis.x];
-    let [normal, shear]: [Vec<[f64; 3]>; 2] = [
-        stresses.iter().map(normal).collect(),
-        stresses.iter().map(shear).collect(),
-    ];
-    [
-        Column::vector3(NORMAL, "Pa", normal),
-        Column::vector3(SHEAR, "Pa", shear),
-    ]
+    let [normal, shear]: [Vec<[f64; 3]>; 2] =
+        [stresses.iter().map(normal).collect(), stresses.iter().map(shear).collect()];
+    [Column::vector3(NORMAL, "Pa", normal), Column::vector3(SHEAR, "Pa", shear)]
 }
 
 /// The two columns of stresses in the plane, each xx, yy, xy.

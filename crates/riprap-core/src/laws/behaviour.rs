@@ -148,11 +148,7 @@ impl Closure {
             Self::Linear => k * v,
             Self::Hyperbolic { limit, stiffest } => {
                 let [end, most] = Self::end(k, limit, stiffest);
-                if v <= end {
-                    k * v / (1.0 - v / limit)
-                } else {
-                    most + stiffest * k * (v - end)
-                }
+                if v <= end { k * v / (1.0 - v / limit) } else { most + stiffest * k * (v - end) }
             }
         }
     }
@@ -164,11 +160,7 @@ impl Closure {
             Self::Linear => s / k,
             Self::Hyperbolic { limit, stiffest } => {
                 let [end, most] = Self::end(k, limit, stiffest);
-                if s <= most {
-                    s / (k + s / limit)
-                } else {
-                    end + (s - most) / (stiffest * k)
-                }
+                if s <= most { s / (k + s / limit) } else { end + (s - most) / (stiffest * k) }
             }
         }
     }
@@ -209,11 +201,7 @@ impl<'a> Law<'a> {
         stiffest: Springs,
     ) -> Self {
         let initial = stiffest[0] / behaviour.closure.stiffest();
-        Self {
-            strength,
-            behaviour,
-            springs: [initial, stiffest[1]],
-        }
+        Self { strength, behaviour, springs: [initial, stiffest[1]] }
     }
 
     /// Initial stiffness, Pa/m: that of dashpots.
@@ -300,11 +288,7 @@ impl<'a> Law<'a> {
     /// Stored energy (J/m²) at the opening `w` with the traction `t`.
     fn stored(&self, w: f64, t: &Traction) -> f64 {
         let [kn, ks] = self.springs;
-        let normal = if w > 0.0 {
-            0.5 * t[0] * w
-        } else {
-            self.behaviour.closure.energy(kn, -w)
-        };
+        let normal = if w > 0.0 { 0.5 * t[0] * w } else { self.behaviour.closure.energy(kn, -w) };
         normal + 0.5 * (t[1] * t[1] + t[2] * t[2]) / ks
     }
 
@@ -373,10 +357,7 @@ impl<'a> Law<'a> {
         let dilated = |x: f64| {
             let to = [0, 1].map(|k| slip[k] + x * direction[k]);
             let rise = angle * (norm(to[0], to[1]) - from);
-            let risen = Memory {
-                dilated: (memory.dilated + rise).max(0.0),
-                ..*memory
-            };
+            let risen = Memory { dilated: (memory.dilated + rise).max(0.0), ..*memory };
             self.dilated(to, &risen)
         };
         let beyond = |x: f64| {
@@ -437,9 +418,7 @@ fn root(f: impl Fn(f64) -> f64, high: f64, small: f64) -> f64 {
 /// Energy that left a point whose traction went from `before` to `after` while it moved: work (trapezoidal rule) less the growth of
 /// what it stores, J/m².
 fn lost(before: (&Traction, f64), after: (&Traction, f64), moved: &[f64; 3]) -> f64 {
-    let work: f64 = (0..3)
-        .map(|k| 0.5 * (before.0[k] + after.0[k]) * moved[k])
-        .sum();
+    let work: f64 = (0..3).map(|k| 0.5 * (before.0[k] + after.0[k]) * moved[k]).sum();
     work - (after.1 - before.1)
 }
 
@@ -447,8 +426,5 @@ fn lost(before: (&Traction, f64), after: (&Traction, f64), moved: &[f64; 3]) -> 
 fn divided(all: f64, separation: f64) -> Loss {
     // The two are found by rules of their own, each with its error: no part is more than the whole.
     let fracture = separation.min(all).max(0.0);
-    Loss {
-        friction: all - fracture,
-        fracture,
-    }
+    Loss { friction: all - fracture, fracture }
 }

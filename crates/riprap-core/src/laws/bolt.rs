@@ -63,23 +63,13 @@ impl Hold {
     /// Grout around a piece of a bar: `stiffness` (N/m) and `strength` (N) of the piece.
     #[must_use]
     pub fn grout(stiffness: f64, strength: f64) -> Self {
-        Self {
-            stiffness,
-            low: -strength,
-            high: strength,
-            lifts: false,
-        }
+        Self { stiffness, low: -strength, high: strength, lifts: false }
     }
 
     /// A plate at the head: it holds the head against being pulled in, up to its `capacity` (N), and lifts off where nothing pulls.
     #[must_use]
     pub fn plate(stiffness: f64, capacity: f64) -> Self {
-        Self {
-            stiffness,
-            low: 0.0,
-            high: capacity,
-            lifts: true,
-        }
+        Self { stiffness, low: 0.0, high: capacity, lifts: true }
     }
 
     /// The force for a motion of the bar against the rock (m) beyond what has slipped.
@@ -95,22 +85,10 @@ impl Hold {
             };
         }
         if trial < self.low {
-            let plastic = if self.lifts {
-                0.0
-            } else {
-                (trial - self.low) / self.stiffness
-            };
-            return Mapped {
-                force: self.low,
-                tangent: 0.0,
-                plastic,
-            };
+            let plastic = if self.lifts { 0.0 } else { (trial - self.low) / self.stiffness };
+            return Mapped { force: self.low, tangent: 0.0, plastic };
         }
-        Mapped {
-            force: trial,
-            tangent: self.stiffness,
-            plastic: 0.0,
-        }
+        Mapped { force: trial, tangent: self.stiffness, plastic: 0.0 }
     }
 
     /// Energy stored at a force (N), J.
@@ -150,21 +128,13 @@ impl Bar {
                 plastic: plastic.copysign(trial),
             };
         }
-        Mapped {
-            force: trial,
-            tangent: self.stiffness,
-            plastic: 0.0,
-        }
+        Mapped { force: trial, tangent: self.stiffness, plastic: 0.0 }
     }
 
     /// Energy stored at a force (N), J.
     #[must_use]
     pub fn stored(&self, force: f64) -> f64 {
-        if self.stiffness > 0.0 {
-            0.5 * force * force / self.stiffness
-        } else {
-            0.0
-        }
+        if self.stiffness > 0.0 { 0.5 * force * force / self.stiffness } else { 0.0 }
     }
 }
 

@@ -60,11 +60,7 @@ pub struct State {
 #[inline]
 fn from_rest(springs: Springs, start: &Traction, at: &[f64; 3]) -> [f64; 3] {
     let [kn, ks] = springs;
-    [
-        at[0] + start[0] / kn,
-        at[1] + start[1] / ks,
-        at[2] + start[2] / ks,
-    ]
+    [at[0] + start[0] / kn, at[1] + start[1] / ks, at[2] + start[2] / ks]
 }
 
 /// Traction of a whole point, (8).
@@ -72,11 +68,7 @@ fn from_rest(springs: Springs, start: &Traction, at: &[f64; 3]) -> [f64; 3] {
 #[must_use]
 pub fn connect(springs: Springs, start: &Traction, at: &[f64; 3]) -> Traction {
     let [kn, ks] = springs;
-    [
-        start[0] + kn * at[0],
-        start[1] + ks * at[1],
-        start[2] + ks * at[2],
-    ]
+    [start[0] + kn * at[0], start[1] + ks * at[1], start[2] + ks * at[2]]
 }
 
 /// Traction of a contact with tan(phi) `friction`, (9), and its new state.
@@ -117,10 +109,7 @@ fn slider(
     }
     let keep = limit / size;
     let shear = trial.map(|x| keep * x);
-    (
-        [normal, shear[0], shear[1]],
-        [e[1] - shear[0] / ks, e[2] - shear[1] / ks],
-    )
+    ([normal, shear[0], shear[1]], [e[1] - shear[0] / ks, e[2] - shear[1] / ks])
 }
 
 /// Traction of a point that breaks at once where it is beyond its strength, (8) to (11), and its new state.
@@ -172,9 +161,8 @@ pub fn loss(
     before: (&[f64; 3], &Traction, &State),
     after: (&[f64; 3], &Traction, &State),
 ) -> f64 {
-    let work: f64 = (0..3)
-        .map(|k| 0.5 * (before.1[k] + after.1[k]) * (after.0[k] - before.0[k]))
-        .sum();
+    let work: f64 =
+        (0..3).map(|k| 0.5 * (before.1[k] + after.1[k]) * (after.0[k] - before.0[k])).sum();
     work - (stored(springs, start, after.0, after.2) - stored(springs, start, before.0, before.2))
 }
 

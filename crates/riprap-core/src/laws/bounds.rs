@@ -4,11 +4,7 @@
 /// `x` between `-limit` and `limit`; no number when `limit` is none or negative.
 #[must_use]
 pub fn within(x: f64, limit: f64) -> f64 {
-    if limit >= 0.0 {
-        x.clamp(-limit, limit)
-    } else {
-        f64::NAN
-    }
+    if limit >= 0.0 { x.clamp(-limit, limit) } else { f64::NAN }
 }
 
 /// `x`, or 0 where it is negative.
@@ -23,10 +19,7 @@ mod tests {
 
     #[test]
     fn what_is_no_number_stays_none() {
-        assert_eq!(
-            [within(3.0, 2.0), within(-3.0, 2.0), within(1.0, 2.0)],
-            [2.0, -2.0, 1.0]
-        );
+        assert_eq!([within(3.0, 2.0), within(-3.0, 2.0), within(1.0, 2.0)], [2.0, -2.0, 1.0]);
         assert_eq!([not_negative(-1.0), not_negative(2.0)], [0.0, 2.0]);
         for x in [
             within(1.0, f64::NAN),

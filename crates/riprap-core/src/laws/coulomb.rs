@@ -22,20 +22,11 @@ pub struct Shear {
 pub fn shear_spring(force: f64, stiffness: f64, slip: f64, limit: f64) -> Shear {
     let trial = force - stiffness * slip;
     if trial > limit {
-        Shear {
-            force: limit,
-            slipping: true,
-        }
+        Shear { force: limit, slipping: true }
     } else if trial < -limit {
-        Shear {
-            force: -limit,
-            slipping: true,
-        }
+        Shear { force: -limit, slipping: true }
     } else {
-        Shear {
-            force: trial,
-            slipping: false,
-        }
+        Shear { force: trial, slipping: false }
     }
 }
 
@@ -46,21 +37,9 @@ mod tests {
     #[test]
     fn sticks_below_and_slides_at_the_limit() {
         let s = shear_spring(0.0, 10.0, 0.05, 1.0);
-        assert_eq!(
-            s,
-            Shear {
-                force: -0.5,
-                slipping: false
-            }
-        );
+        assert_eq!(s, Shear { force: -0.5, slipping: false });
         let s = shear_spring(s.force, 10.0, 0.2, 1.0);
-        assert_eq!(
-            s,
-            Shear {
-                force: -1.0,
-                slipping: true
-            }
-        );
+        assert_eq!(s, Shear { force: -1.0, slipping: true });
         let s = shear_spring(s.force, 10.0, -0.2, 1.0);
         assert!(!s.slipping && (s.force - 1.0).abs() < 1e-15);
     }

@@ -72,12 +72,8 @@ mod tests {
 
     #[test]
     fn restitution_matches_the_catalogue() {
-        for (ratio, e) in [
-            (0.05, 0.858_758),
-            (0.1, 0.744_079),
-            (0.2, 0.571_740),
-            (0.3, 0.450_975),
-        ] {
+        for (ratio, e) in [(0.05, 0.858_758), (0.1, 0.744_079), (0.2, 0.571_740), (0.3, 0.450_975)]
+        {
             assert!((restitution(ratio) - e).abs() < 1e-6, "{ratio}");
         }
     }
@@ -101,10 +97,7 @@ mod tests {
     fn restitution_is_that_of_the_motion_on_both_sides_of_the_critical_damping() {
         for ratio in [0.01, 0.3, 0.7, 0.8, 0.999, 1.0, 1.001, 1.5, 4.0] {
             let (found, expected) = (restitution(ratio), bounced(ratio));
-            assert!(
-                (found - expected).abs() < 1e-4,
-                "{ratio}: {found}, {expected}"
-            );
+            assert!((found - expected).abs() < 1e-4, "{ratio}: {found}, {expected}");
         }
         let across = restitution(1.0 - 1e-9) - restitution(1.0 + 1e-9);
         assert!((0.0..1e-8).contains(&across), "{across}");

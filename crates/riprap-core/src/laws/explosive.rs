@@ -70,10 +70,7 @@ impl Explosive {
     #[must_use]
     pub fn heat_bounds(&self) -> (f64, f64) {
         let specific = self.initial_pressure() / self.density;
-        (
-            specific / (self.gamma - 1.0),
-            specific / (self.gamma_low - 1.0),
-        )
+        (specific / (self.gamma - 1.0), specific / (self.gamma_low - 1.0))
     }
 
     /// Whether the constants make an adiabat.
@@ -96,11 +93,7 @@ impl Explosive {
         }
         let (above, at_most) = self.heat_bounds();
         if !(self.heat > above && self.heat <= at_most) {
-            return Err(ExplosiveError::Heat {
-                heat: self.heat,
-                above,
-                at_most,
-            });
+            return Err(ExplosiveError::Heat { heat: self.heat, above, at_most });
         }
         Ok(())
     }
@@ -164,11 +157,7 @@ impl Adiabat {
     /// Exponent of the branch at `volume` (m³): the tangent bulk modulus of the gas is this times the pressure.
     #[must_use]
     pub fn exponent(&self, volume: f64) -> f64 {
-        if volume <= self.vk {
-            self.gamma
-        } else {
-            self.gamma_low
-        }
+        if volume <= self.vk { self.gamma } else { self.gamma_low }
     }
 
     /// Work of the gas from `v0` to `volume` (m³), the integral of `P dV`, J; negative below `v0`.
@@ -248,10 +237,7 @@ mod tests {
         near(gas.work(1e15 * gas.v0), 125_400.0, 1.1e-5);
         near(gas.work(10.0 * gas.v0), 0.543 * 125_400.0, 1e-3);
         near(gas.work(100.0 * gas.v0), 0.788 * 125_400.0, 1e-3);
-        let weaker = Explosive {
-            heat: 3.688e6,
-            ..AMMONIUM
-        };
+        let weaker = Explosive { heat: 3.688e6, ..AMMONIUM };
         let gas = weaker.adiabat(8.0).unwrap();
         near(gas.pk, 7.8835e8, 1e-5);
         near(gas.vk / gas.v0, 1.363_862, 1e-6);
@@ -259,12 +245,8 @@ mod tests {
 
     #[test]
     fn tnt_lies_in_the_textbook_range() {
-        let tnt = Explosive {
-            density: 1630.0,
-            detonation_velocity: 6930.0,
-            heat: 4.52e6,
-            ..AMMONIUM
-        };
+        let tnt =
+            Explosive { density: 1630.0, detonation_velocity: 6930.0, heat: 4.52e6, ..AMMONIUM };
         let gas = tnt.adiabat(1.0).unwrap();
         near(gas.pk, 315e6, 5e-3);
         assert!((3.135..3.145).contains(&(gas.vk / gas.v0)));
@@ -282,10 +264,7 @@ mod tests {
                 let v = gas.v0 * f64::exp(a + h * f64::from(k));
                 gas.pressure(v) * v
             };
-            let sum: f64 = (0..n)
-                .step_by(2)
-                .map(|k| f(k) + 4.0 * f(k + 1) + f(k + 2))
-                .sum();
+            let sum: f64 = (0..n).step_by(2).map(|k| f(k) + 4.0 * f(k + 1) + f(k + 2)).sum();
             let work = gas.work(to * gas.v0) - gas.work(from * gas.v0);
             near(work, sum * h / 3.0, 1e-6);
         }
@@ -297,31 +276,11 @@ mod tests {
     #[test]
     fn a_heat_out_of_bounds_names_both_bounds() {
         for heat in [1.0e6, 0.5e6, 6.1e6] {
-            let text = Explosive { heat, ..AMMONIUM }
-                .validate()
-                .unwrap_err()
-                .to_string();
-            assert!(
-                text.contains("1.0000e6") && text.contains("6.0000e6"),
-                "{text}"
-            );
+            let text = Explosive { heat, ..AMMONIUM }.validate().unwrap_err().to_string();
+            assert!(text.contains("1.0000e6") && text.contains("6.0000e6"), "{text}");
         }
-        assert_eq!(
-            Explosive {
-                heat: 5.999_999e6,
-                ..AMMONIUM
-            }
-            .validate(),
-            Ok(())
-        );
-        assert!(
-            Explosive {
-                gamma: 1.2,
-                ..AMMONIUM
-            }
-            .validate()
-            .is_err()
-        );
+        assert_eq!(Explosive { heat: 5.999_999e6, ..AMMONIUM }.validate(), Ok(()));
+        assert!(Explosive { gamma: 1.2, ..AMMONIUM }.validate().is_err());
         assert!(AMMONIUM.adiabat(f64::NAN).is_err());
     }
 }

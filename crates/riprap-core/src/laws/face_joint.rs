@@ -185,11 +185,7 @@ pub fn plain_point(
     let shear = [0, 1].map(|k| start[k + 1] + ks * (at[k + 1] - slip[k]));
     let tau = norm(shear[0], shear[1]);
     let old = |t: f64, k: f64, u: f64| if was_open { 0.0 } else { t - k * u };
-    let old = [
-        old(sigma, kn, moved[0]),
-        old(shear[0], ks, moved[1]),
-        old(shear[1], ks, moved[2]),
-    ];
+    let old = [old(sigma, kn, moved[0]), old(shear[0], ks, moved[1]), old(shear[1], ks, moved[2])];
     let peak = shear_strength(law.peak[0], law.peak[2], sigma);
     let holds = was_whole & (sigma <= law.peak[1]) & (tau <= peak);
     let opens = !holds & (sigma >= 0.0);
@@ -199,18 +195,8 @@ pub fn plain_point(
     let slides = !holds & !opens & (tau > limit);
     let keep = if slides { limit / tau } else { 1.0 };
     let keep = if opens { 0.0 } else { keep };
-    let t = [
-        if opens { 0.0 } else { sigma },
-        keep * shear[0],
-        keep * shear[1],
-    ];
-    let gone = [0, 1].map(|k| {
-        if slides {
-            (shear[k] - t[k + 1]) / ks
-        } else {
-            0.0
-        }
-    });
+    let t = [if opens { 0.0 } else { sigma }, keep * shear[0], keep * shear[1]];
+    let gone = [0, 1].map(|k| if slides { (shear[k] - t[k + 1]) / ks } else { 0.0 });
     let rubbed = 0.5 * ((old[1] + t[1]) * gone[0] + (old[2] + t[2]) * gone[1]);
     // What was stored, and the work of the last step, in which the traction falls to nothing.
     let lost = |k: usize, spring: f64| 0.5 * old[k] * (old[k] / spring + moved[k]);
@@ -232,9 +218,7 @@ pub fn plain_point(
 /// components, 1 shear only.
 #[inline]
 fn released(springs: Springs, before: &Traction, moved: &[f64; 3], from: usize) -> f64 {
-    (from..3)
-        .map(|k| 0.5 * before[k] * (before[k] / springs[k.min(1)] + moved[k]))
-        .sum()
+    (from..3).map(|k| 0.5 * before[k] * (before[k] / springs[k.min(1)] + moved[k])).sum()
 }
 
 /// Traction that a point carries with the memory it has.
@@ -316,10 +300,7 @@ mod tests {
             tore += usize::from(loss.fracture > 0.0);
             opened += usize::from(memory.open);
         }
-        assert!(
-            slid > 100 && tore == 1 && opened > 100,
-            "{slid} {tore} {opened}"
-        );
+        assert!(slid > 100 && tore == 1 && opened > 100, "{slid} {tore} {opened}");
     }
 
     #[test]
@@ -335,9 +316,7 @@ mod tests {
             let moved = [0, 1, 2].map(|k| if x == 0.0 { 0.0 } else { at[k] - before[k] });
             let (t, loss) = point(&law, springs, &[0.0; 3], &at, &moved, &mut memory);
             if k > 0 {
-                work += (0..3)
-                    .map(|k| 0.5 * (old[k] + t[k]) * moved[k])
-                    .sum::<f64>();
+                work += (0..3).map(|k| 0.5 * (old[k] + t[k]) * moved[k]).sum::<f64>();
                 lost += loss.friction + loss.fracture;
             } else {
                 work = stored(springs, &t);
@@ -346,9 +325,6 @@ mod tests {
         }
         let held = stored(springs, &old);
         assert!(lost > 0.0);
-        assert!(
-            (work - held - lost).abs() < 1e-9 * work,
-            "{work} {held} {lost}"
-        );
+        assert!((work - held - lost).abs() < 1e-9 * work, "{work} {held} {lost}");
     }
 }

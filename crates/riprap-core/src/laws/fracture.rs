@@ -47,10 +47,7 @@ impl Rock {
     /// rock bears at their mean, Pa: the plane that is nearest to failure fails when both are equal.
     fn shear(&self, s1: f64, s3: f64) -> [f64; 2] {
         let (r, s) = (0.5 * (s1 - s3), 0.5 * (s1 + s3));
-        [
-            r * self.secant(),
-            shear_limit(self.cohesion, self.friction, -s),
-        ]
+        [r * self.secant(), shear_limit(self.cohesion, self.friction, -s)]
     }
 }
 
@@ -257,10 +254,7 @@ pub fn cut_normal(
     }
     let (sine, cosine) = (libm::sin(psi), libm::cos(psi));
     let sliding = |sign: f64| {
-        let (n, s) = (
-            sine * e1 + sign * cosine * e3,
-            -cosine * e1 + sign * sine * e3,
-        );
+        let (n, s) = (sine * e1 + sign * cosine * e3, -cosine * e1 + sign * sine * e3);
         let moved = Vec3::from_array(gradient.map(|row| Vec3::from_array(row).dot(n)));
         (n, s.dot(moved).abs())
     };
@@ -289,13 +283,6 @@ pub fn settle(principal: &Principal, hint: Vec3) -> Principal {
     }
     let second = across.normalize();
     let other = upward(kept.cross(second));
-    let axes = if turn_third {
-        [e1, second, other]
-    } else {
-        [other, second, e3]
-    };
-    Principal {
-        values: principal.values,
-        axes,
-    }
+    let axes = if turn_third { [e1, second, other] } else { [other, second, e3] };
+    Principal { values: principal.values, axes }
 }

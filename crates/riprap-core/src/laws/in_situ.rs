@@ -21,9 +21,7 @@ impl InSitu {
     #[must_use]
     pub fn at(&self, height: f64) -> Mat3 {
         let depth = self.datum - height;
-        tensor(std::array::from_fn(|k| {
-            self.stress[k] + self.gradient[k] * depth
-        }))
+        tensor(std::array::from_fn(|k| self.stress[k] + self.gradient[k] * depth))
     }
 
     /// Change of the stress tensor for each metre upward, Pa/m.

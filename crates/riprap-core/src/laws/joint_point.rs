@@ -31,31 +31,16 @@ pub fn joint_point(law: &BondLaw, un: f64, us: f64, slip: f64, failed: bool) -> 
     let strength = &law.strength;
     let intact = !failed && strength.holds(sigma, tau.abs());
     if intact {
-        return Response {
-            sigma,
-            tau,
-            slip,
-            failed: false,
-        };
+        return Response { sigma, tau, slip, failed: false };
     }
     // Open: it carries nothing, and its shear spring begins anew where it is.
     if sigma >= 0.0 {
-        return Response {
-            sigma: 0.0,
-            tau: 0.0,
-            slip: us,
-            failed: true,
-        };
+        return Response { sigma: 0.0, tau: 0.0, slip: us, failed: true };
     }
     let (cohesion, friction) = (strength.residual_cohesion, strength.residual_friction);
     // Not that of `Strength::residual`, which would hide a number that is none.
     let tau = within(tau, shear_limit(cohesion, friction, sigma));
-    Response {
-        sigma,
-        tau,
-        slip: us - tau / law.shear_stiffness,
-        failed: true,
-    }
+    Response { sigma, tau, slip: us - tau / law.shear_stiffness, failed: true }
 }
 
 #[cfg(test)]

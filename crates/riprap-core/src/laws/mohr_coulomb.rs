@@ -168,12 +168,7 @@ mod tests {
             let sigma = 1e5 * (f64::from(k) - 70.3);
             let one = shear_limit(STRENGTH.cohesion, STRENGTH.friction, sigma);
             let [c, f, s] = [STRENGTH.cohesion, STRENGTH.friction, sigma].map(Lanes::all);
-            assert!(
-                shear_limit(c, f, s)
-                    .0
-                    .iter()
-                    .all(|x| x.to_bits() == one.to_bits())
-            );
+            assert!(shear_limit(c, f, s).0.iter().all(|x| x.to_bits() == one.to_bits()));
             assert_eq!(STRENGTH.peak(sigma), one.max(0.0));
         }
     }
@@ -184,16 +179,10 @@ mod tests {
             let sigma = 1e5 * (f64::from(k) - 30.5);
             let tau = STRENGTH.peak(sigma);
             let (used, mode) = STRENGTH.utilisation(&[sigma, 0.6 * tau, 0.8 * tau]);
-            assert!(
-                (used - 1.0).abs() < 1e-12 && mode == FailureMode::Shear,
-                "{sigma} {used}"
-            );
+            assert!((used - 1.0).abs() < 1e-12 && mode == FailureMode::Shear, "{sigma} {used}");
             assert!(STRENGTH.holds(sigma, tau) && !STRENGTH.holds(sigma, 1.001 * tau));
         }
-        assert_eq!(
-            STRENGTH.utilisation(&[2e6, 0.0, 0.0]),
-            (2.0, FailureMode::Tension)
-        );
+        assert_eq!(STRENGTH.utilisation(&[2e6, 0.0, 0.0]), (2.0, FailureMode::Tension));
         assert_eq!(STRENGTH.utilisation(&[-2e6, 0.0, 0.0]).0, 0.0);
     }
 
@@ -207,10 +196,7 @@ mod tests {
 
     #[test]
     fn dilation_stays_below_the_friction_that_is_left() {
-        let steep = Strength {
-            dilation: 0.4,
-            ..STRENGTH
-        };
+        let steep = Strength { dilation: 0.4, ..STRENGTH };
         assert_eq!(steep.dilating(), 0.4);
         assert_eq!(steep.reduced(1.2).dilating(), 0.4);
         assert_eq!(steep.reduced(2.0).dilating(), 0.25);

@@ -119,10 +119,7 @@ impl BondLaw {
     /// Largest stiffness that the normal and the shear spring can reach, Pa/m.
     #[must_use]
     pub fn stiffest(&self) -> [f64; 2] {
-        [
-            self.normal_stiffness * self.behaviour.closure.stiffest(),
-            self.shear_stiffness,
-        ]
+        [self.normal_stiffness * self.behaviour.closure.stiffest(), self.shear_stiffness]
     }
 
     /// The general law, where brittle failure and a linear spring are not all of it.

@@ -9,11 +9,7 @@
 #[must_use]
 pub fn linear_piece(length: f64, f0: f64, f1: f64) -> (f64, f64) {
     let sum = f0 + f1;
-    let xi = if sum > 0.0 {
-        (f0 + 2.0 * f1) / (3.0 * sum)
-    } else {
-        0.5
-    };
+    let xi = if sum > 0.0 { (f0 + 2.0 * f1) / (3.0 * sum) } else { 0.5 };
     (0.5 * length * sum, xi)
 }
 

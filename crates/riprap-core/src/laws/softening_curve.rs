@@ -72,10 +72,7 @@ impl Curve {
         for (point, [opening, share]) in points.iter_mut().zip(given) {
             *point = [opening / end, *share];
         }
-        Ok(Self {
-            points,
-            count: count as u8,
-        })
+        Ok(Self { points, count: count as u8 })
     }
 
     /// Its points.
@@ -98,9 +95,7 @@ impl Curve {
     #[must_use]
     pub fn area(&self) -> f64 {
         let lines = self.points().windows(2);
-        lines
-            .map(|two| 0.5 * (two[0][1] + two[1][1]) * (two[1][0] - two[0][0]))
-            .sum()
+        lines.map(|two| 0.5 * (two[0][1] + two[1][1]) * (two[1][0] - two[0][0])).sum()
     }
 
     /// Its steepest fall, share of the strength over share of the length.

@@ -81,11 +81,7 @@ impl StartStress {
 
     #[inline(always)]
     fn of(&self, group: usize) -> [Lanes; 6] {
-        if self.0.is_empty() {
-            [Lanes::default(); 6]
-        } else {
-            self.0[group]
-        }
+        if self.0.is_empty() { [Lanes::default(); 6] } else { self.0[group] }
     }
 
     /// That of one tetrahedron, Pa.
@@ -249,9 +245,7 @@ impl Groups {
         u: &[[f64; 3]],
     ) -> Vec<Symmetric> {
         let one = |tet| stress(law, strain, &start.one(tet), &self.gradient(tet, u));
-        (0..self.tets)
-            .map(|tet| one(tet).unwrap_or_default())
-            .collect()
+        (0..self.tets).map(|tet| one(tet).unwrap_or_default()).collect()
     }
 
     /// Mean Cauchy stress (Pa) and mean displacement gradient of the block, weighted with undeformed volumes.

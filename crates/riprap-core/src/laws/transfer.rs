@@ -52,10 +52,7 @@ impl<'a> PointLocation<'a> {
     pub fn new(mesh: &'a Tetrahedra) -> Self {
         let firsts = mesh.first[..mesh.first.len() - 1].iter();
         let faces = firsts.map(|&first| mesh.gradients[first as usize].iter().sum());
-        Self {
-            mesh,
-            faces: faces.collect(),
-        }
+        Self { mesh, faces: faces.collect() }
     }
 
     /// Where a point (m) is. One a little outside is taken in the nearest tetrahedron.
@@ -82,10 +79,7 @@ impl<'a> PointLocation<'a> {
 
 /// The first of some tetrahedra whose least weight at a point is largest, and that weight.
 fn nearest(parent: &Tetrahedra, at: Vec3, some: std::ops::Range<usize>) -> (Place, f64) {
-    let mut best = Place {
-        nodes: [0; 4],
-        weights: [1.0, 0.0, 0.0, 0.0],
-    };
+    let mut best = Place { nodes: [0; 4], weights: [1.0, 0.0, 0.0, 0.0] };
     let mut inside = f64::NEG_INFINITY;
     for tet in some {
         let nodes = &parent.tets[tet];
@@ -95,10 +89,7 @@ fn nearest(parent: &Tetrahedra, at: Vec3, some: std::ops::Range<usize>) -> (Plac
         let least = weights.into_iter().fold(f64::INFINITY, f64::min);
         if least > inside {
             inside = least;
-            best = Place {
-                nodes: *nodes,
-                weights,
-            };
+            best = Place { nodes: *nodes, weights };
             if least > WELL_INSIDE {
                 break;
             }
@@ -154,14 +145,7 @@ pub fn motion(masses: &[f64], at: &[Vec3], velocities: &[[f64; 3]]) -> Motion {
         let outer = Mat3::from_cols(r.x * r, r.y * r, r.z * r);
         inertia += (Mat3::IDENTITY * r.length_squared() - outer) * m;
     }
-    Motion {
-        mass,
-        centre,
-        momentum,
-        spin: about_centre + centre.cross(momentum),
-        inertia,
-        kinetic,
-    }
+    Motion { mass, centre, momentum, spin: about_centre + centre.cross(momentum), inertia, kinetic }
 }
 
 /// Changes the velocities of all nodes of the parts of a block so that momentum and angular momentum are those of
@@ -184,11 +168,7 @@ pub fn conserve(before: &Motion, masses: &[f64], at: &[Vec3], velocities: &mut [
     }
     let rigid = 0.5 * (before.momentum.dot(velocity) + spin.dot(rate));
     let room = (before.kinetic - rigid).max(0.0);
-    let keep = if deforming > room {
-        (room / deforming).sqrt()
-    } else {
-        1.0
-    };
+    let keep = if deforming > room { (room / deforming).sqrt() } else { 1.0 };
     for (x, v) in at.iter().zip(velocities) {
         let rest = keep * Vec3::from_array(*v);
         *v = (rest + velocity + rate.cross(*x - now.centre)).to_array();
@@ -222,11 +202,8 @@ pub fn start_stresses(
 ) -> StartStress {
     let none = StartStress::default();
     let elastic = stresses(groups, law, strain, &none, u);
-    let differences: Vec<Symmetric> = wanted
-        .iter()
-        .zip(&elastic)
-        .map(|(w, e)| std::array::from_fn(|k| w[k] - e[k]))
-        .collect();
+    let differences: Vec<Symmetric> =
+        wanted.iter().zip(&elastic).map(|(w, e)| std::array::from_fn(|k| w[k] - e[k])).collect();
     StartStress::new(&differences)
 }
 

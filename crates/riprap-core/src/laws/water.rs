@@ -129,12 +129,7 @@ impl WaterTable {
                 (_, 0) => (f64::NEG_INFINITY, corner[0]),
                 _ => (corner[0], f64::INFINITY),
             };
-            return Strip {
-                from,
-                to,
-                corner,
-                slope: 0.0,
-            };
+            return Strip { from, to, corner, slope: 0.0 };
         }
         let before = self.points[k - 1];
         Strip {
@@ -148,8 +143,7 @@ impl WaterTable {
     /// Height of a table of `points` at a distance, m.
     #[must_use]
     pub fn height(&self, distance: f64) -> f64 {
-        self.strip(self.points.partition_point(|p| p[0] <= distance))
-            .height(distance)
+        self.strip(self.points.partition_point(|p| p[0] <= distance)).height(distance)
     }
 
     /// Largest change of pressure over a length in any direction, Pa/m: stiffness of what floats over the area that the table cuts.
@@ -306,9 +300,8 @@ impl WaterTable {
         let along = Vec3::new(self.along[0], self.along[1], 0.0);
         let place = self.distance(centre.x, centre.y);
         let distances = face.iter().map(|r| place + along.dot(*r));
-        let (low, high) = distances.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| {
-            (l.min(d), h.max(d))
-        });
+        let (low, high) =
+            distances.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
         let (mut force, mut moment) = (Vec3::ZERO, Vec3::ZERO);
         for strip in self.strips(low, high) {
             let depth = strip.height(place) - centre.z;
@@ -429,9 +422,8 @@ impl WaterTable {
         let place = self.distance(corners[0].x, corners[0].y);
         let distance = |r: Vec3| place + self.distance(r.x, r.y);
         let ends = part.iter().map(|r| distance(*r));
-        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| {
-            (l.min(d), h.max(d))
-        });
+        let (low, high) =
+            ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| (l.min(d), h.max(d)));
         for strip in self.strips(low, high) {
             let depth = |r: Vec3| strip.height(distance(r)) - (corners[0].z + r.z);
             let mut wet = keep(&part, &depth);
@@ -449,10 +441,8 @@ impl WaterTable {
     fn on_triangle_anywhere(&self, gravity: f64, corners: [Vec3; 3]) -> [Vec3; 3] {
         let weight = self.density * gravity;
         let place = corners.map(|c| self.distance(c.x, c.y));
-        let (low, high) = (
-            place[0].min(place[1]).min(place[2]),
-            place[0].max(place[1]).max(place[2]),
-        );
+        let (low, high) =
+            (place[0].min(place[1]).min(place[2]), place[0].max(place[1]).max(place[2]));
         let [start, e, f] = [0, 1, 2].map(|k| corners[k] - corners[0]);
         let normal = e.cross(f);
         let mut forces = [Vec3::ZERO; 3];
@@ -593,11 +583,7 @@ fn wet_part(corners: &[Vec2], [from, to]: [f64; 2], slope: f64, depth: f64) -> (
         twice += cross;
         first += cross * (a + b);
     }
-    if twice > 0.0 {
-        (0.5 * twice, first / (3.0 * twice))
-    } else {
-        (0.0, Vec2::ZERO)
-    }
+    if twice > 0.0 { (0.5 * twice, first / (3.0 * twice)) } else { (0.0, Vec2::ZERO) }
 }
 
 /// The part of a polygon on which a linear function is positive (Sutherland & Hodgman 1974). Of a polygon that is not convex, parts may

@@ -42,9 +42,8 @@ impl Graph {
     /// Remove edges with a free end until there is none; how many.
     fn remove_dead_ends(&mut self) -> usize {
         let mut removed = 0;
-        let mut free: Vec<u32> = (0..self.neighbours.len() as u32)
-            .filter(|&v| self.degree(v) == 1)
-            .collect();
+        let mut free: Vec<u32> =
+            (0..self.neighbours.len() as u32).filter(|&v| self.degree(v) == 1).collect();
         while let Some(v) = free.pop() {
             if let Some(&w) = self.neighbours[v as usize].first() {
                 self.remove(v, w);
@@ -87,11 +86,8 @@ impl Graph {
     /// All loops with their left side inside: at each point the next edge clockwise from the one
     /// just walked.
     fn loops(&self) -> Vec<Vec<u32>> {
-        let mut walked: Vec<Vec<bool>> = self
-            .neighbours
-            .iter()
-            .map(|n| vec![false; n.len()])
-            .collect();
+        let mut walked: Vec<Vec<bool>> =
+            self.neighbours.iter().map(|n| vec![false; n.len()]).collect();
         let mut loops = Vec::new();
         for v in 0..self.neighbours.len() {
             for k in 0..self.neighbours[v].len() {
@@ -151,11 +147,7 @@ pub(super) fn trace(
                 return Err(points[face[0] as usize]);
             }
         }
-        return if outer == 1 && !faces.is_empty() {
-            Ok((faces, removed))
-        } else {
-            Err(points[0])
-        };
+        return if outer == 1 && !faces.is_empty() { Ok((faces, removed)) } else { Err(points[0]) };
     }
 }
 
@@ -182,10 +174,7 @@ fn useless_edges(points: &[Vec2], loops: &[Vec<u32>]) -> Vec<(u32, u32)> {
             })
             .collect();
         sides.sort_unstable();
-        let bridges = sides
-            .windows(2)
-            .filter(|pair| pair[0] == pair[1])
-            .map(|pair| pair[0]);
+        let bridges = sides.windows(2).filter(|pair| pair[0] == pair[1]).map(|pair| pair[0]);
         let before = useless.len();
         useless.extend(bridges);
         if useless.len() > before {
@@ -196,11 +185,7 @@ fn useless_edges(points: &[Vec2], loops: &[Vec<u32>]) -> Vec<(u32, u32)> {
             let (from, to) = (pair[0].1 as usize, pair[1].1 as usize);
             let inner = &face[from..to];
             let rest: Vec<u32> = face[to..].iter().chain(&face[..from]).copied().collect();
-            let hole = if area(points, inner) < area(points, &rest) {
-                inner
-            } else {
-                &rest[..]
-            };
+            let hole = if area(points, inner) < area(points, &rest) { inner } else { &rest[..] };
             for k in 0..hole.len() {
                 let (a, b) = (hole[k], hole[(k + 1) % hole.len()]);
                 useless.push((a.min(b), a.max(b)));

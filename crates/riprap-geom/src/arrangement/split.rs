@@ -26,14 +26,10 @@ pub(super) fn split(
     cuts: &[Cut],
     points: &mut PointStore,
 ) -> Result<BTreeMap<(u32, u32), bool>, GeomError> {
-    check_tests(
-        "comparisons of a joint with an edge of the region",
-        region.len() * cuts.len(),
-    )?;
+    check_tests("comparisons of a joint with an edge of the region", region.len() * cuts.len())?;
     let n = region.len();
-    let mut outline: Vec<Vec<(f64, u32)>> = (0..n)
-        .map(|i| vec![(0.0, i as u32), (1.0, ((i + 1) % n) as u32)])
-        .collect();
+    let mut outline: Vec<Vec<(f64, u32)>> =
+        (0..n).map(|i| vec![(0.0, i as u32), (1.0, ((i + 1) % n) as u32)]).collect();
     let mut pieces: Vec<Piece> = Vec::new();
     for cut in cuts {
         clip_to_region(region, cut, points, &mut outline, &mut pieces);
@@ -65,11 +61,7 @@ pub(super) fn split(
 
 fn check_tests(what: &'static str, count: usize) -> Result<(), GeomError> {
     if count > MAX_TESTS {
-        return Err(GeomError::TooMany {
-            what,
-            count: count as f64,
-            cap: MAX_TESTS,
-        });
+        return Err(GeomError::TooMany { what, count: count as f64, cap: MAX_TESTS });
     }
     Ok(())
 }
@@ -127,9 +119,7 @@ fn clip_to_region(
     }
     // At equal places the one on the outline comes first and wins.
     stops.sort_by(|x, y| {
-        x.0.total_cmp(&y.0)
-            .then(y.1.is_some().cmp(&x.1.is_some()))
-            .then(x.1.cmp(&y.1))
+        x.0.total_cmp(&y.0).then(y.1.is_some().cmp(&x.1.is_some())).then(x.1.cmp(&y.1))
     });
     stops.dedup_by(|next, kept| {
         let same = (next.0 - kept.0) * length <= near || (next.1.is_some() && next.1 == kept.1);
@@ -206,17 +196,9 @@ fn bins(pieces: &[Piece], near: f64) -> Result<BTreeMap<(i32, i32), Vec<u32>>, G
             let x0 = (f64::from(cx) * side - near).clamp(left.x, right.x);
             let x1 = (f64::from(cx + 1) * side + near).clamp(left.x, right.x);
             let y = |x: f64| {
-                if x > left.x {
-                    left.y + slope * (x - left.x)
-                } else {
-                    left.y
-                }
+                if x > left.x { left.y + slope * (x - left.x) } else { left.y }
             };
-            let (y0, y1) = if x1 > x0 {
-                (y(x0), y(x1))
-            } else {
-                (left.y, right.y)
-            };
+            let (y0, y1) = if x1 > x0 { (y(x0), y(x1)) } else { (left.y, right.y) };
             for cy in column(y0.min(y1) - near)..=column(y0.max(y1) + near) {
                 cells.entry((cx, cy)).or_default().push(i as u32);
             }
@@ -253,11 +235,8 @@ fn meet(pieces: &mut [Piece], i: usize, j: usize, points: &mut PointStore) {
         let slack = near / along.length();
         if h.abs() <= near && t >= -slack && t <= 1.0 + slack {
             touched = true;
-            let number = pieces[guest]
-                .on
-                .iter()
-                .find(|&&(s, _)| s == at)
-                .map(|&(_, number)| number);
+            let number =
+                pieces[guest].on.iter().find(|&&(s, _)| s == at).map(|&(_, number)| number);
             if let Some(number) = number {
                 pieces[host].on.push((t.clamp(0.0, 1.0), number));
             }
@@ -285,11 +264,7 @@ mod tests {
         for &v in &region {
             points.place(v);
         }
-        let cut = Cut {
-            from: Vec2::new(-1.0, -1.0),
-            to: Vec2::new(3.0, 3.0),
-            family: None,
-        };
+        let cut = Cut { from: Vec2::new(-1.0, -1.0), to: Vec2::new(3.0, 3.0), family: None };
         let edges = split(&region, &[cut], &mut points).unwrap();
         assert_eq!(points.points.len(), 4);
         assert_eq!(

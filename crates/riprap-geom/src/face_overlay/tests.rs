@@ -54,10 +54,7 @@ fn equal_fans_give_the_five_springs_of_the_source() {
     let meshes = [0.3, 0.33].map(|x| Tetrahedra::new(&brick([x, 0.17, -0.7], 0.015)).unwrap());
     // Faces +x of the first and -x of the second.
     let (a, b) = (meshes[0].face_fan(1), meshes[1].face_fan(0));
-    for points in [
-        overlay(&a, &b, Vec3::X, 0.0),
-        node_to_face(&a, &b, Vec3::X, 0.0),
-    ] {
+    for points in [overlay(&a, &b, Vec3::X, 0.0), node_to_face(&a, &b, Vec3::X, 0.0)] {
         assert_eq!(points.len(), 5);
         for point in &points {
             assert_eq!(point.sides.map(|s| s.count), [1, 1]);

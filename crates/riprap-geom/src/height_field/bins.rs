@@ -43,15 +43,9 @@ impl Bins {
             .sqrt()
             // Else a long and narrow surface would have any number of bins along it.
             .max(extent.max_element() / MOST);
-        let mut bins = Self {
-            low: [low.x, low.y],
-            size,
-            ..Self::default()
-        };
+        let mut bins = Self { low: [low.x, low.y], size, ..Self::default() };
         let triangles = surface.triangles.len() as u64;
-        let most = (ENTRIES.0 * triangles)
-            .max(ENTRIES.1)
-            .min(u64::from(u32::MAX));
+        let most = (ENTRIES.0 * triangles).max(ENTRIES.1).min(u64::from(u32::MAX));
         let boxes = loop {
             bins.counts = [extent.x, extent.y].map(|length| (length / bins.size) as usize + 1);
             let boxes = bins.boxes(surface);

@@ -82,16 +82,10 @@ pub(super) fn ring(surface: &HeightField) -> Result<Vec<u32>, HeightFieldError> 
             };
             let turn = |to: u32| {
                 let out = at(to) - at(here);
-                let angle = libm::atan2(
-                    back.x * out.y - back.y * out.x,
-                    back.x * out.x + back.y * out.y,
-                );
+                let angle =
+                    libm::atan2(back.x * out.y - back.y * out.x, back.x * out.x + back.y * out.y);
                 // Back along the edge that was come by is the last choice, a full turn, not the first.
-                if angle > 0.0 {
-                    angle
-                } else {
-                    angle + std::f64::consts::TAU
-                }
+                if angle > 0.0 { angle } else { angle + std::f64::consts::TAU }
             };
             let Some(&next) = list.iter().min_by(|a, b| turn(**a).total_cmp(&turn(**b))) else {
                 break;
@@ -102,9 +96,7 @@ pub(super) fn ring(surface: &HeightField) -> Result<Vec<u32>, HeightFieldError> 
         // The outline runs anticlockwise, the rim of a hole clockwise.
         if area(&ring) <= 0.0 {
             let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-            let (low, high) = ring
-                .iter()
-                .fold(start, |(low, high), p| (low.min(*p), high.max(*p)));
+            let (low, high) = ring.iter().fold(start, |(low, high), p| (low.min(*p), high.max(*p)));
             return Err(HeightFieldError::Hole {
                 at: middle(&ring),
                 width: (high - low).truncate().max_element(),
@@ -113,9 +105,7 @@ pub(super) fn ring(surface: &HeightField) -> Result<Vec<u32>, HeightFieldError> 
         outer.push((ring, corners));
     }
     if outer.len() > 1 {
-        let smallest = outer
-            .iter()
-            .min_by(|a, b| area(&a.0).total_cmp(&area(&b.0)));
+        let smallest = outer.iter().min_by(|a, b| area(&a.0).total_cmp(&area(&b.0)));
         return Err(HeightFieldError::Parts {
             parts: outer.len(),
             at: smallest.map_or([0.0; 2], |(ring, _)| middle(&ring[..1])),

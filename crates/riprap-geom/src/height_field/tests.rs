@@ -34,10 +34,7 @@ fn the_body_is_closed_and_has_the_volume_under_the_surface() {
     let (x, y) = (line(5, 1.0), line(4, 1.0));
     let field = HeightField::grid(&x, &y, |_, _| Some(3.0)).unwrap();
     let (points, faces) = field.body();
-    let solid = crate::polyhedron::Polyhedron {
-        vertices: points,
-        faces,
-    };
+    let solid = crate::polyhedron::Polyhedron { vertices: points, faces };
     // 4 m by 3 m, and a foot of 0.02 of the longer side.
     assert!((solid.moments().volume - 12.0 * 0.08).abs() < 1e-12);
 }
@@ -81,18 +78,11 @@ fn missing_heights_at_the_rim_are_left_out_and_inside_refused() {
     };
     assert!((at[0] - 2.0).abs() < 0.5 && (at[1] - 2.0).abs() < 0.5 && width == 2.0);
     // A hole that meets the rim in one point.
-    let touching = HeightField::grid(&x, &y, |i, j| {
-        (![(1, 1), (2, 2)].contains(&(i, j))).then_some(0.0)
-    });
-    assert!(
-        matches!(touching, Err(HeightFieldError::Hole { .. })),
-        "{touching:?}"
-    );
+    let touching =
+        HeightField::grid(&x, &y, |i, j| (![(1, 1), (2, 2)].contains(&(i, j))).then_some(0.0));
+    assert!(matches!(touching, Err(HeightFieldError::Hole { .. })), "{touching:?}");
     let parts = HeightField::grid(&x, &y, |i, _| (i != 2).then_some(0.0));
-    assert!(matches!(
-        parts,
-        Err(HeightFieldError::Parts { parts: 2, .. })
-    ));
+    assert!(matches!(parts, Err(HeightFieldError::Parts { parts: 2, .. })));
 }
 
 #[test]
@@ -107,22 +97,10 @@ fn folds_walls_and_shared_edges_are_refused() {
     ];
     let error = |triangles: Vec<[u32; 3]>| HeightField::new(points.clone(), triangles).unwrap_err();
     // The last corner lies above the first triangle.
-    assert!(matches!(
-        error(vec![[0, 1, 2], [2, 1, 4]]),
-        HeightFieldError::SharedEdge { .. }
-    ));
-    assert!(matches!(
-        error(vec![[0, 1, 2], [0, 3, 4]]),
-        HeightFieldError::Upright { .. }
-    ));
-    assert!(matches!(
-        error(vec![[0, 1, 2], [3, 2, 4]]),
-        HeightFieldError::Folded { .. }
-    ));
-    assert!(matches!(
-        error(vec![[0, 1, 9]]),
-        HeightFieldError::NoSuchCorner { .. }
-    ));
+    assert!(matches!(error(vec![[0, 1, 2], [2, 1, 4]]), HeightFieldError::SharedEdge { .. }));
+    assert!(matches!(error(vec![[0, 1, 2], [0, 3, 4]]), HeightFieldError::Upright { .. }));
+    assert!(matches!(error(vec![[0, 1, 2], [3, 2, 4]]), HeightFieldError::Folded { .. }));
+    assert!(matches!(error(vec![[0, 1, 9]]), HeightFieldError::NoSuchCorner { .. }));
     assert!(matches!(error(Vec::new()), HeightFieldError::Empty));
     let mut bad = points.clone();
     bad[1].z = f64::NAN;
@@ -139,11 +117,9 @@ fn bins_name_every_triangle_near_a_rectangle() {
     let field = HeightField::grid(&x, &y, |i, j| Some(hill(x[i], y[j]))).unwrap();
     let bins = Bins::new(&field);
     let mut found = Vec::new();
-    for (low, high) in [
-        ([1.0, 1.0], [2.0, 5.0]),
-        ([-9.0, 3.0], [99.0, 3.1]),
-        ([50.0; 2], [60.0; 2]),
-    ] {
+    for (low, high) in
+        [([1.0, 1.0], [2.0, 5.0]), ([-9.0, 3.0], [99.0, 3.1]), ([50.0; 2], [60.0; 2])]
+    {
         bins.near(low, high, &mut found);
         assert!(found.windows(2).all(|w| w[0] < w[1]));
         for t in 0..field.triangles.len() {

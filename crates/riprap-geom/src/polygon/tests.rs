@@ -25,33 +25,17 @@ fn says_what_is_wrong() {
     let bow = points(&[(0.0, 0.0), (2.0, 2.0), (2.0, 0.0), (0.0, 2.0)]);
     assert!(matches!(
         validate(&bow),
-        Err(GeomError::SelfIntersecting {
-            edge_a: 0,
-            edge_b: 2,
-            ..
-        })
+        Err(GeomError::SelfIntersecting { edge_a: 0, edge_b: 2, .. })
     ));
     let line = points(&[(0.0, 0.0), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)]);
     assert!(matches!(validate(&line), Err(GeomError::ZeroArea { .. })));
     let spike = points(&[(0.0, 0.0), (4.0, 0.0), (2.0, 0.0), (2.0, 2.0)]);
-    assert!(matches!(
-        validate(&spike),
-        Err(GeomError::Spike { vertex: 1, .. })
-    ));
+    assert!(matches!(validate(&spike), Err(GeomError::Spike { vertex: 1, .. })));
     let nan = points(&[(0.0, 0.0), (f64::NAN, 0.0), (2.0, 0.0)]);
-    assert!(matches!(
-        validate(&nan),
-        Err(GeomError::NonFinite { vertex: 1, .. })
-    ));
-    assert!(matches!(
-        validate(&nan[..1]),
-        Err(GeomError::TooFewVertices { count: 1 })
-    ));
+    assert!(matches!(validate(&nan), Err(GeomError::NonFinite { vertex: 1, .. })));
+    assert!(matches!(validate(&nan[..1]), Err(GeomError::TooFewVertices { count: 1 })));
     let touch = points(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.0, 0.0), (0.0, 3.0)]);
-    assert!(matches!(
-        validate(&touch),
-        Err(GeomError::SelfIntersecting { .. })
-    ));
+    assert!(matches!(validate(&touch), Err(GeomError::SelfIntersecting { .. })));
     let huge = points(&[(0.0, 0.0), (1e300, 0.0), (0.0, 1e300)]);
     assert!(matches!(validate(&huge), Err(GeomError::NonFinite { .. })));
     assert_eq!(validate(&star(&vec![1.0; tol::MAX_VERTICES])), Ok(()));
@@ -60,27 +44,10 @@ fn says_what_is_wrong() {
 
 #[test]
 fn clean_up_tells_what_it_did() {
-    let messy = points(&[
-        (0.0, 0.0),
-        (0.0, 2.0),
-        (0.0, 2.0),
-        (2.0, 2.0),
-        (2.0, 0.0),
-        (1.0, 0.0),
-    ]);
+    let messy = points(&[(0.0, 0.0), (0.0, 2.0), (0.0, 2.0), (2.0, 2.0), (2.0, 0.0), (1.0, 0.0)]);
     let (clean, changes) = normalise(&messy, Collinear::Drop);
-    assert_eq!(
-        changes,
-        Changes {
-            repeated: 1,
-            collinear: 1,
-            reversed: true
-        }
-    );
-    assert_eq!(
-        clean,
-        points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)])
-    );
+    assert_eq!(changes, Changes { repeated: 1, collinear: 1, reversed: true });
+    assert_eq!(clean, points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]));
     let (kept, changes) = normalise(&messy, Collinear::Keep);
     assert_eq!((kept.len(), changes.collinear), (5, 0));
     assert!(normalise(&[], Collinear::Drop).0.is_empty());
@@ -110,14 +77,7 @@ fn edges_of_nanometres_are_no_edges() {
 
 #[test]
 fn locates_on_a_concave_outline() {
-    let l = points(&[
-        (0.0, 0.0),
-        (2.0, 0.0),
-        (2.0, 1.0),
-        (1.0, 1.0),
-        (1.0, 2.0),
-        (0.0, 2.0),
-    ]);
+    let l = points(&[(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]);
     assert_eq!(locate(&l, Vec2::new(0.5, 1.5)), Side::Inside);
     assert_eq!(locate(&l, Vec2::new(1.5, 1.5)), Side::Outside);
     assert_eq!(locate(&l, Vec2::new(0.5, 1.0)), Side::Inside);

@@ -53,10 +53,7 @@ pub struct Limits {
 impl Default for Limits {
     /// Snap 0.03: the smallest stable step of random cuts of a cube is then 1/80 of the cube's, not 1/25,000.
     fn default() -> Self {
-        Self {
-            snap: 0.03,
-            sliver: 1e-3,
-        }
+        Self { snap: 0.03, sliver: 1e-3 }
     }
 }
 
@@ -163,17 +160,10 @@ pub fn cut(
     let snap = (limits.snap * spacing).max(least_snap(solid));
     let whole = Shape {
         solid: solid.clone(),
-        origins: (0..solid.faces.len() as u32)
-            .map(FaceOrigin::Parent)
-            .collect(),
+        origins: (0..solid.faces.len() as u32).map(FaceOrigin::Parent).collect(),
     };
     let volume = Tetrahedra::new(solid).map_err(CutError::Solid)?.volume();
-    let job = Job {
-        n,
-        snap,
-        tolerance: tolerance(solid, snap),
-        smallest: limits.sliver * volume,
-    };
+    let job = Job { n, snap, tolerance: tolerance(solid, snap), smallest: limits.sliver * volume };
     // What is left above a plane is nearly always sound: it is looked at when all planes are done, and only if it
     // is not, once more after each.
     let parts = match job.all(&whole, volume, &offsets, false) {
@@ -285,10 +275,7 @@ pub fn halve(
     snap: f64,
     plane: u32,
 ) -> Result<[Part; 2], Refusal> {
-    let shape = Shape {
-        solid: part.solid.clone(),
-        origins: part.origins.clone(),
-    };
+    let shape = Shape { solid: part.solid.clone(), origins: part.origins.clone() };
     let [below, above] = halve_shape(&shape, n, offset, snap, plane)?;
     let tolerance = tolerance(&part.solid, snap);
     Ok([below.finish(tolerance)?, above.finish(tolerance)?])
@@ -320,16 +307,11 @@ fn halve_shape(
     if signs.iter().all(|s| *s <= 0.0) || signs.iter().all(|s| *s >= 0.0) {
         return Err(Refusal::Beside);
     }
-    let mut points = Crossings {
-        vertices: solid.vertices.clone(),
-        edges: Vec::new(),
-    };
+    let mut points = Crossings { vertices: solid.vertices.clone(), edges: Vec::new() };
     let mut sides = [Side::default(), Side::default()];
     for (corners, origin) in solid.faces.iter().zip(&shape.origins) {
-        let mut pieces = [
-            Vec::with_capacity(corners.len() + 2),
-            Vec::with_capacity(corners.len() + 2),
-        ];
+        let mut pieces =
+            [Vec::with_capacity(corners.len() + 2), Vec::with_capacity(corners.len() + 2)];
         let mut strictly = [false; 2];
         for (from, to) in edges_of(corners) {
             let (s, t) = (signs[from as usize], signs[to as usize]);
@@ -426,18 +408,12 @@ impl Side {
         for corner in self.faces.iter_mut().flatten() {
             *corner = number[*corner as usize];
         }
-        let solid = Polyhedron {
-            vertices,
-            faces: self.faces,
-        };
+        let solid = Polyhedron { vertices, faces: self.faces };
         let edges: usize = solid.faces.iter().map(Vec::len).sum();
         if 2 * (solid.vertices.len() + solid.faces.len()) != edges + 4 {
             return Err(Refusal::Open);
         }
-        Ok(Shape {
-            solid,
-            origins: self.origins,
-        })
+        Ok(Shape { solid, origins: self.origins })
     }
 }
 
@@ -449,11 +425,7 @@ impl Shape {
         if distance > tolerance {
             return Err(Refusal::NotConvex { face, distance });
         }
-        Ok(Part {
-            solid: self.solid,
-            origins: self.origins,
-            mesh,
-        })
+        Ok(Part { solid: self.solid, origins: self.origins, mesh })
     }
 }
 

@@ -78,12 +78,7 @@ impl DepthCells {
     fn star(mesh: &Tetrahedra, even: bool) -> Self {
         let mut depths = vec![0.0; mesh.nodes.len()];
         depths[mesh.centre() as usize] = mesh.height();
-        Self {
-            points: Vec::new(),
-            depths,
-            cells: mesh.tets.clone(),
-            even,
-        }
+        Self { points: Vec::new(), depths, cells: mesh.tets.clone(), even }
     }
 
     /// The largest depth, m: the radius of the largest ball inside.
@@ -123,10 +118,7 @@ impl Plane {
     }
 
     fn turned(self) -> Self {
-        Self {
-            normal: -self.normal,
-            offset: -self.offset,
-        }
+        Self { normal: -self.normal, offset: -self.offset }
     }
 }
 
@@ -183,9 +175,7 @@ impl<'a> Regions<'a> {
         edges.sort_unstable();
         for two in edges.windows(2).filter(|two| two[0].0 == two[1].0) {
             let ([a, b], i, j) = (two[0].0.map(|k| mesh.nodes[k as usize]), two[0].1, two[1].1);
-            let mut normal = (b - a)
-                .cross(planes[i].normal + planes[j].normal)
-                .normalize_or_zero();
+            let mut normal = (b - a).cross(planes[i].normal + planes[j].normal).normalize_or_zero();
             let middle = mesh.nodes[mesh.tets[mesh.first[i] as usize][1] as usize];
             if normal.dot(middle - a) > 0.0 {
                 normal = -normal;
@@ -201,12 +191,7 @@ impl<'a> Regions<'a> {
         let centre = mesh.nodes[mesh.centre() as usize];
         let radii = mesh.nodes.iter().map(|at| (*at - centre).length());
         let size = 2.0 * radii.fold(0.0, f64::max);
-        Self {
-            mesh,
-            planes,
-            walls,
-            size,
-        }
+        Self { mesh, planes, walls, size }
     }
 
     fn wall(&self, from: usize, to: usize) -> Option<Plane> {
@@ -271,17 +256,8 @@ impl<'a> Filling<'a> {
         let mut depths = vec![0.0; mesh.nodes.len()];
         let centre = mesh.centre() as usize;
         depths[centre] = regions.depth(mesh.nodes[centre]);
-        let made = DepthCells {
-            depths,
-            even: true,
-            ..DepthCells::default()
-        };
-        Self {
-            regions,
-            reach: merged * regions.size,
-            made,
-            volume: 0.0,
-        }
+        let made = DepthCells { depths, even: true, ..DepthCells::default() };
+        Self { regions, reach: merged * regions.size, made, volume: 0.0 }
     }
 
     /// Adds the cells of two faces on what their regions have in common, anticlockwise seen from the region of the second.
@@ -381,11 +357,7 @@ fn anchored(mesh: &Tetrahedra, at: Vec3) -> DepthPoint {
             (best, inside) = (k, least);
         }
     }
-    DepthPoint {
-        at,
-        nodes: mesh.tets[best],
-        weights: weights(best),
-    }
+    DepthPoint { at, nodes: mesh.tets[best], weights: weights(best) }
 }
 
 #[cfg(test)]
@@ -406,11 +378,7 @@ mod tests {
         let nodes = mesh.nodes.len();
         let at = |k: u32| {
             let k = k as usize;
-            if k < nodes {
-                mesh.nodes[k]
-            } else {
-                field.points[k - nodes].at
-            }
+            if k < nodes { mesh.nodes[k] } else { field.points[k - nodes].at }
         };
         let (mut sum, mut uneven) = (0.0, 0.0);
         for cell in &field.cells {
@@ -447,11 +415,7 @@ mod tests {
             let least = half[0].min(half[2]);
             assert!((field.peak() - least).abs() < 1e-12, "{}", field.peak());
             // The ends of the ridge, or of the flat top.
-            let wanted = if half[0] == half[1] && half[0] < half[2] {
-                2
-            } else {
-                4
-            };
+            let wanted = if half[0] == half[1] && half[0] < half[2] { 2 } else { 4 };
             assert!(field.points.len() <= wanted + 2, "{:?}", field.points.len());
         }
     }
@@ -461,11 +425,7 @@ mod tests {
         let mut chance = Chance::new(7);
         for round in 0..200 {
             let count = 4 + round % 20;
-            let stretch = [
-                Vec3::ONE,
-                Vec3::new(10.0, 1.0, 1.0),
-                Vec3::new(5.0, 8.0, 0.2),
-            ];
+            let stretch = [Vec3::ONE, Vec3::new(10.0, 1.0, 1.0), Vec3::new(5.0, 8.0, 0.2)];
             let points: Vec<Vec3> = (0..count)
                 .map(|_| {
                     let mut next = || chance.unit() - 0.5;

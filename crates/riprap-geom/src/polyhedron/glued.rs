@@ -173,10 +173,7 @@ impl Table {
         let too_many = GluedError::TooMany { parts };
         let pieces = self.pieces(convex).ok_or(too_many.clone())?;
         let terms = self.terms(pieces).ok_or(too_many)?;
-        let found: f64 = terms
-            .iter()
-            .map(|t| t.sign * t.solid.moments().volume)
-            .sum();
+        let found: f64 = terms.iter().map(|t| t.sign * t.solid.moments().volume).sum();
         let meant = self.whole;
         if (found - meant).abs() > SURE * meant {
             return Err(GluedError::Unsure { found, meant });
@@ -204,9 +201,7 @@ impl Table {
     fn of(parts: &[Polyhedron]) -> (Self, Vec<BTreeSet<Side>>) {
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let (low, high) = (parts.iter().map(Polyhedron::bounds))
-            .fold(start, |(low, high), (min, max)| {
-                (low.min(min), high.max(max))
-            });
+            .fold(start, |(low, high), (min, max)| (low.min(min), high.max(max)));
         let mut table = Self {
             planes: Vec::new(),
             middle: 0.5 * (low + high),
@@ -224,16 +219,12 @@ impl Table {
         for (p, f, _) in faces {
             let (normal, offset) = parts[p].plane(f);
             let near = |(n, d): &(Vec3, f64)| {
-                let mut corners = parts[p].faces[f]
-                    .iter()
-                    .map(|v| parts[p].vertices[*v as usize]);
+                let mut corners = parts[p].faces[f].iter().map(|v| parts[p].vertices[*v as usize]);
                 n.dot(normal).abs() > SAME_PLANE
                     && corners.all(|at| (n.dot(at - table.middle) - d).abs() <= FLAT * table.size)
             };
             let known = table.planes.iter().position(near).unwrap_or_else(|| {
-                table
-                    .planes
-                    .push((normal, offset - normal.dot(table.middle)));
+                table.planes.push((normal, offset - normal.dot(table.middle)));
                 table.planes.len() - 1
             });
             let above = table.planes[known].0.dot(normal) < 0.0;
@@ -244,10 +235,7 @@ impl Table {
 
     /// The convex set that these sides have in common, without those that bound nothing; `None` where they have no volume in common.
     fn common(&self, sides: &BTreeSet<Side>) -> Option<Convex> {
-        if sides
-            .iter()
-            .any(|&(plane, above)| sides.contains(&(plane, !above)))
-        {
+        if sides.iter().any(|&(plane, above)| sides.contains(&(plane, !above))) {
             return None;
         }
         let half_space = |&(plane, above): &Side| {
@@ -261,9 +249,7 @@ impl Table {
             return None;
         }
         let on = |face: &Vec<u32>, (n, d): &(Vec3, f64)| -> f64 {
-            let heights = face
-                .iter()
-                .map(|v| (n.dot(solid.vertices[*v as usize]) - d).abs());
+            let heights = face.iter().map(|v| (n.dot(solid.vertices[*v as usize]) - d).abs());
             heights.fold(0.0, f64::max)
         };
         let bounding: BTreeSet<usize> = (solid.faces.iter())
@@ -277,11 +263,7 @@ impl Table {
             .map(|(_, side)| *side)
             .collect();
         solid.vertices.iter_mut().for_each(|v| *v += self.middle);
-        Some(Convex {
-            sides,
-            solid,
-            volume,
-        })
+        Some(Convex { sides, solid, volume })
     }
 
     /// The parts as convex sets; none overlap, and all hang together.
@@ -305,9 +287,7 @@ impl Table {
                 }
                 if !self.bridges(&convex[i], &convex[j]).is_empty() {
                     let (from, to) = (root[i].max(root[j]), root[i].min(root[j]));
-                    root.iter_mut()
-                        .filter(|r| **r == from)
-                        .for_each(|r| *r = to);
+                    root.iter_mut().filter(|r| **r == from).for_each(|r| *r = to);
                 }
             }
         }
@@ -409,11 +389,7 @@ impl Table {
             }
             own.retain(|(_, sign)| *sign != 0.0);
             for (convex, sign) in own {
-                terms.push(Term {
-                    solid: convex.solid.clone(),
-                    sign,
-                    piece: number as u16,
-                });
+                terms.push(Term { solid: convex.solid.clone(), sign, piece: number as u16 });
                 add(&mut all, convex, sign);
             }
             all.retain(|(_, sign)| *sign != 0.0);
@@ -475,10 +451,7 @@ mod tests {
         }
         let whole = terms(&cubes).unwrap();
         assert_eq!(whole.len(), 1);
-        assert_eq!(
-            (whole[0].solid.faces.len(), whole[0].solid.vertices.len()),
-            (6, 8)
-        );
+        assert_eq!((whole[0].solid.faces.len(), whole[0].solid.vertices.len()), (6, 8));
         let corner =
             |k: usize| Vec3::new((k & 1) as f64, (k >> 1 & 1) as f64 * 2.0, (k >> 2) as f64);
         let paths = [[1, 3], [1, 5], [2, 3], [2, 6], [4, 5], [4, 6]];
@@ -492,10 +465,8 @@ mod tests {
 
     #[test]
     fn halves_of_a_brick_are_the_brick() {
-        let halves = [
-            brick([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]),
-            brick([1.0, 0.0, 0.0], [3.0, 1.0, 1.0]),
-        ];
+        let halves =
+            [brick([0.0, 0.0, 0.0], [1.0, 1.0, 1.0]), brick([1.0, 0.0, 0.0], [3.0, 1.0, 1.0])];
         let terms = terms(&halves).unwrap();
         assert_eq!(terms.len(), 1);
         let moments = terms[0].solid.moments();
@@ -505,12 +476,7 @@ mod tests {
     #[test]
     fn four_quarters_about_an_edge_are_the_brick() {
         let quarter = |x: f64, y: f64| brick([x, y, 0.0], [x + 1.0, y + 1.0, 1.0]);
-        let quarters = [
-            quarter(0.0, 0.0),
-            quarter(1.0, 0.0),
-            quarter(1.0, 1.0),
-            quarter(0.0, 1.0),
-        ];
+        let quarters = [quarter(0.0, 0.0), quarter(1.0, 0.0), quarter(1.0, 1.0), quarter(0.0, 1.0)];
         let terms = terms(&quarters).unwrap();
         assert_eq!(terms.len(), 1);
         assert!((terms[0].solid.moments().volume - 4.0).abs() < 1e-14);
@@ -518,10 +484,7 @@ mod tests {
 
     #[test]
     fn the_depth_of_an_l_knows_no_glued_face() {
-        let l = [
-            brick([0.0, 0.0, 0.0], [3.0, 1.0, 1.0]),
-            brick([0.0, 0.0, 1.0], [1.0, 1.0, 3.0]),
-        ];
+        let l = [brick([0.0, 0.0, 0.0], [3.0, 1.0, 1.0]), brick([0.0, 0.0, 1.0], [1.0, 1.0, 3.0])];
         let terms = terms(&l).unwrap();
         assert_eq!(terms.len(), 3);
         // In the plane y = 1/2 the depth is min(x, z, 3 - x, 3 - z, 1/2, max(1 - x, 1 - z)).
@@ -540,10 +503,8 @@ mod tests {
     #[test]
     fn bricks_in_a_bond_carry_across_their_joint() {
         // Neither glued face is the whole of a face.
-        let bond = [
-            brick([0.0, 0.0, 0.0], [2.0, 1.0, 1.0]),
-            brick([1.0, 0.0, 1.0], [3.0, 1.0, 2.0]),
-        ];
+        let bond =
+            [brick([0.0, 0.0, 0.0], [2.0, 1.0, 1.0]), brick([1.0, 0.0, 1.0], [3.0, 1.0, 2.0])];
         let terms = terms(&bond).unwrap();
         assert_eq!(terms.iter().filter(|t| t.sign > 0.0).count(), 3);
         let at = Vec3::new(1.5, 0.4, 1.0);
@@ -568,20 +529,12 @@ mod tests {
         let unit = brick([0.0; 3], [1.0; 3]);
         let inside = brick([0.5, 0.0, 0.0], [1.5, 1.0, 1.0]);
         let error = terms(&[unit.clone(), inside]).unwrap_err();
-        assert!(
-            error
-                .to_string()
-                .starts_with("parts 1 and 2 overlap by 5.000e-1"),
-            "{error}"
-        );
+        assert!(error.to_string().starts_with("parts 1 and 2 overlap by 5.000e-1"), "{error}");
         // An edge is no face.
         let beside = brick([1.0, 1.0, 0.0], [2.0, 2.0, 1.0]);
         let error = terms(&[unit.clone(), beside]).unwrap_err();
         assert_eq!(error, GluedError::Apart { parts: [0, 1] });
         let flat = Polyhedron::brick(Vec3::ZERO, Vec3::new(1.0, 1.0, 0.0));
-        assert!(matches!(
-            terms(&[unit, flat]),
-            Err(GluedError::Part { part: 1, .. })
-        ));
+        assert!(matches!(terms(&[unit, flat]), Err(GluedError::Part { part: 1, .. })));
     }
 }

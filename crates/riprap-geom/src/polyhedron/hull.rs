@@ -21,10 +21,7 @@ pub fn hull(points: &[Vec3]) -> Result<Polyhedron, SolidError> {
         return Err(SolidError::TooManyVertices { count });
     }
     if let Some(vertex) = points.iter().position(|p| !p.length_squared().is_finite()) {
-        return Err(SolidError::NonFinite {
-            vertex,
-            at: points[vertex],
-        });
+        return Err(SolidError::NonFinite { vertex, at: points[vertex] });
     }
     let triangles = triangles(points)?;
     let solid = join(points, &triangles);
@@ -41,11 +38,7 @@ pub fn hull(points: &[Vec3]) -> Result<Polyhedron, SolidError> {
 /// Six times the volume of the tetrahedron, with exact sign: positive when d lies on the side of the triangle
 /// (a, b, c) from which it looks clockwise.
 fn side(a: Vec3, b: Vec3, c: Vec3, d: Vec3) -> f64 {
-    let coord = |p: Vec3| Coord3D {
-        x: p.x,
-        y: p.y,
-        z: p.z,
-    };
+    let coord = |p: Vec3| Coord3D { x: p.x, y: p.y, z: p.z };
     orient3d(coord(a), coord(b), coord(c), coord(d))
 }
 
@@ -112,20 +105,12 @@ fn join(points: &[Vec3], triangles: &[[u32; 3]]) -> Polyhedron {
     let at = |k: u32| points[k as usize];
     let size = {
         let corners: Vec<Vec3> = used.iter().map(|&k| at(k)).collect();
-        Polyhedron {
-            vertices: corners,
-            faces: Vec::new(),
-        }
-        .size()
+        Polyhedron { vertices: corners, faces: Vec::new() }.size()
     };
     // Large triangles first: they know their plane best.
     let normal = |t: &[u32; 3]| (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0]));
     let mut order: Vec<&[u32; 3]> = triangles.iter().collect();
-    order.sort_by(|a, b| {
-        normal(b)
-            .length_squared()
-            .total_cmp(&normal(a).length_squared())
-    });
+    order.sort_by(|a, b| normal(b).length_squared().total_cmp(&normal(a).length_squared()));
     let mut taken = vec![false; order.len()];
     let mut faces = Vec::new();
     for k in 0..order.len() {
@@ -202,8 +187,5 @@ pub(super) fn compact(points: &[Vec3], mut faces: Vec<Vec<u32>>) -> Polyhedron {
         // Every vertex of a face is in the list of used ones.
         *v = used.partition_point(|u| u < v) as u32;
     }
-    Polyhedron {
-        vertices: used.iter().map(|&v| points[v as usize]).collect(),
-        faces,
-    }
+    Polyhedron { vertices: used.iter().map(|&v| points[v as usize]).collect(), faces }
 }

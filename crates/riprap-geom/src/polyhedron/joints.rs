@@ -49,10 +49,7 @@ impl Joint {
         if count < 3 {
             return Err("has fewer than three corners");
         }
-        if corners
-            .iter()
-            .any(|c| !c.is_finite() || c.abs().max_element() > 1e150)
-        {
+        if corners.iter().any(|c| !c.is_finite() || c.abs().max_element() > 1e150) {
             return Err("has a corner that is not finite");
         }
         let at = corners.iter().sum::<Vec3>() / count as f64;
@@ -71,11 +68,7 @@ impl Joint {
             return Err("is not convex");
         }
         let flat = |k: usize| at + arm(k) - normal.dot(arm(k)) * normal;
-        Ok(Self {
-            normal,
-            at,
-            extent: Extent::Polygon((0..count).map(flat).collect()),
-        })
+        Ok(Self { normal, at, extent: Extent::Polygon((0..count).map(flat).collect()) })
     }
 }
 
@@ -128,12 +121,7 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
     let mut joints = Vec::new();
     for set in sets {
         let spacing = set.spacing;
-        demand(
-            "the spacing of a joint set",
-            spacing,
-            spacing > 0.0,
-            "above 0",
-        )?;
+        demand("the spacing of a joint set", spacing, spacing > 0.0, "above 0")?;
         let far = set.at.abs().max_element();
         demand("the origin of a joint set", far, far < 1e150, "finite")?;
         let share = set.persistence;
@@ -153,11 +141,7 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
         let last = ((middle + reach) / spacing).ceil() + 1.0;
         let count = last - first + 1.0;
         if count.is_nan() || count > MAX_SET as f64 {
-            return Err(GeomError::TooMany {
-                what: "planes of a joint set",
-                count,
-                cap: MAX_SET,
-            });
+            return Err(GeomError::TooMany { what: "planes of a joint set", count, cap: MAX_SET });
         }
         let [_, b, c] = super::frame(set.normal);
         for k in 0..count as usize {
@@ -197,12 +181,7 @@ pub fn divide(
         let far = joint.at.abs().max_element();
         demand("the place of a joint", far, far < 1e150, "finite")?;
         let length = joint.normal.length();
-        demand(
-            "the normal of a joint",
-            length,
-            (length - 1.0).abs() < 1e-9,
-            "a direction",
-        )?;
+        demand("the normal of a joint", length, (length - 1.0).abs() < 1e-9, "a direction")?;
     }
     let mut boxes: Vec<(Vec3, Vec3)> = solids.iter().map(centre_and_half).collect();
     let mut divided = Divided {
@@ -225,12 +204,7 @@ pub fn divide(
                 Halves::Beside => {}
                 Halves::Thin => divided.spared += 1,
                 Halves::Cut { .. } if ends(joint, &mut chance) => {}
-                Halves::Cut {
-                    below,
-                    above,
-                    area,
-                    within,
-                } => {
+                Halves::Cut { below, above, area, within } => {
                     divided.area += area;
                     divided.within += within;
                     if divided.solids.len() >= MAX_BLOCKS {
@@ -268,12 +242,7 @@ enum Halves {
     /// It would cut off too little.
     Thin,
     /// Parts below and above it, area of the cut and of what of it the joint covers, m².
-    Cut {
-        below: Polyhedron,
-        above: Polyhedron,
-        area: f64,
-        within: f64,
-    },
+    Cut { below: Polyhedron, above: Polyhedron, area: f64, within: f64 },
 }
 
 fn halves(solid: &Polyhedron, joint: &Joint, offset: f64, thinnest: f64) -> Halves {
@@ -283,10 +252,7 @@ fn halves(solid: &Polyhedron, joint: &Joint, offset: f64, thinnest: f64) -> Halv
     if below.min(above) <= SNAP * solid.size() {
         return Halves::Beside;
     }
-    let parts = (
-        slice(solid, joint.normal, offset),
-        slice(solid, -joint.normal, -offset),
-    );
+    let parts = (slice(solid, joint.normal, offset), slice(solid, -joint.normal, -offset));
     let (Sliced::Part(low), Sliced::Part(high)) = parts else {
         return Halves::Thin;
     };
@@ -308,12 +274,7 @@ fn halves(solid: &Polyhedron, joint: &Joint, offset: f64, thinnest: f64) -> Halv
     if below.min(above) < thinnest {
         return Halves::Thin;
     }
-    Halves::Cut {
-        below: low,
-        above: high,
-        area,
-        within,
-    }
+    Halves::Cut { below: low, above: high, area, within }
 }
 
 /// Area that two convex polygons in the plane of a joint have in common, both anticlockwise about its normal, m².
@@ -342,10 +303,7 @@ fn shared(section: &[Vec3], corners: &[Vec3], joint: &Joint) -> f64 {
 /// Area of a polygon in the plane of a joint that runs anticlockwise about its normal, m².
 fn area(section: &[Vec3], joint: &Joint) -> f64 {
     let next = section.iter().cycle().skip(1);
-    let cross = section
-        .iter()
-        .zip(next)
-        .map(|(a, b)| (*a - joint.at).cross(*b - joint.at));
+    let cross = section.iter().zip(next).map(|(a, b)| (*a - joint.at).cross(*b - joint.at));
     0.5 * cross.sum::<Vec3>().dot(joint.normal)
 }
 
@@ -421,11 +379,7 @@ mod tests {
 
     #[test]
     fn three_sets_across_fill_the_cube() {
-        let sets = [
-            set(0.0, 0.0, 0.25),
-            set(90.0, 0.0, 0.25),
-            set(90.0, 90.0, 0.25),
-        ];
+        let sets = [set(0.0, 0.0, 0.25), set(90.0, 0.0, 0.25), set(90.0, 90.0, 0.25)];
         let joints = planes(&sets, CUBE.0, CUBE.1, 1).unwrap();
         let divided = divide(cube(), &joints, 0.0, 0).unwrap();
         // Planes at 0.05, 0.3, 0.55, 0.8 along each axis.
@@ -440,11 +394,7 @@ mod tests {
 
     #[test]
     fn oblique_sets_fill_it_too_and_scatter_is_the_same_for_a_seed() {
-        let mut sets = [
-            set(35.0, 110.0, 0.2),
-            set(70.0, 220.0, 0.3),
-            set(80.0, 330.0, 0.25),
-        ];
+        let mut sets = [set(35.0, 110.0, 0.2), set(70.0, 220.0, 0.3), set(80.0, 330.0, 0.25)];
         for set in &mut sets {
             (set.spacing_scatter, set.angle_scatter) = (0.05, 0.1);
         }
@@ -463,29 +413,16 @@ mod tests {
 
     #[test]
     fn a_disk_cuts_what_it_touches() {
-        let plane = |z: f64| Joint {
-            normal: Vec3::Z,
-            at: Vec3::new(0.2, 0.5, z),
-            extent: Extent::Whole,
-        };
-        let across = Joint {
-            normal: Vec3::X,
-            at: Vec3::new(0.5, 0.5, 0.5),
-            extent: Extent::Whole,
-        };
-        let disk = |radius: f64| Joint {
-            extent: Extent::Disk(radius),
-            ..plane(0.5)
-        };
+        let plane =
+            |z: f64| Joint { normal: Vec3::Z, at: Vec3::new(0.2, 0.5, z), extent: Extent::Whole };
+        let across = Joint { normal: Vec3::X, at: Vec3::new(0.5, 0.5, 0.5), extent: Extent::Whole };
+        let disk = |radius: f64| Joint { extent: Extent::Disk(radius), ..plane(0.5) };
         let count = |joints: &[Joint]| divide(cube(), joints, 0.0, 0).unwrap().solids.len();
         assert_eq!(count(&[across.clone(), plane(0.5)]), 4);
         assert_eq!(count(&[across.clone(), disk(0.29)]), 3);
         assert_eq!(count(&[across, disk(0.31)]), 4);
         // Its centre outside of the cube.
-        let beside = |radius: f64| Joint {
-            at: Vec3::new(-0.2, 0.5, 0.5),
-            ..disk(radius)
-        };
+        let beside = |radius: f64| Joint { at: Vec3::new(-0.2, 0.5, 0.5), ..disk(radius) };
         assert_eq!(count(&[beside(0.19)]), 1);
         assert_eq!(count(&[beside(0.21)]), 2);
         // Faces of the cube are no cuts.
@@ -545,11 +482,7 @@ mod tests {
                 let joint = Joint::polygon(&rectangle(at, half, 0.0, turn)).unwrap();
                 let divided = divide(cube(), &[joint], 0.0, 0).unwrap();
                 assert_eq!(divided.solids.len(), if cut { 2 } else { 1 });
-                assert!(
-                    (divided.within - within).abs() < 1e-14,
-                    "{}",
-                    divided.within
-                );
+                assert!((divided.within - within).abs() < 1e-14, "{}", divided.within);
                 let all = if cut { 1.0 } else { 0.0 };
                 assert!((divided.area - all).abs() < 1e-14);
             }
@@ -564,10 +497,7 @@ mod tests {
     #[test]
     fn what_is_wrong_with_a_polygon_is_told() {
         let mut corners = rectangle(Vec3::ZERO, [1.0, 1.0], 0.3, false);
-        assert_eq!(
-            Joint::polygon(&corners[..2]),
-            Err("has fewer than three corners")
-        );
+        assert_eq!(Joint::polygon(&corners[..2]), Err("has fewer than three corners"));
         let bent = corners[0] + 0.2 * Vec3::Z;
         let straight = std::mem::replace(&mut corners[0], bent);
         assert_eq!(Joint::polygon(&corners), Err("is not flat"));
@@ -580,11 +510,7 @@ mod tests {
 
     #[test]
     fn joints_of_half_persistence_have_half_the_area() {
-        let mut sets = [
-            set(0.0, 0.0, 0.05),
-            set(90.0, 0.0, 0.05),
-            set(90.0, 90.0, 0.05),
-        ];
+        let mut sets = [set(0.0, 0.0, 0.05), set(90.0, 0.0, 0.05), set(90.0, 90.0, 0.05)];
         let area = |sets: &[PlaneSet], seed| {
             let joints = planes(sets, CUBE.0, CUBE.1, 1).unwrap();
             let divided = divide(cube(), &joints, 0.0, seed).unwrap();
@@ -593,27 +519,18 @@ mod tests {
         };
         // 19 planes of 1 m2 each way.
         let (whole, blocks) = area(&sets, 3);
-        assert!(
-            (whole - 57.0).abs() < 1e-9 && blocks == 8000,
-            "{whole} {blocks}"
-        );
+        assert!((whole - 57.0).abs() < 1e-9 && blocks == 8000, "{whole} {blocks}");
         sets[2].persistence = 0.5;
         let (half, fewer) = area(&sets, 3);
         // 400 columns of 0.0025 m2 with 19 places each, cut at half of them: 9.5 m2, give or take 0.11.
-        assert!(
-            (half - 47.5).abs() < 0.5 && fewer < blocks,
-            "{half} {fewer}"
-        );
+        assert!((half - 47.5).abs() < 0.5 && fewer < blocks, "{half} {fewer}");
         assert_eq!(area(&sets, 3), (half, fewer));
         assert_ne!(area(&sets, 4), (half, fewer));
         // Of the first set a joint meets one solid: it cuts all of it, or nothing.
         sets[0].persistence = 0.5;
         sets[2].persistence = 1.0;
         let (layers, _) = area(&sets, 3);
-        assert!(
-            (layers - layers.round()).abs() < 1e-9 && layers < 57.0,
-            "{layers}"
-        );
+        assert!((layers - layers.round()).abs() < 1e-9 && layers < 57.0, "{layers}");
         sets[0].persistence = 0.0;
         assert!(planes(&sets, CUBE.0, CUBE.1, 1).is_err());
     }
@@ -622,10 +539,7 @@ mod tests {
     fn too_many_planes_are_refused() {
         let fine = set(10.0, 0.0, 1e-5);
         let error = planes(&[fine], CUBE.0, CUBE.1, 1).unwrap_err();
-        assert!(
-            error.to_string().contains("planes of a joint set"),
-            "{error}"
-        );
+        assert!(error.to_string().contains("planes of a joint set"), "{error}");
         let thin = [set(0.0, 0.0, 1e-3), set(90.0, 0.0, 1e-3)];
         let joints = planes(&thin, CUBE.0, CUBE.1, 1).unwrap();
         assert!(divide(cube(), &joints[..300], 0.0, 0).is_ok());

@@ -39,11 +39,7 @@ impl Polyhedron {
         let about_origin = second * (1.0 / 120.0);
         let covariance = about_origin - outer(offset) * volume;
         let trace = covariance.x_axis.x + covariance.y_axis.y + covariance.z_axis.z;
-        Moments {
-            volume,
-            centroid: origin + offset,
-            inertia: Mat3::IDENTITY * trace - covariance,
-        }
+        Moments { volume, centroid: origin + offset, inertia: Mat3::IDENTITY * trace - covariance }
     }
 }
 

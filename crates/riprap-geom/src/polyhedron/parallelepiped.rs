@@ -49,11 +49,7 @@ impl Parallelepiped {
         let &[a, b, c] = half.as_slice() else {
             return None;
         };
-        let half = if a.dot(b.cross(c)) < 0.0 {
-            [a, c, b]
-        } else {
-            [a, b, c]
-        };
+        let half = if a.dot(b.cross(c)) < 0.0 { [a, c, b] } else { [a, b, c] };
         let made = Self { centre, half };
         let is_corner = |k: u8| {
             let corner = made.corner(k);
@@ -71,20 +67,14 @@ impl Parallelepiped {
     /// The eighth that holds corner `k`.
     #[must_use]
     pub fn octant(&self, k: u8) -> Self {
-        Self {
-            centre: self.at(0.5 * signs(k)),
-            half: self.half.map(|h| 0.5 * h),
-        }
+        Self { centre: self.at(0.5 * signs(k)), half: self.half.map(|h| 0.5 * h) }
     }
 
     /// The eighth that holds a point; of several the one farther along each axis.
     #[must_use]
     pub fn octant_of(&self, point: Vec3) -> u8 {
         let arm = point - self.centre;
-        (0..3)
-            .filter(|&a| self.normal(a).dot(arm) >= 0.0)
-            .map(|a| 1 << a)
-            .sum()
+        (0..3).filter(|&a| self.normal(a).dot(arm) >= 0.0).map(|a| 1 << a).sum()
     }
 
     /// Volume, m³.
@@ -131,11 +121,7 @@ mod tests {
 
     const LEANING: Parallelepiped = Parallelepiped {
         centre: Vec3::new(1.0, -2.0, 0.5),
-        half: [
-            Vec3::new(1.0, 0.2, -0.1),
-            Vec3::new(-0.3, 0.8, 0.1),
-            Vec3::new(0.4, 0.3, 0.6),
-        ],
+        half: [Vec3::new(1.0, 0.2, -0.1), Vec3::new(-0.3, 0.8, 0.1), Vec3::new(0.4, 0.3, 0.6)],
     };
 
     #[test]
@@ -166,10 +152,7 @@ mod tests {
     /// Parts of parts are known again, however small they are and far away.
     #[test]
     fn small_parts_far_away_are_known_again() {
-        let mut part = Parallelepiped {
-            centre: Vec3::new(1e4, -2e4, 7e3),
-            ..LEANING
-        };
+        let mut part = Parallelepiped { centre: Vec3::new(1e4, -2e4, 7e3), ..LEANING };
         for level in 0..20 {
             part = part.octant(level % 8);
             let solid = part.solid();

@@ -31,12 +31,7 @@ const RELAX: usize = 3;
 ///
 /// *Errors*: sizes out of order, a box without volume, blocks that do not fit.
 pub fn pour(pour: &Pour) -> Result<Vec<Polyhedron>, GeomError> {
-    let Pour {
-        region: (min, max),
-        count,
-        size: (small, large),
-        seed,
-    } = *pour;
+    let Pour { region: (min, max), count, size: (small, large), seed } = *pour;
     demand("the smallest size", small, small > 0.0, "above 0")?;
     let ordered = large >= small;
     demand("the largest size", large, ordered, "at least the smallest")?;
@@ -111,12 +106,7 @@ fn attitude(chance: &mut Chance) -> Quat {
     let share = chance.unit();
     let [a, b] = [0, 1].map(|_| std::f64::consts::TAU * chance.unit());
     let (p, q) = ((1.0 - share).sqrt(), share.sqrt());
-    Quat::from_xyzw(
-        p * libm::sin(a),
-        p * libm::cos(a),
-        q * libm::sin(b),
-        q * libm::cos(b),
-    )
+    Quat::from_xyzw(p * libm::sin(a), p * libm::cos(a), q * libm::sin(b), q * libm::cos(b))
 }
 
 #[cfg(test)]
@@ -170,45 +160,22 @@ mod tests {
         let mean = turned.iter().sum::<Vec3>() / 4000.0;
         let square = turned.iter().map(|v| *v * *v).sum::<Vec3>() / 4000.0;
         assert!(mean.length() < 0.03, "{mean}");
-        assert!(
-            (square - Vec3::splat(1.0 / 3.0)).length() < 0.02,
-            "{square}"
-        );
+        assert!((square - Vec3::splat(1.0 / 3.0)).length() < 0.02, "{square}");
         assert!(turned.iter().all(|v| (v.length() - 1.0).abs() < 1e-12));
     }
 
     #[test]
     fn says_when_they_do_not_fit() {
-        let error = pour(&Pour {
-            count: 2000,
-            ..example()
-        });
+        let error = pour(&Pour { count: 2000, ..example() });
         let capacity = 7 * 9 * 12;
-        assert_eq!(
-            error.unwrap_err(),
-            GeomError::DoesNotFit {
-                wanted: 2000,
-                size: 0.4,
-                capacity
-            }
-        );
-        for (count, size) in [
-            (1, (f64::NAN, 1.0)),
-            (usize::MAX, (0.2, 0.4)),
-            (1, (1e-300, 50.0)),
-            (1, (0.0, 0.0)),
-        ] {
-            let what = Pour {
-                count,
-                size,
-                ..example()
-            };
+        assert_eq!(error.unwrap_err(), GeomError::DoesNotFit { wanted: 2000, size: 0.4, capacity });
+        for (count, size) in
+            [(1, (f64::NAN, 1.0)), (usize::MAX, (0.2, 0.4)), (1, (1e-300, 50.0)), (1, (0.0, 0.0))]
+        {
+            let what = Pour { count, size, ..example() };
             assert!(pour(&what).is_err());
         }
-        let nothing = Pour {
-            count: 0,
-            ..example()
-        };
+        let nothing = Pour { count: 0, ..example() };
         assert_eq!(pour(&nothing).unwrap().len(), 0);
     }
 }

@@ -31,11 +31,7 @@ pub fn slice(solid: &Polyhedron, normal: Vec3, offset: f64) -> Sliced {
         .iter()
         .map(|v| {
             let height = normal.dot(*v) - offset;
-            if height.abs() <= tolerance {
-                0.0
-            } else {
-                height
-            }
+            if height.abs() <= tolerance { 0.0 } else { height }
         })
         .collect();
     if heights.iter().all(|h| *h <= 0.0) {

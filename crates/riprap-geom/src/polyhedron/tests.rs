@@ -45,43 +45,21 @@ fn errors_say_what_is_wrong() {
     );
     let mut turned = cube.clone();
     turned.faces[2].reverse();
-    assert!(matches!(
-        turned.validate(),
-        Err(SolidError::WrongWay { .. })
-    ));
+    assert!(matches!(turned.validate(), Err(SolidError::WrongWay { .. })));
     let mut crooked = cube.clone();
     crooked.vertices[7] += Vec3::new(0.0, 0.0, 0.01);
-    assert!(matches!(
-        crooked.validate(),
-        Err(SolidError::CrookedFace { .. })
-    ));
+    assert!(matches!(crooked.validate(), Err(SolidError::CrookedFace { .. })));
     let mut missing = cube.clone();
     missing.faces[1][2] = 8;
-    assert!(
-        missing
-            .validate()
-            .unwrap_err()
-            .to_string()
-            .contains("face 1 names vertex 8")
-    );
+    assert!(missing.validate().unwrap_err().to_string().contains("face 1 names vertex 8"));
     let mut nowhere = cube.clone();
     nowhere.vertices[3].y = f64::NAN;
-    assert!(matches!(
-        nowhere.validate(),
-        Err(SolidError::NonFinite { vertex: 3, .. })
-    ));
+    assert!(matches!(nowhere.validate(), Err(SolidError::NonFinite { vertex: 3, .. })));
     let flat = Polyhedron {
-        vertices: cube
-            .vertices
-            .iter()
-            .map(|v| *v * Vec3::new(1.0, 1.0, 1e-13))
-            .collect(),
+        vertices: cube.vertices.iter().map(|v| *v * Vec3::new(1.0, 1.0, 1e-13)).collect(),
         faces: cube.faces.clone(),
     };
-    assert!(matches!(
-        flat.validate(),
-        Err(SolidError::ZeroVolume { .. })
-    ));
+    assert!(matches!(flat.validate(), Err(SolidError::ZeroVolume { .. })));
     let mut spare = cube.clone();
     spare.vertices.push(Vec3::ZERO);
     assert_eq!(spare.validate(), Err(SolidError::Unused { vertex: 8 }));
@@ -123,9 +101,8 @@ fn hull_of_a_cube_has_six_faces() {
     assert_eq!((solid.vertices.len(), solid.faces.len()), (8, 6));
     assert!((solid.moments().volume - 1.0).abs() < 1e-15);
     assert!(hull(&points[..3]).is_err());
-    let plane: Vec<Vec3> = (0..9)
-        .map(|k| Vec3::new(f64::from(k % 3), f64::from(k / 3), 1.0))
-        .collect();
+    let plane: Vec<Vec3> =
+        (0..9).map(|k| Vec3::new(f64::from(k % 3), f64::from(k / 3), 1.0)).collect();
     assert!(matches!(hull(&plane), Err(SolidError::ZeroVolume { .. })));
 }
 
@@ -140,15 +117,9 @@ fn planes_make_an_octahedron() {
     assert_eq!((solid.vertices.len(), solid.faces.len()), (6, 8));
     assert_eq!(solid.validate(), Ok(()));
     assert!((solid.moments().volume - 4.0 / 3.0).abs() < 1e-13);
-    assert!(matches!(
-        from_half_spaces(&planes[..4], 10.0),
-        Err(SolidError::Unbounded { .. })
-    ));
+    assert!(matches!(from_half_spaces(&planes[..4], 10.0), Err(SolidError::Unbounded { .. })));
     planes.push((Vec3::X, -2.0));
-    assert_eq!(
-        from_half_spaces(&planes, 10.0),
-        Err(SolidError::Nothing { plane: 8 })
-    );
+    assert_eq!(from_half_spaces(&planes, 10.0), Err(SolidError::Nothing { plane: 8 }));
 }
 
 #[test]
@@ -205,12 +176,7 @@ fn rounded_corners_of_faces_make_a_hull() {
     let mut unit = || chance.between(-1.0, 1.0);
     for _ in 0..200 {
         let planes: Vec<(Vec3, f64)> = (0..14)
-            .map(|_| {
-                (
-                    Vec3::new(unit(), unit(), unit()).normalize(),
-                    0.5 + 0.1 * unit(),
-                )
-            })
+            .map(|_| (Vec3::new(unit(), unit(), unit()).normalize(), 0.5 + 0.1 * unit()))
             .collect();
         let Ok(solid) = from_half_spaces(&planes, 2.0) else {
             continue;
@@ -225,15 +191,8 @@ fn rounded_corners_of_faces_make_a_hull() {
 
 #[test]
 fn a_point_in_an_upright_edge_is_no_corner() {
-    let points = [
-        [1, 0, -4],
-        [1, -3, 1],
-        [0, -1, 4],
-        [-4, 0, 0],
-        [-4, -2, 4],
-        [0, 0, 0],
-        [4, 0, 4],
-    ];
+    let points =
+        [[1, 0, -4], [1, -3, 1], [0, -1, 4], [-4, 0, 0], [-4, -2, 4], [0, 0, 0], [4, 0, 4]];
     let points = points.map(|p| Vec3::from_array(p.map(f64::from)));
     let solid = hull(&points).unwrap();
     assert_eq!((solid.vertices.len(), solid.faces.len()), (5, 6));

@@ -71,12 +71,7 @@ impl Tetrahedra {
                 let (volume, gradients) = element(centroid, [at(middle), at(from), at(to)]);
                 // Not `<= 0`: NaN is refused too.
                 if !(volume > 0.0 && gradients.iter().all(|g| g.is_finite())) {
-                    return Err(FlatTetrahedron {
-                        face,
-                        from,
-                        to,
-                        volume,
-                    });
+                    return Err(FlatTetrahedron { face, from, to, volume });
                 }
                 mesh.tets.push([centre, middle, from, to]);
                 mesh.volumes.push(volume);
@@ -96,10 +91,7 @@ impl Tetrahedra {
     /// Least distance of the centroid from a face, m.
     #[must_use]
     pub fn height(&self) -> f64 {
-        let heights = self
-            .gradients
-            .iter()
-            .map(|[a, b, c]| 1.0 / (*a + *b + *c).length());
+        let heights = self.gradients.iter().map(|[a, b, c]| 1.0 / (*a + *b + *c).length());
         heights.fold(f64::INFINITY, f64::min)
     }
 
@@ -201,14 +193,7 @@ impl Tetrahedra {
 
 /// xx, yy, zz, yz, zx, xy.
 fn products(r: Vec3) -> [f64; 6] {
-    [
-        r.x * r.x,
-        r.y * r.y,
-        r.z * r.z,
-        r.y * r.z,
-        r.z * r.x,
-        r.x * r.y,
-    ]
+    [r.x * r.x, r.y * r.y, r.z * r.z, r.y * r.z, r.z * r.x, r.x * r.y]
 }
 
 /// Changes shares by factors `1 + a . (1, x, y, z, xx, ...)` so that sum and first moments stay and the second moments
@@ -244,11 +229,7 @@ fn correct(shares: &mut [f64], arms: &[Vec3], exact: &[f64; 6]) {
     };
     let change = |r: Vec3| -> f64 { basis(r).iter().zip(solution).map(|(p, a)| p * a).sum() };
     let lowest = arms.iter().map(|r| change(*r)).fold(0.0, f64::min);
-    let part = if lowest < LEAST - 1.0 {
-        (LEAST - 1.0) / lowest
-    } else {
-        1.0
-    };
+    let part = if lowest < LEAST - 1.0 { (LEAST - 1.0) / lowest } else { 1.0 };
     for (share, r) in shares.iter_mut().zip(arms) {
         *share *= 1.0 + part * change(*r);
     }
@@ -256,10 +237,7 @@ fn correct(shares: &mut [f64], arms: &[Vec3], exact: &[f64; 6]) {
 
 /// Solution of ten linear equations (right-hand sides in the last column), if there is one.
 fn solve(mut m: [[f64; 11]; 10]) -> Option<[f64; 10]> {
-    let scale = m
-        .iter()
-        .flat_map(|row| &row[..10])
-        .fold(0.0, |s: f64, x| s.max(x.abs()));
+    let scale = m.iter().flat_map(|row| &row[..10]).fold(0.0, |s: f64, x| s.max(x.abs()));
     for k in 0..10 {
         let pivot = (k..10).max_by(|&i, &j| m[i][k].abs().total_cmp(&m[j][k].abs()))?;
         if m[pivot][k].abs() <= 1e-12 * scale {
@@ -309,11 +287,7 @@ pub fn element(p0: Vec3, [p1, p2, p3]: [Vec3; 3]) -> (f64, [Vec3; 3]) {
     let (a, b, c) = (p1 - p0, p2 - p0, p3 - p0);
     let six = a.dot((p2 - p1).cross(p3 - p1));
     let scale = 1.0 / six;
-    let gradients = [
-        scale * b.cross(p3 - p2),
-        scale * c.cross(p1 - p3),
-        scale * a.cross(p2 - p1),
-    ];
+    let gradients = [scale * b.cross(p3 - p2), scale * c.cross(p1 - p3), scale * a.cross(p2 - p1)];
     (six / 6.0, gradients)
 }
 
@@ -337,11 +311,8 @@ mod tests {
     #[test]
     fn a_cube_has_15_nodes_and_24_tetrahedra() {
         let half = 0.015;
-        let mesh = Tetrahedra::new(&Polyhedron::brick(
-            Vec3::new(1.0, 2.0, 3.0),
-            Vec3::splat(half),
-        ))
-        .unwrap();
+        let mesh = Tetrahedra::new(&Polyhedron::brick(Vec3::new(1.0, 2.0, 3.0), Vec3::splat(half)))
+            .unwrap();
         assert_eq!((mesh.nodes.len(), mesh.tets.len()), (15, 24));
         assert_eq!(mesh.first, [0, 4, 8, 12, 16, 20, 24]);
         let volume = (2.0 * half).powi(3);
@@ -361,11 +332,7 @@ mod tests {
             let area = 4.0 * half * half;
             assert_eq!(shares.len(), 5);
             assert!((shares[0].1 / area - 1.0 / 3.0).abs() < 1e-12);
-            assert!(
-                shares[1..]
-                    .iter()
-                    .all(|s| (s.1 / area - 1.0 / 6.0).abs() < 1e-12)
-            );
+            assert!(shares[1..].iter().all(|s| (s.1 / area - 1.0 / 6.0).abs() < 1e-12));
         }
     }
 

@@ -74,9 +74,7 @@ impl Polyhedron {
     #[must_use]
     pub fn reach(&self, along: Vec3) -> [f64; 2] {
         let heights = self.vertices.iter().map(|v| along.dot(*v));
-        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| {
-            [low.min(h), high.max(h)]
-        })
+        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
     }
 
     /// Unit directions of the edges, parallel ones once.
@@ -166,10 +164,7 @@ mod tests {
         assert!(!other(v(2.0, 3.0, 4.1), Vec3::ONE));
         // A cube on its edge, across an edge of the brick: only the cross product of the two parts them.
         let across = v(1.0, 0.0, 1.0).normalize();
-        let (first, second) = (
-            (across + Vec3::Y).normalize(),
-            (across - Vec3::Y).normalize(),
-        );
+        let (first, second) = ((across + Vec3::Y).normalize(), (across - Vec3::Y).normalize());
         let stand = Mat3::from_cols(v(1.0, 0.0, -1.0).normalize(), first, second);
         for (gap, touching) in [(-0.05, true), (0.02, false)] {
             let centre = v(1.0, 0.0, 3.0) + (2f64.sqrt() + gap) * across;

@@ -29,13 +29,7 @@ pub fn voronoi(
     let sites = (0..(count.round() as usize).max(1))
         .map(|_| Vec3::from_array([0, 1, 2].map(|a| chance.between(-half[a], half[a]))))
         .collect();
-    relaxed(
-        &Polyhedron::brick(Vec3::ZERO, half),
-        0.5 * (min + max),
-        sites,
-        relax,
-        0.0,
-    )
+    relaxed(&Polyhedron::brick(Vec3::ZERO, half), 0.5 * (min + max), sites, relax, 0.0)
 }
 
 /// Cells of a box from `min` to `max` (m) around given sites (m); those outside the box are left out. `relax` Lloyd
@@ -73,18 +67,8 @@ pub fn cells_within(
     let holds = |s: &Vec3| planes.iter().all(|(n, d)| n.dot(*s) < *d);
     let inside = sites.iter().map(|s| *s - middle);
     let sites: Vec<Vec3> = inside.filter(holds).collect();
-    demand(
-        "the number of sites inside",
-        sites.len() as f64,
-        !sites.is_empty(),
-        "above 0",
-    )?;
-    demand(
-        "smallest_edge",
-        smallest_edge,
-        smallest_edge >= 0.0,
-        "0 or more",
-    )?;
+    demand("the number of sites inside", sites.len() as f64, !sites.is_empty(), "above 0")?;
+    demand("smallest_edge", smallest_edge, smallest_edge >= 0.0, "0 or more")?;
     relaxed(&whole, middle, sites, relax, smallest_edge)
 }
 
@@ -96,10 +80,7 @@ pub fn regular_prism(min: Vec3, max: Vec3, sides: u32) -> Result<Polyhedron, Geo
     let half = half_extent(min, max)?;
     let allowed = (3..=1000).contains(&sides);
     demand("sides", f64::from(sides), allowed, "3 to 1000")?;
-    let (middle, step) = (
-        0.5 * (min + max),
-        2.0 * std::f64::consts::PI / f64::from(sides),
-    );
+    let (middle, step) = (0.5 * (min + max), 2.0 * std::f64::consts::PI / f64::from(sides));
     let corner = half.x.min(half.y) / libm::cos(0.5 * step);
     let vertices = [-half.z, half.z].into_iter().flat_map(|z| {
         (0..sides).map(move |k| {
@@ -112,21 +93,13 @@ pub fn regular_prism(min: Vec3, max: Vec3, sides: u32) -> Result<Polyhedron, Geo
         let next = (k + 1) % sides;
         vec![k, next, sides + next, sides + k]
     }));
-    Ok(Polyhedron {
-        vertices: vertices.collect(),
-        faces,
-    })
+    Ok(Polyhedron { vertices: vertices.collect(), faces })
 }
 
 /// Half the edges of a box, m.
 fn half_extent(min: Vec3, max: Vec3) -> Result<Vec3, GeomError> {
     let shortest = (max - min).min_element();
-    demand(
-        "the shortest edge of the box",
-        shortest,
-        shortest > 0.0,
-        "above 0",
-    )?;
+    demand("the shortest edge of the box", shortest, shortest > 0.0, "above 0")?;
     Ok(0.5 * (max - min))
 }
 
@@ -159,10 +132,7 @@ fn relaxed(
 pub fn random_sites(min: Vec3, max: Vec3, cell: f64, seed: u64) -> Vec<Vec3> {
     let (extent, middle) = (max - min, 0.5 * (min + max));
     let flat = [0, 1, 2].map(|a: usize| extent[a] < 1.5 * cell);
-    let count: f64 = (0..3)
-        .filter(|a| !flat[*a])
-        .map(|a| extent[a] / cell)
-        .product();
+    let count: f64 = (0..3).filter(|a| !flat[*a]).map(|a| extent[a] / cell).product();
     let mut chance = Chance::new(seed);
     (0..(count.round() as usize).max(1))
         .map(|_| {
@@ -182,10 +152,7 @@ pub fn lattice_sites(min: Vec3, max: Vec3, cell: f64, origin: Vec3, angle: f64) 
     let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
     // The site of the lattice that lies nearest to the middle.
     let away = middle - origin;
-    let steps = [
-        cosine * away.x + sine * away.y,
-        cosine * away.y - sine * away.x,
-    ];
+    let steps = [cosine * away.x + sine * away.y, cosine * away.y - sine * away.x];
     let [a, b] = steps.map(|s| (s / cell).round() * cell);
     let origin = origin + Vec3::new(cosine * a - sine * b, sine * a + cosine * b, 0.0);
     // Half the diagonal: turned rows reach into the corners.
@@ -358,10 +325,7 @@ mod tests {
             let cells = cells_around(min, max, &sites, 0).unwrap();
             assert_eq!(cells.len(), sites.len());
             let volumes: Vec<f64> = cells.iter().map(|c| c.moments().volume).collect();
-            let whole = volumes
-                .iter()
-                .filter(|v| (**v - 1e-3).abs() < 1e-12)
-                .count();
+            let whole = volumes.iter().filter(|v| (**v - 1e-3).abs() < 1e-12).count();
             assert!(whole > 100, "{whole}");
             assert!((volumes.iter().sum::<f64>() - 0.2).abs() < 1e-12);
             assert!(cells.iter().all(|c| c.validate().is_ok()));
@@ -421,10 +385,7 @@ mod tests {
     #[test]
     fn silly_numbers_are_errors_at_once() {
         for size in [0.0, -1.0, f64::NAN, 1e-6] {
-            assert!(
-                voronoi(Vec3::ZERO, Vec3::ONE, size, 1, 0).is_err(),
-                "{size}"
-            );
+            assert!(voronoi(Vec3::ZERO, Vec3::ONE, size, 1, 0).is_err(), "{size}");
         }
         assert!(voronoi(Vec3::ZERO, Vec3::new(1.0, 0.0, 1.0), 0.5, 1, 0).is_err());
         assert_eq!(voronoi(Vec3::ZERO, Vec3::ONE, 50.0, 1, 0).unwrap().len(), 1);

@@ -27,10 +27,8 @@ pub struct InstallError {
 pub fn install(world: &mut World, shapes: &Shapes, numbers: &[u32]) -> Result<(), InstallError> {
     for &number in numbers {
         let spec = world.setup.bolts[number as usize].clone();
-        let bolt = one(world, shapes, number, &spec).map_err(|reason| InstallError {
-            name: spec.name.clone(),
-            reason,
-        })?;
+        let bolt = one(world, shapes, number, &spec)
+            .map_err(|reason| InstallError { name: spec.name.clone(), reason })?;
         world.bolts.push(bolt);
     }
     Ok(())
@@ -38,13 +36,7 @@ pub fn install(world: &mut World, shapes: &Shapes, numbers: &[u32]) -> Result<()
 
 /// A bolt as it would be installed in the rock as it is; `None` where it could not.
 pub(crate) fn as_it_is(world: &World, shapes: &Shapes, number: u32) -> Option<Bolt> {
-    one(
-        world,
-        shapes,
-        number,
-        world.setup.bolts.get(number as usize)?,
-    )
-    .ok()
+    one(world, shapes, number, world.setup.bolts.get(number as usize)?).ok()
 }
 
 fn one(world: &World, shapes: &Shapes, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
@@ -62,11 +54,7 @@ fn one(world: &World, shapes: &Shapes, number: u32, spec: &Spec) -> Result<Bolt,
         let from = shapes.centroid[b] + into_body(world, b, spec.head);
         let along = turned_back(world, b, axis);
         let corners = &world.setup.blocks[b].vertices;
-        found.extend(
-            spans(corners, from, along, range)
-                .into_iter()
-                .map(|span| (span, b as u32)),
-        );
+        found.extend(spans(corners, from, along, range).into_iter().map(|span| (span, b as u32)));
     }
     let design = &spec.design;
     let found = place::order(found, length, design.grouted, design.plate.is_some())?;
@@ -75,12 +63,7 @@ fn one(world: &World, shapes: &Shapes, number: u32, spec: &Spec) -> Result<Bolt,
     let pin = |along: f64, span: usize| {
         let block = found[span].1;
         let place = spec.head + along * axis;
-        Pin {
-            block,
-            arm: into_body(world, block as usize, place),
-            along,
-            place,
-        }
+        Pin { block, arm: into_body(world, block as usize, place), along, place }
     };
     let nodes = laid.along.iter().zip(&laid.span);
     let pins: Vec<Pin> = nodes.map(|(along, span)| pin(*along, *span)).collect();
@@ -92,14 +75,7 @@ fn one(world: &World, shapes: &Shapes, number: u32, spec: &Spec) -> Result<Bolt,
     });
     let dowels = dowels.collect();
     let toll = laid.tighten(design);
-    Ok(Bolt {
-        number,
-        chain: laid.chain,
-        pins,
-        dowels,
-        axis,
-        toll,
-    })
+    Ok(Bolt { number, chain: laid.chain, pins, dowels, axis, toll })
 }
 
 /// A direction in the frame of a block.

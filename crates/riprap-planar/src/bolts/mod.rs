@@ -94,14 +94,7 @@ impl World {
 ///
 /// Calling it again without moving changes nothing.
 pub(crate) fn act(world: &mut World, desks: &mut Vec<Desk>, slots: &mut [Wrench]) {
-    let World {
-        bolts,
-        bodies,
-        setup,
-        works,
-        pending,
-        ..
-    } = world;
+    let World { bolts, bodies, setup, works, pending, .. } = world;
     if desks.len() != bolts.len() {
         let desk = |bolt: &Bolt| Desk::new(&bolt.chain, |k| bolt.stretches(k));
         *desks = bolts.iter().map(desk).collect();
@@ -132,10 +125,7 @@ fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, bodies: &[Body]) {
         let [behind, ahead] = &one.sides;
         let jump = ahead.displacement(bodies) - behind.displacement(bodies);
         let broken = bolt.chain.bars[one.bar as usize].stiffness <= 0.0;
-        let before = Sheared {
-            slip: one.slip.to_array(),
-            force: one.force.to_array(),
-        };
+        let before = Sheared { slip: one.slip.to_array(), force: one.force.to_array() };
         let (now, lost) = before.after(dowel, broken, bolt.axis.to_array(), jump.to_array());
         (one.slip, one.force) = (now.slip.into(), now.force.into());
         desk.sheared += lost;

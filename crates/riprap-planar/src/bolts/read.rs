@@ -47,9 +47,7 @@ impl View<'_> {
         let one = |bolt: &Bolt| {
             let bars = (0..bolt.chain.bars.len())
                 .filter(|k| bolt.stretches(*k) && bolt.chain.state(*k) != bolt::BarState::Broken);
-            let by = bars
-                .map(|k| super::chord(&bolt.pins[k], &bolt.pins[k + 1], bodies).1)
-                .sum();
+            let by = bars.map(|k| super::chord(&bolt.pins[k], &bolt.pins[k + 1], bodies).1).sum();
             let [head, toe] = [bolt.pins.first()?, bolt.pins.last()?].map(|pin| pin.along);
             Some((bolt.number, [by, toe - head, bolt.chain.largest_force()]))
         };

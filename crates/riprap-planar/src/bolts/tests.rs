@@ -58,11 +58,7 @@ fn stack(count: usize, bolts: &[(f64, Design)]) -> Setup {
     Setup {
         materials: vec!["rock".to_owned()],
         blocks: (0..count).map(block).collect(),
-        interfaces: vec![Interface {
-            name: "default".to_owned(),
-            contact,
-            bond: None,
-        }],
+        interfaces: vec![Interface { name: "default".to_owned(), contact, bond: None }],
         pair_table: vec![0],
         bolts: (bolts.iter().enumerate())
             .map(|(k, (x, design))| Bolt {
@@ -108,10 +104,7 @@ fn a_joint_opens_against_the_closed_form() {
     let force = world.bolts[0].chain.largest_force();
     // 0.3 % of the pieces, 0.2 % of the gap.
     assert!((force / wanted - 1.0).abs() < 6e-3, "{force} {wanted}");
-    let view = View {
-        world: &world,
-        scratch: &scratch,
-    };
+    let view = View { world: &world, scratch: &scratch };
     let bars = read::bars(&view);
     let most = bars.iter().map(|b| b.force).fold(0.0, f64::max);
     // Of one bolt: two metres of thickness.
@@ -131,9 +124,8 @@ fn blocks_on_bolts_keep_momentum_and_energy_while_the_bolts_yield_and_slip() {
     world.bodies[2].spin = 0.2;
     let look = |world: &World, scratch: &Scratch| {
         let view = View { world, scratch };
-        let momentum: Vec2 = (view.living())
-            .map(|b| scratch.shapes.mass[b] * view.velocity(b))
-            .sum();
+        let momentum: Vec2 =
+            (view.living()).map(|b| scratch.shapes.mass[b] * view.velocity(b)).sum();
         (momentum, view.angular_momentum(), view.balance())
     };
     evaluate(&mut world, &mut scratch, &Damping::default(), 2e-6).unwrap();
@@ -177,10 +169,7 @@ fn the_stable_step_knows_of_bolts() {
     world.bodies[1].velocity = Vec2::new(0.01, 0.01);
     world.start_energy = Some(start);
     run(&mut world, &mut scratch, dt, 20_000);
-    let view = View {
-        world: &world,
-        scratch: &scratch,
-    };
+    let view = View { world: &world, scratch: &scratch };
     let balance = view.balance();
     assert!(balance.residual_relative().abs() < 1e-2, "{balance:?}");
     // Three times the bound is too long: the bound is not far from the truth.

@@ -53,10 +53,8 @@ impl Stretch {
         shares.extend([0.0, 1.0]);
         shares.sort_by(f64::total_cmp);
         shares.dedup_by(|a, b| *a - *b <= SAME);
-        (1..shares.len()).map(move |k| Stretch {
-            from: self.at(shares[k - 1]),
-            to: self.at(shares[k]),
-        })
+        (1..shares.len())
+            .map(move |k| Stretch { from: self.at(shares[k - 1]), to: self.at(shares[k]) })
     }
 }
 
@@ -83,10 +81,7 @@ impl Nodes {
             }
         }
         let number = self.list.len() as u32;
-        self.list.push(Node {
-            place,
-            edge: Edge::Inside,
-        });
+        self.list.push(Node { place, edge: Edge::Inside });
         self.cells.entry(cell).or_default().push(number);
         number
     }
@@ -99,11 +94,7 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
     };
     let radii = shapes.radius.iter().zip(alive).filter(|(_, a)| **a);
     let smallest = radii.map(|(r, _)| *r).fold(f64::INFINITY, f64::min);
-    let mut nodes = Nodes {
-        list: Vec::new(),
-        cells: BTreeMap::new(),
-        size: SAME * smallest,
-    };
+    let mut nodes = Nodes { list: Vec::new(), cells: BTreeMap::new(), size: SAME * smallest };
     let mut out = Seepage::default();
     // Stretches of each edge, from its start (m), that another block covers, and that one covered which was taken out.
     let mut covered: Vec<Vec<[f64; 2]>> = vec![Vec::new(); shapes.edges.len()];
@@ -133,10 +124,7 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
                 if !is_joint {
                     continue;
                 }
-                let whole = Stretch {
-                    from: start_a + low * along,
-                    to: start_a + high * along,
-                };
+                let whole = Stretch { from: start_a + low * along, to: start_a + high * along };
                 let cuts = rules.drains.iter().filter_map(|d| whole.crossing(d));
                 for part in whole.parts(cuts.collect()) {
                     let places = [part.from, part.to];
@@ -161,16 +149,9 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
             // Bare stretches are none of the open faces below.
             covered[k].append(&mut bared[k]);
             for [low, high] in gaps(&mut covered[k], edge.length, tolerance) {
-                let whole = Stretch {
-                    from: start + low * along,
-                    to: start + high * along,
-                };
-                let is_closed = |p: Vec2| {
-                    rules
-                        .closed
-                        .iter()
-                        .any(|line| line.holds(p.into(), nodes.size))
-                };
+                let whole = Stretch { from: start + low * along, to: start + high * along };
+                let is_closed =
+                    |p: Vec2| rules.closed.iter().any(|line| line.holds(p.into(), nodes.size));
                 // An edge with one end on a closed line leads away from it.
                 if is_closed(whole.from) && is_closed(whole.to) {
                     continue;
@@ -200,10 +181,7 @@ fn neighbours(setup: &Setup, alive: &[bool]) -> Vec<(u32, u32)> {
     let padded = |vertices: &[Vec2]| {
         let tight = Aabb::of(vertices);
         let slack = Vec2::splat(SAME * tight.size());
-        Aabb {
-            min: tight.min - slack,
-            max: tight.max + slack,
-        }
+        Aabb { min: tight.min - slack, max: tight.max + slack }
     };
     let boxes = setup.blocks.iter().map(|b| padded(&b.vertices));
     let boxes: Vec<Aabb> = boxes.collect();
@@ -249,11 +227,7 @@ fn hold(out: &mut Seepage, seeps: &[u32], table: &WaterTable, size: f64) {
     }
     let drains = table.seepage.iter().flat_map(|rules| &rules.drains);
     for drain in drains {
-        for node in out
-            .nodes
-            .iter_mut()
-            .filter(|n| drain.distance(n.place.into()) <= 10.0 * size)
-        {
+        for node in out.nodes.iter_mut().filter(|n| drain.distance(n.place.into()) <= 10.0 * size) {
             if node.edge == Edge::Inside {
                 node.edge = Edge::Outlet(drain.head.map_or(node.place.y, |h| h.max(node.place.y)));
             }

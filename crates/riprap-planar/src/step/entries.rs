@@ -20,11 +20,7 @@ pub(super) fn book(world: &mut World, scratch: &mut Scratch, damping: &Damping, 
         let (body, change) = (&world.bodies[b], &scratch.changes[b]);
         let work = [
             (half[0], body.velocity, body.spin),
-            (
-                half[1],
-                body.velocity + change.velocity,
-                body.spin + change.spin,
-            ),
+            (half[1], body.velocity + change.velocity, body.spin + change.spin),
         ];
         let work = work.map(|(half, v, w)| half * (push.force.dot(v) + push.moment * w));
         entries.book(account, Line::Loads, work);

@@ -114,10 +114,7 @@ impl<'a> Kick<'a> {
         // Local damping: a share of the unbalanced force, against the motion.
         let local = self.damping.local;
         let against = |f: f64, v: f64| kick::local_drag(local, f, v);
-        let drag = Vec2::new(
-            against(force.x, body.velocity.x),
-            against(force.y, body.velocity.y),
-        );
+        let drag = Vec2::new(against(force.x, body.velocity.x), against(force.y, body.velocity.y));
         let twist = against(moment, body.spin);
         // Mass damping acts on the mean of the velocities before and after (implicit, stable).
         let fade = kick::fade(self.damping.mass, self.span);
@@ -138,10 +135,7 @@ impl<'a> Kick<'a> {
             let centroid = scratch.shapes.centroid[b];
             dv += motion.swing(centroid, body.angle, time, 2.0 * half);
         }
-        *change = Change {
-            velocity: dv,
-            spin: dw,
-        };
+        *change = Change { velocity: dv, spin: dw };
 
         // Works before and after the present time, with the velocity of each half.
         if let Some(motion) = motion
@@ -167,12 +161,7 @@ impl<'a> Kick<'a> {
         let slowing = twist - kick::mass_drag(self.damping.mass, inertia, body.spin, dw);
         for (half, v, w, works) in [
             (self.half[0], body.velocity, body.spin, &mut partial.arrival),
-            (
-                self.half[1],
-                body.velocity + dv,
-                body.spin + dw,
-                &mut partial.departure,
-            ),
+            (self.half[1], body.velocity + dv, body.spin + dw, &mut partial.departure),
         ] {
             works.gravity += half * weight.dot(v);
             works.loads += half * (load.force.dot(v) + load.moment * w);

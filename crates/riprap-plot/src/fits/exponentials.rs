@@ -53,10 +53,7 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
     if found < needed {
         return Err(FitError::TooFew { found, needed });
     }
-    let step = time
-        .windows(2)
-        .map(|w| w[1] - w[0])
-        .fold(f64::INFINITY, f64::min);
+    let step = time.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
     if step <= 0.0 {
         return Err(FitError::NotAscending);
     }
@@ -70,10 +67,7 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
         return Err(FitError::Constant { what: "values" });
     }
     // From a tenth of one decay in the whole record to ten in one step: beyond, rates cannot be told from each other.
-    let limits = [
-        libm::log(0.1 / t[found - 1]),
-        libm::log((10.0 / step).max(1.0 / t[found - 1])),
-    ];
+    let limits = [libm::log(0.1 / t[found - 1]), libm::log((10.0 / step).max(1.0 / t[found - 1]))];
     let cost = |rates: [f64; 2]| -> f64 {
         let inside = rates.iter().all(|r| (limits[0]..=limits[1]).contains(r));
         // Equal rates leave nothing of the curve, and a factor without bounds.
@@ -82,11 +76,7 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
         }
         let f = shape(&t, rates);
         let (sff, sfy) = (spread(&f, &f), spread(&f, &y));
-        if sff > 0.0 {
-            syy - sfy * sfy / sff
-        } else {
-            syy
-        }
+        if sff > 0.0 { syy - sfy * sfy / sff } else { syy }
     };
     let spacing = (limits[1] - limits[0]) / (RATES - 1) as f64;
     let mut best = on_grid(&t, &y, limits[0], spacing);
@@ -96,12 +86,7 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
     let f = shape(&t, best);
     let p0 = spread(&f, &y) / spread(&f, &f);
     let plateau = mean(&y) - p0 * mean(&f);
-    let rest: f64 = f
-        .iter()
-        .zip(&y)
-        .map(|(f, y)| y - p0 * f - plateau)
-        .map(|e| e * e)
-        .sum();
+    let rest: f64 = f.iter().zip(&y).map(|(f, y)| y - p0 * f - plateau).map(|e| e * e).sum();
     Ok(TwoExponential {
         p0,
         a: libm::exp(best[0]),
@@ -119,16 +104,13 @@ pub fn two_exponential(time: &[f64], values: &[f64]) -> Result<TwoExponential, F
 fn risen(y: &[f64]) -> bool {
     let last = y.last().copied().unwrap_or(0.0);
     let top = y.iter().fold(0.0, |s: f64, v| s.max((v - last).abs()));
-    y.first()
-        .is_some_and(|first| (first - last).abs() >= RISEN * top)
+    y.first().is_some_and(|first| (first - last).abs() >= RISEN * top)
 }
 
 /// `exp(-a t) - exp(-b t)` for the logarithms of the rates.
 fn shape(t: &[f64], rates: [f64; 2]) -> Vec<f64> {
     let [a, b] = rates.map(libm::exp);
-    t.iter()
-        .map(|t| libm::exp(-a * t) - libm::exp(-b * t))
-        .collect()
+    t.iter().map(|t| libm::exp(-a * t) - libm::exp(-b * t)).collect()
 }
 
 /// The best pair of the grid. Sums of products of the exponentials are made once, so a pair costs nothing.
@@ -168,9 +150,8 @@ pub(super) fn simplex(start: [f64; 2], width: f64, cost: impl Fn([f64; 2]) -> f6
     for _ in 0..400 {
         corners.sort_by(|a, b| a.1.total_cmp(&b.1));
         let (p, q, worst) = (corners[0].0, corners[1].0, corners[2].0);
-        let size = (0..2)
-            .map(|k| (p[k] - worst[k]).abs().max((p[k] - q[k]).abs()))
-            .fold(0.0, f64::max);
+        let size =
+            (0..2).map(|k| (p[k] - worst[k]).abs().max((p[k] - q[k]).abs())).fold(0.0, f64::max);
         if size < 1e-12 {
             break;
         }
@@ -218,9 +199,7 @@ mod tests {
             (-5.0, 800.0, 9000.0, 3.0),
             (1e8, 3000.0, 3600.0, 0.0),
         ] {
-            let (t, y) = samples(400, 4e-3, |t| {
-                p0 * ((-a * t).exp() - (-b * t).exp()) + plateau
-            });
+            let (t, y) = samples(400, 4e-3, |t| p0 * ((-a * t).exp() - (-b * t).exp()) + plateau);
             let later: Vec<f64> = t.iter().map(|t| t + 0.25).collect();
             let f = two_exponential(&later, &y).unwrap();
             let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 1e-4;

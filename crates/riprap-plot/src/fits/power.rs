@@ -51,10 +51,7 @@ pub fn power_law(x: &[f64], y: &[f64]) -> Result<PowerLaw, FitError> {
     let (x, y) = usable(x, y, |x, y| x > 0.0 && y > 0.0);
     let (count, needed) = (x.len(), 3);
     if count < needed {
-        return Err(FitError::TooFew {
-            found: count,
-            needed,
-        });
+        return Err(FitError::TooFew { found: count, needed });
     }
     let logs = |v: &[f64]| -> Vec<f64> { v.iter().map(|v| libm::log(*v)).collect() };
     let (lx, ly) = (logs(&x), logs(&y));
@@ -64,12 +61,7 @@ pub fn power_law(x: &[f64], y: &[f64]) -> Result<PowerLaw, FitError> {
     }
     let slope = sxy / sxx;
     let start = mean(&ly) - slope * mean(&lx);
-    let rest: f64 = lx
-        .iter()
-        .zip(&ly)
-        .map(|(x, y)| y - start - slope * x)
-        .map(|e| e * e)
-        .sum();
+    let rest: f64 = lx.iter().zip(&ly).map(|(x, y)| y - start - slope * x).map(|e| e * e).sum();
     let variance = rest / (count - 2) as f64;
     let deviation = variance.sqrt();
     Ok(PowerLaw {
@@ -116,9 +108,7 @@ mod tests {
         // Normal scatter by sums of twelve numbers of a linear congruence.
         let mut state = 12_345_u64;
         let mut uniform = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
             (state >> 11) as f64 / (1_u64 << 53) as f64
         };
         let n = 20_000;
@@ -132,10 +122,7 @@ mod tests {
             .collect();
         let f = power_law(&x, &y).unwrap();
         let above = x.iter().zip(&y).filter(|(x, y)| **y > f.upper(**x)).count();
-        assert!(
-            (above as f64 / f64::from(n) - 0.05).abs() < 0.005,
-            "{above}"
-        );
+        assert!((above as f64 / f64::from(n) - 0.05).abs() < 0.005, "{above}");
         assert!((f.exponent - 1.5).abs() < 3.0 * f.exponent_error, "{f:?}");
     }
 
@@ -146,13 +133,7 @@ mod tests {
         assert_eq!(f.count, 3);
         assert!((f.exponent - 1.0).abs() < 1e-12);
         let few = power_law(&[1.0, 2.0], &[1.0, 1.0]);
-        assert_eq!(
-            few,
-            Err(FitError::TooFew {
-                found: 2,
-                needed: 3
-            })
-        );
+        assert_eq!(few, Err(FitError::TooFew { found: 2, needed: 3 }));
         let same = power_law(&[2.0; 5], &[1.0, 2.0, 3.0, 4.0, 5.0]);
         assert_eq!(same, Err(FitError::Constant { what: "distances" }));
     }

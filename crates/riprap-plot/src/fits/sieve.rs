@@ -170,9 +170,7 @@ pub fn swebrec_fit(size: &[f64], passing: &[f64]) -> Result<Swebrec, FitError> {
     // Distances beyond the largest size grow with their square: most of the change is near zero.
     let place = |k: f64| FARTHEST * (k / (BEYOND - 1) as f64) * (k / (BEYOND - 1) as f64);
     let tries: Vec<_> = (0..BEYOND).map(|k| with(place(k as f64))).collect();
-    let k = (0..BEYOND)
-        .min_by(|a, b| tries[*a].1.total_cmp(&tries[*b].1))
-        .unwrap_or(0);
+    let k = (0..BEYOND).min_by(|a, b| tries[*a].1.total_cmp(&tries[*b].1)).unwrap_or(0);
     // Golden-section search between the neighbours of the best.
     let (mut low, mut high) = ((k as f64 - 1.0).max(0.0), (k as f64 + 1.0).min(24.0));
     let mut best = tries[k];
@@ -202,11 +200,7 @@ mod tests {
 
     #[test]
     fn a_rosin_rammler_curve_is_found_again() {
-        let true_one = RosinRammler {
-            x50: 0.23,
-            n: 1.3,
-            r2: 1.0,
-        };
+        let true_one = RosinRammler { x50: 0.23, n: 1.3, r2: 1.0 };
         let x: Vec<f64> = (0..20).map(|k| 0.01 * 1.3f64.powi(k)).collect();
         let p: Vec<f64> = x.iter().map(|x| true_one.at(*x)).collect();
         let fit = rosin_rammler_fit(&x, &p).unwrap();
@@ -218,12 +212,7 @@ mod tests {
 
     #[test]
     fn a_swebrec_curve_is_found_again() {
-        let true_one = Swebrec {
-            x50: 0.2,
-            xmax: 1.5,
-            b: 2.1,
-            r2: 1.0,
-        };
+        let true_one = Swebrec { x50: 0.2, xmax: 1.5, b: 2.1, r2: 1.0 };
         let x: Vec<f64> = (0..24).map(|k| 0.004 * 1.28f64.powi(k)).collect();
         let p: Vec<f64> = x.iter().map(|x| true_one.at(*x)).collect();
         let fit = swebrec_fit(&x, &p).unwrap();

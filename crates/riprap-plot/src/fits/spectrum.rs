@@ -61,13 +61,7 @@ pub fn amplitude_spectrum(time: &[f64], values: &[f64]) -> Result<Spectrum, FitE
     let width = 1.0 / (2 * amplitude.len()) as f64 / step;
     let frequency: Vec<f64> = (1..=amplitude.len()).map(|k| k as f64 * width).collect();
     let dominant = peak(&frequency, &amplitude, 1.0 / duration);
-    Ok(Spectrum {
-        frequency,
-        amplitude,
-        dominant,
-        resolution: 1.0 / duration,
-        step,
-    })
+    Ok(Spectrum { frequency, amplitude, dominant, resolution: 1.0 / duration, step })
 }
 
 /// Amplitudes of the frequencies above zero up to half the sampling rate.
@@ -76,13 +70,8 @@ fn transformed(even: &[f64], step: f64) -> Vec<f64> {
     let length = (2 * even.len()).next_power_of_two();
     let mut wave: Vec<Complex<f64>> = even.iter().map(|v| Complex::new(*v, 0.0)).collect();
     wave.resize(length, Complex::new(0.0, 0.0));
-    FftPlanner::new()
-        .plan_fft_forward(length)
-        .process(&mut wave);
-    wave[1..=length / 2]
-        .iter()
-        .map(|c| step * libm::hypot(c.re, c.im))
-        .collect()
+    FftPlanner::new().plan_fft_forward(length).process(&mut wave);
+    wave[1..=length / 2].iter().map(|c| step * libm::hypot(c.re, c.im)).collect()
 }
 
 fn interpolated(t: &[f64], y: &[f64], count: usize, step: f64) -> Vec<f64> {
@@ -102,21 +91,13 @@ fn interpolated(t: &[f64], y: &[f64], count: usize, step: f64) -> Vec<f64> {
 /// Tukey's window at a share 0..1 of the record.
 fn window(share: f64) -> f64 {
     let edge = share.min(1.0 - share) / TAPER;
-    if edge >= 1.0 {
-        1.0
-    } else {
-        0.5 - 0.5 * libm::cos(std::f64::consts::PI * edge)
-    }
+    if edge >= 1.0 { 1.0 } else { 0.5 - 0.5 * libm::cos(std::f64::consts::PI * edge) }
 }
 
 fn peak(frequency: &[f64], amplitude: &[f64], lowest: f64) -> f64 {
     let first = frequency.partition_point(|f| *f < lowest);
     let top = (first..amplitude.len()).fold(first.min(amplitude.len() - 1), |best, k| {
-        if amplitude[k] > amplitude[best] {
-            k
-        } else {
-            best
-        }
+        if amplitude[k] > amplitude[best] { k } else { best }
     });
     if top == 0 || top + 1 >= amplitude.len() {
         return frequency[top];
@@ -124,11 +105,7 @@ fn peak(frequency: &[f64], amplitude: &[f64], lowest: f64) -> f64 {
     let (l, m, r) = (amplitude[top - 1], amplitude[top], amplitude[top + 1]);
     // The top of the parabola through the largest and its neighbours.
     let bend = l - 2.0 * m + r;
-    let shift = if bend < 0.0 {
-        0.5 * (l - r) / bend
-    } else {
-        0.0
-    };
+    let shift = if bend < 0.0 { 0.5 * (l - r) / bend } else { 0.0 };
     frequency[top] + shift.clamp(-0.5, 0.5) * (frequency[1] - frequency[0])
 }
 
@@ -142,10 +119,7 @@ mod tests {
         // A bin of the padded transform, so that its height is that of the line.
         let f = 153.0 / 4.096;
         let t: Vec<f64> = (0..2001).map(|i| f64::from(i) * 1e-3).collect();
-        let y: Vec<f64> = t
-            .iter()
-            .map(|t| 0.2 + 3.0 * (2.0 * PI * f * t).sin())
-            .collect();
+        let y: Vec<f64> = t.iter().map(|t| 0.2 + 3.0 * (2.0 * PI * f * t).sin()).collect();
         let s = amplitude_spectrum(&t, &y).unwrap();
         assert!((s.dominant - f).abs() < 0.02, "{}", s.dominant);
         assert!((s.step - 1e-3).abs() < 1e-15 && (s.resolution - 0.5).abs() < 1e-12);
@@ -178,9 +152,8 @@ mod tests {
 
     #[test]
     fn uneven_steps_and_gaps() {
-        let t: Vec<f64> = (0..3000)
-            .map(|i| f64::from(i) * 1e-3 + 3e-4 * f64::from(i).sin())
-            .collect();
+        let t: Vec<f64> =
+            (0..3000).map(|i| f64::from(i) * 1e-3 + 3e-4 * f64::from(i).sin()).collect();
         let mut y: Vec<f64> = t.iter().map(|t| (2.0 * PI * 12.0 * t).cos()).collect();
         y[100] = f64::NAN;
         let s = amplitude_spectrum(&t, &y).unwrap();

@@ -49,13 +49,8 @@ fn bricks() -> Vec<([f64; 3], f64)> {
 }
 
 fn frame(time: f64, step: u64) -> Frame {
-    let mut f = Frame {
-        step,
-        time,
-        phase: "blast".to_owned(),
-        offsets: vec![0],
-        ..Frame::default()
-    };
+    let mut f =
+        Frame { step, time, phase: "blast".to_owned(), offsets: vec![0], ..Frame::default() };
     let (mut u, mut v, mut ppv, mut top, mut level) = (vec![], vec![], vec![], vec![], vec![]);
     let mut noise = 1_u64;
     for (c, edge) in bricks() {
@@ -66,13 +61,10 @@ fn frame(time: f64, step: u64) -> Frame {
         let lift = dome(ground, time) * ((c[2] + 4.0) / 4.0).clamp(0.0, 1.0);
         let shift = [outward[0], outward[1], lift];
         for corner in BRICK {
-            f.points
-                .push([0, 1, 2].map(|k| c[k] + 0.5 * edge * corner[k] + shift[k]));
+            f.points.push([0, 1, 2].map(|k| c[k] + 0.5 * edge * corner[k] + shift[k]));
         }
         f.offsets.push(f.points.len() as u32);
-        noise = noise
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        noise = noise.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         let scatter = (noise >> 11) as f64 / (1_u64 << 53) as f64 - 0.5;
         let law = K * (r / MASS.sqrt()).powf(-N);
         u.push(shift);
@@ -84,11 +76,7 @@ fn frame(time: f64, step: u64) -> Frame {
         level.push((EDGE / edge).log2());
     }
     let blocks = f.offsets.len() - 1;
-    f.solids = Some(Solids {
-        faces: vec![0; blocks + 1],
-        ends: vec![0],
-        corners: vec![],
-    });
+    f.solids = Some(Solids { faces: vec![0; blocks + 1], ends: vec![0], corners: vec![] });
     f.block_columns = vec![
         Column::scalar("block", "-", (0..blocks).map(|i| i as f64).collect()),
         Column::scalar("level", "-", level),
@@ -119,11 +107,7 @@ pub(super) fn blast(dir: &Path) -> PathBuf {
     };
     let mut run = RunFolder::create(&path, Existing::Refuse, &manifest).unwrap();
     for k in 1..=8u32 {
-        run.frame(
-            &frame(2.5e-3 * f64::from(k), u64::from(k) * 100),
-            &Exec::serial(),
-        )
-        .unwrap();
+        run.frame(&frame(2.5e-3 * f64::from(k), u64::from(k) * 100), &Exec::serial()).unwrap();
     }
     run.begin_histories(&[
         ("charge.pressure", "Pa"),
@@ -147,30 +131,16 @@ pub(super) fn blast(dir: &Path) -> PathBuf {
 }
 
 fn values(path: &Path, name: &str) -> Vec<f64> {
-    Table::read(path)
-        .unwrap()
-        .column(name)
-        .unwrap()
-        .values
-        .clone()
+    Table::read(path).unwrap().column(name).unwrap().values.clone()
 }
 
 #[test]
 fn a_section_shows_the_blocks_that_the_plane_meets() {
     let dir = tempfile::tempdir().unwrap();
     let folder = blast(dir.path());
-    let options = BlockOptions {
-        vectors: Some(Vectors::Velocity),
-        ..BlockOptions::default()
-    };
-    let files = section(
-        &folder,
-        &[Which::Last],
-        "displacement.z",
-        options,
-        &dir.path().join("s"),
-    )
-    .unwrap();
+    let options = BlockOptions { vectors: Some(Vectors::Velocity), ..BlockOptions::default() };
+    let files =
+        section(&folder, &[Which::Last], "displacement.z", options, &dir.path().join("s")).unwrap();
     let text = svg(&files[0]);
     // 24 x 10 large bricks; 16 of them are 64 small ones, 4 of which went for the cavity.
     let heads = text.matches("fill=\"#1a1a1a\"/>").count();
@@ -183,12 +153,8 @@ fn a_section_shows_the_blocks_that_the_plane_meets() {
     let lift = values(numbers, "displacement, z");
     let top = (0..x.len()).max_by(|a, b| z[*a].total_cmp(&z[*b])).unwrap();
     assert!((lift[top] - dome(0.25f64.hypot(0.25), 0.02) * 0.9375).abs() < 1e-6);
-    let plan = BlockOptions {
-        normal: Normal::Z,
-        at: Some(-0.25),
-        log: true,
-        ..BlockOptions::default()
-    };
+    let plan =
+        BlockOptions { normal: Normal::Z, at: Some(-0.25), log: true, ..BlockOptions::default() };
     let files = section(
         &folder,
         &[Which::Index(1), Which::Last],
@@ -199,18 +165,8 @@ fn a_section_shows_the_blocks_that_the_plane_meets() {
     .unwrap();
     assert_eq!(values(&files[1], "block").len(), 2 * 576);
     // Blocks twice as far moved as they are; the reference does not change.
-    let twice = BlockOptions {
-        exaggeration: Some(2.0),
-        ..BlockOptions::default()
-    };
-    let files = blocks(
-        &folder,
-        Which::Last,
-        "level",
-        twice,
-        &dir.path().join("e.svg"),
-    )
-    .unwrap();
+    let twice = BlockOptions { exaggeration: Some(2.0), ..BlockOptions::default() };
+    let files = blocks(&folder, Which::Last, "level", twice, &dir.path().join("e.svg")).unwrap();
     let moved = values(&files[1], "z");
     assert!(svg(&files[0]).contains("displacements × 2"));
     assert!((moved[top] - z[top] - lift[top]).abs() < 1e-9);
@@ -224,11 +180,7 @@ fn the_site_law_comes_back() {
     let fit = files.last().unwrap();
     assert!(fit.ends_with("ppv_fit.csv"));
     let of = |name: &str| values(fit, name)[0];
-    assert!(
-        (of("n") - N).abs() < 3.0 * of("standard error of n"),
-        "{}",
-        of("n")
-    );
+    assert!((of("n") - N).abs() < 3.0 * of("standard error of n"), "{}", of("n"));
     // Even scatter of width 0.8 has the deviation 0.8 / sqrt(12).
     assert!((of("deviation of ln v") / (0.8 / 12f64.sqrt()) - 1.0).abs() < 0.05);
     assert!((of("K") / (1e3 * K) - 1.0).abs() < 0.02, "{}", of("K"));
@@ -244,35 +196,21 @@ fn the_site_law_comes_back() {
 fn the_crater_has_the_radius_of_its_dome() {
     let dir = tempfile::tempdir().unwrap();
     let folder = blast(dir.path());
-    let files = crater(
-        &folder,
-        Which::Last,
-        CraterOptions::default(),
-        &dir.path().join("c"),
-    )
-    .unwrap();
+    let files =
+        crater(&folder, Which::Last, CraterOptions::default(), &dir.path().join("c")).unwrap();
     let radius = values(files.last().unwrap(), "crater radius")[0];
     // Of the blocks' centres at 0.25 m below the surface the dome has 0.9375.
     let wanted = 1.8 * (0.12 * 0.9375 / 0.04f64).ln().sqrt();
     assert!((radius / wanted - 1.0).abs() < 0.03, "{radius} {wanted}");
     let text = svg(&files[0]);
-    assert!(
-        text.contains("r/W = ") && text.contains("W = 2.00 m"),
-        "{text}"
-    );
+    assert!(text.contains("r/W = ") && text.contains("W = 2.00 m"), "{text}");
     for uplift in [0.0, -0.1, f64::NAN] {
-        let none = CraterOptions {
-            uplift: Some(uplift),
-            ..CraterOptions::default()
-        };
+        let none = CraterOptions { uplift: Some(uplift), ..CraterOptions::default() };
         let refused = crater(&folder, Which::Last, none, &dir.path().join("n"));
         let text = refused.unwrap_err().to_string();
         assert!(text.contains("uplift cannot be"), "{text}");
     }
-    let high = CraterOptions {
-        uplift: Some(0.5),
-        source: Some("charge"),
-    };
+    let high = CraterOptions { uplift: Some(0.5), source: Some("charge") };
     let files = crater(&folder, Which::Last, high, &dir.path().join("n.svg")).unwrap();
     assert!(svg(&files[0]).contains("no crater"));
     let files = heave(&folder, &[], None, Normal::Y, &dir.path().join("h")).unwrap();
@@ -316,16 +254,10 @@ fn unsuitable_runs_are_told() {
     assert!(text(cavity(&flat, &out)).contains(".pressure"));
     assert!(text(spectrum(&flat, "slipp", &out)).contains("did you mean `slip`?"));
     assert!(text(spectrum(&flat, "slip", &out)).contains("5 usable samples"));
-    let other = CraterOptions {
-        source: Some("other"),
-        ..CraterOptions::default()
-    };
+    let other = CraterOptions { source: Some("other"), ..CraterOptions::default() };
     assert!(text(crater(&folder, last, other, &out)).contains("sources are: charge"));
     assert!(text(heave(&folder, &[], None, Normal::Z, &out)).contains("along x or y"));
-    let far = BlockOptions {
-        at: Some(99.0),
-        ..o
-    };
+    let far = BlockOptions { at: Some(99.0), ..o };
     let e = text(section(&folder, &[last], "level", far, &out));
     assert!(e.contains("y = 99 m meets no block"), "{e}");
     assert!(text(section(&folder, &[last], "levle", o, &out)).contains("did you mean `level`?"));

@@ -13,10 +13,7 @@ use std::path::{Path, PathBuf};
 
 fn folder(dir: &Path, frames: &[Frame]) -> (RunFolder, PathBuf) {
     let path = dir.join("a.run");
-    let manifest = Manifest {
-        title: "made up".to_owned(),
-        ..Manifest::default()
-    };
+    let manifest = Manifest { title: "made up".to_owned(), ..Manifest::default() };
     let mut run = RunFolder::create(&path, Existing::Refuse, &manifest).unwrap();
     for frame in frames {
         run.frame(frame, &Exec::serial()).unwrap();
@@ -34,11 +31,7 @@ fn leaning() -> Frame {
     };
     let mut frame = Frame {
         offsets: vec![0, 8, 16],
-        solids: Some(Solids {
-            faces: vec![0; 3],
-            ends: vec![0],
-            corners: vec![],
-        }),
+        solids: Some(Solids { faces: vec![0; 3], ends: vec![0], corners: vec![] }),
         ..Frame::default()
     };
     for height in [-1.0, 1.0] {
@@ -92,10 +85,7 @@ fn poles_of_a_leaning_joint_and_of_a_crack() {
 #[test]
 fn a_rose_in_the_plane_knows_which_joints_broke() {
     let dir = tempfile::tempdir().unwrap();
-    let sample = || Frame {
-        time: 0.25,
-        ..riprap_testkit::sample()
-    };
+    let sample = || Frame { time: 0.25, ..riprap_testkit::sample() };
     let (mut run, folder) = folder(dir.path(), &[sample()]);
     let out = dir.path().join("rose.svg");
     let cracks = || {
@@ -117,9 +107,8 @@ fn a_rose_in_the_plane_knows_which_joints_broke() {
     }
     // The second one broke after the frame.
     assert_eq!(cracks(), 0.75);
-    let text = stereonet(&folder, Which::Last, Projection::EqualArea, &out)
-        .unwrap_err()
-        .to_string();
+    let text =
+        stereonet(&folder, Which::Last, Projection::EqualArea, &out).unwrap_err().to_string();
     assert!(text.contains("in the plane"), "{text}");
 }
 
@@ -167,9 +156,7 @@ fn fragment_sizes_of_a_known_law() {
     .unwrap();
     let largest = |group: Option<&str>| {
         let files = fragments(&folder, group, &out).unwrap();
-        let fit = files
-            .iter()
-            .find(|f| f.to_string_lossy().ends_with("_fit.csv"));
+        let fit = files.iter().find(|f| f.to_string_lossy().ends_with("_fit.csv"));
         let table = Table::read(fit.unwrap()).unwrap();
         table.column("largest").unwrap().values[0]
     };
@@ -179,9 +166,7 @@ fn fragment_sizes_of_a_known_law() {
     std::fs::write(folder.join("fragment_blocks.csv"), members).unwrap();
     let blocks = ["ground", "rock.1", "rock.2", "wall", "wall/1"].map(str::to_owned);
     let groups = [("rock", &[1_u32, 2][..]), ("ground", &[0])];
-    riprap_record::names::Names::pack(blocks, groups)
-        .write(&folder)
-        .unwrap();
+    riprap_record::names::Names::pack(blocks, groups).write(&folder).unwrap();
     assert!((largest(Some("rock")) - 2.0).abs() < 1e-12);
     assert!((largest(Some("wall")) - 1.0).abs() < 1e-12);
     assert!(text(fragments(&folder, Some("ground"), &out)).contains("with a block of"));
@@ -196,18 +181,11 @@ fn fragment_sizes_of_a_known_law() {
 fn tensors_are_drawn_by_component_only() {
     let dir = tempfile::tempdir().unwrap();
     let mut frame = riprap_testkit::sample();
-    frame.block_columns.push(Column::vector(
-        "stress_normal",
-        "Pa",
-        [[-1e6, -2e6], [3e6, 4e6]],
-    ));
+    frame.block_columns.push(Column::vector("stress_normal", "Pa", [[-1e6, -2e6], [3e6, 4e6]]));
     let (_, path) = folder(dir.path(), &[frame]);
     let out = dir.path().join("b");
     let draw = |field| blocks(&path, Which::Last, field, BlockOptions::default(), &out);
     let error = draw("block.stress_normal").unwrap_err().to_string();
-    assert!(
-        error.contains("`stress_normal.x` (xx), `stress_normal.y` (yy)"),
-        "{error}"
-    );
+    assert!(error.contains("`stress_normal.x` (xx), `stress_normal.y` (yy)"), "{error}");
     assert!(draw("stress_normal.y").is_ok());
 }

@@ -76,9 +76,7 @@ pub(super) fn put<T: Serialize>(
     packing: Packing,
 ) -> io::Result<Vec<u8>> {
     if kind.is_empty() || kind.len() > KIND_BYTES || !kind.is_ascii() {
-        return Err(invalid(format!(
-            "checkpoint kind `{kind}` is not 1 to 16 ASCII characters"
-        )));
+        return Err(invalid(format!("checkpoint kind `{kind}` is not 1 to 16 ASCII characters")));
     }
     file.write_all(&[0; HEAD])?;
     let pieces = BufWriter::with_capacity(PIECE, Payload::new(&mut *file));
@@ -92,9 +90,7 @@ pub(super) fn put<T: Serialize>(
             (plain(value, &mut zlib)?, zlib.finish()?)
         }
     };
-    let payload = pieces
-        .into_inner()
-        .map_err(io::IntoInnerError::into_error)?;
+    let payload = pieces.into_inner().map_err(io::IntoInnerError::into_error)?;
     let mut head = Vec::with_capacity(HEAD);
     head.extend_from_slice(MAGIC);
     head.extend_from_slice(&FORMAT_VERSION.to_le_bytes());
@@ -129,11 +125,7 @@ struct Payload<W> {
 
 impl<W> Payload<W> {
     fn new(file: W) -> Self {
-        Self {
-            file,
-            sum: Sum::after(SUM_AT),
-            bytes: 0,
-        }
+        Self { file, sum: Sum::after(SUM_AT), bytes: 0 }
     }
 }
 
@@ -153,12 +145,7 @@ impl<W: Write> Write for Payload<W> {
 
 /// Encodes a value into `out`; its length.
 fn plain<T: Serialize>(value: &T, out: &mut dyn Write) -> io::Result<u64> {
-    let mut gathered = Gathered {
-        block: Vec::with_capacity(BLOCK),
-        out,
-        bytes: 0,
-        failed: None,
-    };
+    let mut gathered = Gathered { block: Vec::with_capacity(BLOCK), out, bytes: 0, failed: None };
     let encoded = postcard::serialize_with_flavor(value, &mut gathered);
     // The encoder knows no errors of the disk.
     match (gathered.failed.take(), encoded) {

@@ -21,10 +21,7 @@ pub(super) struct Stored<W> {
 impl<W: Write> Stored<W> {
     pub(super) fn new(mut out: W) -> io::Result<Self> {
         out.write_all(&BEGIN)?;
-        Ok(Self {
-            out,
-            sum: Adler32::new(),
-        })
+        Ok(Self { out, sum: Adler32::new() })
     }
 
     /// Ends the stream.

@@ -79,9 +79,8 @@ mod tests {
     /// Lengths about all edges of chunks and subtrees, in pieces of any size.
     #[test]
     fn a_head_that_comes_last_does_not_change_the_sum() {
-        let all: Vec<u8> = (0..100_000u32)
-            .map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8)
-            .collect();
+        let all: Vec<u8> =
+            (0..100_000u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
         for head in [1, 44, 1000] {
             let edges = (0..7).flat_map(|k| {
                 let edge = CHUNK_LEN << k;

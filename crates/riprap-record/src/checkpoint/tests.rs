@@ -14,11 +14,7 @@ static ALLOCATOR: Counting = Counting::new();
 type State = (u64, Vec<f64>, String);
 
 fn sample() -> State {
-    (
-        7,
-        (0..300).map(|i| f64::from(i) * 0.1).collect(),
-        "phase".to_owned(),
-    )
+    (7, (0..300).map(|i| f64::from(i) * 0.1).collect(), "phase".to_owned())
 }
 
 fn decoded(bytes: &[u8]) -> Result<State, CheckpointError> {
@@ -31,14 +27,8 @@ fn round_trip() {
     let path = dir.path().join("a.rck");
     write(&path, "test", &sample()).unwrap();
     assert_eq!(read::<State>(&path, "test").unwrap(), sample());
-    assert!(matches!(
-        read::<State>(&path, "other"),
-        Err(CheckpointError::Kind { .. })
-    ));
-    assert!(matches!(
-        read::<Vec<String>>(&path, "test"),
-        Err(CheckpointError::Decode { .. })
-    ));
+    assert!(matches!(read::<State>(&path, "other"), Err(CheckpointError::Kind { .. })));
+    assert!(matches!(read::<Vec<String>>(&path, "test"), Err(CheckpointError::Decode { .. })));
     let missing = read::<State>(&dir.path().join("none.rck"), "test");
     assert!(matches!(missing, Err(CheckpointError::Read { .. })));
     assert!(encode("a kind that is far too long", &1).is_err());
@@ -48,20 +38,14 @@ fn round_trip() {
 fn every_truncation_and_every_flipped_byte_is_told() {
     let bytes = encode("test", &sample()).unwrap();
     for n in 0..bytes.len() {
-        assert!(
-            matches!(decoded(&bytes[..n]), Err(CheckpointError::Truncated { .. })),
-            "{n}"
-        );
+        assert!(matches!(decoded(&bytes[..n]), Err(CheckpointError::Truncated { .. })), "{n}");
         let mut bad = bytes.clone();
         bad[n] ^= 1 << (n % 8);
         assert!(decoded(&bad).is_err(), "flip at {n}");
     }
     let mut long = bytes.clone();
     long.push(0);
-    assert!(matches!(
-        decoded(&long),
-        Err(CheckpointError::Trailing { .. })
-    ));
+    assert!(matches!(decoded(&long), Err(CheckpointError::Trailing { .. })));
     let mut newer = bytes.clone();
     newer[8] = FORMAT_VERSION as u8 + 1;
     assert!(matches!(
@@ -70,20 +54,11 @@ fn every_truncation_and_every_flipped_byte_is_told() {
     ));
     let mut older = bytes.clone();
     older[8] = 1;
-    assert!(matches!(
-        decoded(&older),
-        Err(CheckpointError::Older { found: 1, .. })
-    ));
-    assert!(matches!(
-        decoded(b"PK\x03\x04 zip"),
-        Err(CheckpointError::Foreign { .. })
-    ));
+    assert!(matches!(decoded(&older), Err(CheckpointError::Older { found: 1, .. })));
+    assert!(matches!(decoded(b"PK\x03\x04 zip"), Err(CheckpointError::Foreign { .. })));
     let mut flipped = bytes;
     *flipped.last_mut().unwrap() ^= 1;
-    assert!(matches!(
-        decoded(&flipped),
-        Err(CheckpointError::Checksum { .. })
-    ));
+    assert!(matches!(decoded(&flipped), Err(CheckpointError::Checksum { .. })));
 }
 
 /// Blocks that are stored end within numbers and at the edges of what is gathered, and any reader of zlib reads them.
@@ -124,11 +99,7 @@ fn a_full_disk_is_told_as_such() {
         for room in [0, 10, 100_000, 2_000_000] {
             let error = put(&mut Full(room), "test", &numbers, packing).unwrap_err();
             let (kind, text) = (error.kind(), error.to_string());
-            assert_eq!(
-                kind,
-                io::ErrorKind::StorageFull,
-                "{packing:?} {room}: {text}"
-            );
+            assert_eq!(kind, io::ErrorKind::StorageFull, "{packing:?} {room}: {text}");
         }
     }
 }
@@ -141,9 +112,7 @@ fn a_full_device_is_told_as_such() {
     if full.exists() {
         let mut file = fs::OpenOptions::new().write(true).open(full).unwrap();
         let numbers = vec![0.1; 1_000_000];
-        let written = behind::behind(&mut file, |file| {
-            put(file, "test", &numbers, Packing::Quick)
-        });
+        let written = behind::behind(&mut file, |file| put(file, "test", &numbers, Packing::Quick));
         assert_eq!(written.unwrap_err().kind(), io::ErrorKind::StorageFull);
     }
 }
@@ -173,28 +142,16 @@ fn forged_lengths_do_not_allocate() {
         bytes[SUM_AT..HEAD].copy_from_slice(&sum);
         bytes
     };
-    assert!(matches!(
-        decoded(&forge(u64::MAX)),
-        Err(CheckpointError::Absurd { .. })
-    ));
-    assert!(matches!(
-        decoded(&forge(10_000)),
-        Err(CheckpointError::Decode { .. })
-    ));
-    assert!(matches!(
-        decoded(&forge(10)),
-        Err(CheckpointError::Decode { .. })
-    ));
+    assert!(matches!(decoded(&forge(u64::MAX)), Err(CheckpointError::Absurd { .. })));
+    assert!(matches!(decoded(&forge(10_000)), Err(CheckpointError::Decode { .. })));
+    assert!(matches!(decoded(&forge(10)), Err(CheckpointError::Decode { .. })));
 }
 
 #[test]
 fn a_vector_length_inside_the_payload_does_not_allocate() {
     // Valid container whose payload claims a vector of 2^60 numbers.
     let bytes = encode("test", &(7u64, 1u64 << 60)).unwrap();
-    assert!(matches!(
-        decoded(&bytes),
-        Err(CheckpointError::Decode { .. })
-    ));
+    assert!(matches!(decoded(&bytes), Err(CheckpointError::Decode { .. })));
 }
 
 #[test]
@@ -209,11 +166,7 @@ fn two_are_kept_and_a_broken_one_is_skipped() {
             "test",
             step,
             &(step, Vec::<f64>::new(), String::new()),
-            if step == 20 {
-                Packing::Small
-            } else {
-                Packing::Quick
-            },
+            if step == 20 { Packing::Small } else { Packing::Quick },
         )
         .unwrap();
     }
@@ -225,17 +178,10 @@ fn two_are_kept_and_a_broken_one_is_skipped() {
     fs::write(&newest, &bytes[..bytes.len() / 2]).unwrap();
     let fallback = latest::<State>(dir.path(), "test").unwrap();
     assert_eq!(fallback.value.0, 20);
-    assert!(
-        fallback.broken[0].to_string().contains("cut off"),
-        "{}",
-        fallback.broken[0]
-    );
+    assert!(fallback.broken[0].to_string().contains("cut off"), "{}", fallback.broken[0]);
     fs::write(path_for(dir.path(), 20), b"").unwrap();
     let none = latest::<State>(dir.path(), "test").unwrap_err().to_string();
-    assert!(
-        none.contains("000020.rck") && none.contains("000030.rck"),
-        "{none}"
-    );
+    assert!(none.contains("000020.rck") && none.contains("000030.rck"), "{none}");
 }
 
 proptest! {

@@ -70,10 +70,7 @@ pub(super) fn frame_files(path: &Path) -> Result<Vec<(u32, PathBuf)>, OutputErro
     let mut found = Vec::new();
     for entry in fs::read_dir(&folder).at(&folder)? {
         let file = entry.at(&folder)?.path();
-        let name = file
-            .file_name()
-            .and_then(|n| n.to_str())
-            .unwrap_or_default();
+        let name = file.file_name().and_then(|n| n.to_str()).unwrap_or_default();
         let number = name
             .strip_prefix("frame_")
             .or_else(|| name.strip_prefix("contacts_"))
@@ -90,10 +87,9 @@ pub(super) fn frame_files(path: &Path) -> Result<Vec<(u32, PathBuf)>, OutputErro
 
 pub(super) fn remove_if_there(path: &Path) -> Result<(), OutputError> {
     match fs::remove_file(path) {
-        Err(e) if e.kind() != io::ErrorKind::NotFound => Err(OutputError {
-            path: path.to_owned(),
-            source: e,
-        }),
+        Err(e) if e.kind() != io::ErrorKind::NotFound => {
+            Err(OutputError { path: path.to_owned(), source: e })
+        }
         Ok(()) | Err(_) => Ok(()),
     }
 }
@@ -104,9 +100,7 @@ pub(super) fn lock(path: &Path) -> Result<File, FolderError> {
     let handle = File::create(&file).at(&file)?;
     match handle.try_lock() {
         Ok(()) => Ok(handle),
-        Err(TryLockError::WouldBlock) => Err(FolderError::InUse {
-            path: path.to_owned(),
-        }),
+        Err(TryLockError::WouldBlock) => Err(FolderError::InUse { path: path.to_owned() }),
         // File systems without locks: better unguarded than not at all.
         Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => Ok(handle),
         Err(TryLockError::Error(error)) => Err(error).at(&file).map_err(FolderError::from),
@@ -167,9 +161,7 @@ pub(super) fn clear(path: &Path) -> Result<(), OutputError> {
         fs::remove_file(&file).at(&file)?;
     }
     checkpoint::remove_unfinished(path)?;
-    FILES
-        .iter()
-        .try_for_each(|name| remove_if_there(&path.join(name)))
+    FILES.iter().try_for_each(|name| remove_if_there(&path.join(name)))
 }
 
 /// File of a frame by its number.
@@ -185,10 +177,7 @@ const LISTS: [(&str, FileOf, bool); 5] = [
 ];
 
 fn entry(frame: &FrameEntry, file: FileOf) -> PvdEntry {
-    PvdEntry {
-        time: frame.time,
-        file: file(frame.index),
-    }
+    PvdEntry { time: frame.time, file: file(frame.index) }
 }
 
 /// Writes the `.pvd` lists: files of cracks, bolts and tetrahedra as far as there are any. A list without any is removed: one of
@@ -196,11 +185,7 @@ fn entry(frame: &FrameEntry, file: FileOf) -> PvdEntry {
 pub(super) fn write_lists(path: &Path, frames: &[FrameEntry]) -> Result<(), OutputError> {
     for (name, file, always) in LISTS {
         let there = |f: &&FrameEntry| always || path.join(file(f.index)).exists();
-        let entries: Vec<PvdEntry> = frames
-            .iter()
-            .filter(there)
-            .map(|f| entry(f, file))
-            .collect();
+        let entries: Vec<PvdEntry> = frames.iter().filter(there).map(|f| entry(f, file)).collect();
         if always || !entries.is_empty() {
             write_whole(&path.join(name), vtu::write_pvd(&entries).as_bytes())?;
         } else {

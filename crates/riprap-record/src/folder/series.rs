@@ -29,10 +29,7 @@ pub(super) fn begin<S: AsRef<str>>(
     }
     let mut file = AppendFile::create(path)?;
     file.line(&head)?;
-    *slot = Some(Series {
-        file,
-        columns: columns.len(),
-    });
+    *slot = Some(Series { file, columns: columns.len() });
     Ok(())
 }
 
@@ -52,11 +49,7 @@ pub(super) fn append(
         return Err(invalid("a row before the head".to_owned()));
     };
     if row.len() != series.columns {
-        return Err(invalid(format!(
-            "a row of {} for {} columns",
-            row.len(),
-            series.columns
-        )));
+        return Err(invalid(format!("a row of {} for {} columns", row.len(), series.columns)));
     }
     let mut line = format!("{step},{}", number(time));
     for value in row {
@@ -71,10 +64,7 @@ pub(super) fn append(
 /// A text cell of a CSV file: quoted if it must be.
 fn cell(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
-        format!(
-            "\"{}\"",
-            text.replace('"', "\"\"").replace(['\n', '\r'], " ")
-        )
+        format!("\"{}\"", text.replace('"', "\"\"").replace(['\n', '\r'], " "))
     } else {
         text.to_owned()
     }

@@ -10,18 +10,11 @@ use std::collections::BTreeMap;
 /// All files with their bytes, except the manifest.
 fn snapshot(path: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut out = BTreeMap::new();
-    for folder in [
-        path.to_owned(),
-        path.join("frames"),
-        path.join("checkpoints"),
-    ] {
+    for folder in [path.to_owned(), path.join("frames"), path.join("checkpoints")] {
         for entry in fs::read_dir(&folder).unwrap() {
             let file = entry.unwrap().path();
             if file.is_file() && !file.ends_with("manifest.json") {
-                out.insert(
-                    file.strip_prefix(path).unwrap().to_owned(),
-                    fs::read(&file).unwrap(),
-                );
+                out.insert(file.strip_prefix(path).unwrap().to_owned(), fs::read(&file).unwrap());
             }
         }
     }
@@ -29,34 +22,18 @@ fn snapshot(path: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 }
 
 fn steps(run: &mut RunFolder, range: std::ops::Range<u64>) {
-    run.begin_histories(&[("slip", "m"), ("unbalanced", "-")])
-        .unwrap();
+    run.begin_histories(&[("slip", "m"), ("unbalanced", "-")]).unwrap();
     run.begin_energy(&[("kinetic", "J/m")]).unwrap();
     for step in range {
         let time = step as f64 * 1e-3;
-        run.history_row(
-            step,
-            time,
-            &[Some(time.sin()), (step % 2 == 0).then_some(1e-7)],
-        )
-        .unwrap();
+        run.history_row(step, time, &[Some(time.sin()), (step % 2 == 0).then_some(1e-7)]).unwrap();
         run.energy_row(step, time, &[time * 3.0]).unwrap();
         if step % 3 == 0 {
-            run.event(&serde_json::json!({"step": step, "event": "contact broken"}))
-                .unwrap();
-            run.frame(
-                &Frame {
-                    step,
-                    time,
-                    ..sample()
-                },
-                &Exec::serial(),
-            )
-            .unwrap();
+            run.event(&serde_json::json!({"step": step, "event": "contact broken"})).unwrap();
+            run.frame(&Frame { step, time, ..sample() }, &Exec::serial()).unwrap();
         }
         if step % 4 == 0 {
-            run.checkpoint("test", step, &(step, run.marks(step)))
-                .unwrap();
+            run.checkpoint("test", step, &(step, run.marks(step))).unwrap();
         }
     }
 }
@@ -73,10 +50,7 @@ fn a_continued_run_leaves_the_same_bytes() {
     assert_eq!(snapshot(&a), snapshot(&b));
     // b: the newest checkpoint is broken, the process died inside a line and between frame and list.
     fs::write(checkpoint::path_for(&b, 16), b"RIPRAPCK").unwrap();
-    let mut csv = fs::OpenOptions::new()
-        .append(true)
-        .open(b.join("histories.csv"))
-        .unwrap();
+    let mut csv = fs::OpenOptions::new().append(true).open(b.join("histories.csv")).unwrap();
     io::Write::write_all(&mut csv, b"20,0.0").unwrap();
     fs::write(b.join("frames/frame_000099.vtu"), b"half").unwrap();
     assert!(Table::read(&b.join("histories.csv")).unwrap().cut);
@@ -115,29 +89,17 @@ fn changed_folders_are_not_continued() {
     let frame = path.join(block_file(2));
     let bytes = fs::read(&frame).unwrap();
     fs::remove_file(&frame).unwrap();
-    assert!(matches!(
-        RunFolder::reopen(&path, &marks),
-        Err(FolderError::FrameMissing { .. })
-    ));
+    assert!(matches!(RunFolder::reopen(&path, &marks), Err(FolderError::FrameMissing { .. })));
     fs::write(&frame, bytes).unwrap();
     // A refused one stays as it is: with rows after the checkpoint, and a file that was not begun at it.
     fs::write(path.join("energy.csv"), "step,time [s]\n").unwrap();
-    let mut csv = fs::OpenOptions::new()
-        .append(true)
-        .open(path.join("histories.csv"))
-        .unwrap();
+    let mut csv = fs::OpenOptions::new().append(true).open(path.join("histories.csv")).unwrap();
     io::Write::write_all(&mut csv, b"8,0.008,0.1,\n").unwrap();
     let before = snapshot(&path);
-    let not_begun = Marks {
-        histories: 0,
-        ..marks.clone()
-    };
+    let not_begun = Marks { histories: 0, ..marks.clone() };
     for marks in [&marks, &not_begun] {
         let error = RunFolder::reopen(&path, marks).unwrap_err().to_string();
-        assert!(
-            error.contains("energy.csv") && error.contains("cut or replaced"),
-            "{error}"
-        );
+        assert!(error.contains("energy.csv") && error.contains("cut or replaced"), "{error}");
         assert!(snapshot(&path) == before, "something was cut");
     }
     assert!(RunFolder::reopen(&dir.path().join("none"), &marks).is_err());
@@ -183,19 +145,13 @@ fn names_that_are_free() {
     assert_eq!(RunFolder::free_name(&wanted), wanted);
     fs::create_dir(&wanted).unwrap();
     fs::create_dir(dir.path().join("slope-2.run")).unwrap();
-    assert_eq!(
-        RunFolder::free_name(&wanted),
-        dir.path().join("slope-3.run")
-    );
+    assert_eq!(RunFolder::free_name(&wanted), dir.path().join("slope-3.run"));
 }
 
 #[test]
 fn what_was_begun_and_not_computed_is_no_hindrance() {
     let dir = tempfile::tempdir().unwrap();
-    let running = Manifest {
-        ended: Ended::Running,
-        ..Manifest::default()
-    };
+    let running = Manifest { ended: Ended::Running, ..Manifest::default() };
     let begun = |name: &str| {
         let path = dir.path().join(name);
         let mut run = RunFolder::create(&path, Existing::Refuse, &running).unwrap();
@@ -228,11 +184,8 @@ fn what_was_begun_and_not_computed_is_no_hindrance() {
             run.checkpoint("test", 0, &0).unwrap();
         }),
         ("end", |_, run| {
-            run.write_manifest(&Manifest {
-                ended: Ended::Finished,
-                ..Manifest::default()
-            })
-            .unwrap();
+            run.write_manifest(&Manifest { ended: Ended::Finished, ..Manifest::default() })
+                .unwrap();
         }),
         ("file", |path, _| {
             fs::write(path.join("thesis.txt"), "mine").unwrap();
@@ -258,33 +211,16 @@ fn rows_must_fit_and_numbers_read_back() {
     let path = dir.path().join("a.run");
     let mut run = RunFolder::create(&path, Existing::Refuse, &Manifest::default()).unwrap();
     assert!(run.history_row(0, 0.0, &[]).is_err());
-    run.begin_histories(&[("a, \"b\"", "m"), ("c", "-")])
-        .unwrap();
+    run.begin_histories(&[("a, \"b\"", "m"), ("c", "-")]).unwrap();
     assert!(run.history_row(0, 0.0, &[None]).is_err());
-    let values = [
-        1e-300,
-        -0.1 - 0.2,
-        1e15,
-        123_456.789,
-        5e-5,
-        f64::MIN_POSITIVE,
-        f64::NAN,
-    ];
+    let values = [1e-300, -0.1 - 0.2, 1e15, 123_456.789, 5e-5, f64::MIN_POSITIVE, f64::NAN];
     for (i, v) in values.iter().enumerate() {
         run.history_row(i as u64, *v, &[Some(*v), None]).unwrap();
     }
     let table = Table::read(&path.join("histories.csv")).unwrap();
     let back = &table.column("a, \"b\"").unwrap().values;
-    assert!(
-        back.iter()
-            .zip(values)
-            .all(|(a, b)| a.to_bits() == b.to_bits() || b.is_nan())
-    );
-    run.write_manifest(&Manifest {
-        ended: Ended::Finished,
-        ..Manifest::default()
-    })
-    .unwrap();
+    assert!(back.iter().zip(values).all(|(a, b)| a.to_bits() == b.to_bits() || b.is_nan()));
+    run.write_manifest(&Manifest { ended: Ended::Finished, ..Manifest::default() }).unwrap();
     assert_eq!(Manifest::read(&path).unwrap().ended, Ended::Finished);
 }
 
@@ -297,10 +233,7 @@ fn each_frame_is_in_both_lists() {
     steps(&mut run, 0..7);
     for list in ["run.pvd", "contacts.pvd"] {
         let entries = vtu::read_pvd(&path.join(list)).unwrap();
-        assert_eq!(
-            entries.iter().map(|e| e.time).collect::<Vec<_>>(),
-            vec![0.0, 0.003, 0.006]
-        );
+        assert_eq!(entries.iter().map(|e| e.time).collect::<Vec<_>>(), vec![0.0, 0.003, 0.006]);
         assert!(entries.iter().all(|e| path.join(&e.file).is_file()));
         // Lists grow by an entry a frame, and are what they would be if written whole.
         let text = std::fs::read_to_string(path.join(list)).unwrap();
@@ -308,14 +241,7 @@ fn each_frame_is_in_both_lists() {
     }
     let frame =
         vtu::read_frame(&path.join(block_file(3)), Some(&path.join(contact_file(3)))).unwrap();
-    assert_eq!(
-        frame,
-        Frame {
-            step: 6,
-            time: 0.006,
-            ..sample()
-        }
-    );
+    assert_eq!(frame, Frame { step: 6, time: 0.006, ..sample() });
 }
 
 /// A list of bolts, cracks or tetrahedra whose frames all come after the checkpoint stayed, and the continued run named them again.
@@ -328,10 +254,7 @@ fn a_run_that_goes_on_from_before_a_list_begins_it_again() {
     let marks = run.marks(2);
     steps(&mut run, 3..7);
     drop(run);
-    let last = PvdEntry {
-        time: 0.006,
-        file: bolt_file(3),
-    };
+    let last = PvdEntry { time: 0.006, file: bolt_file(3) };
     for name in ["bolts.pvd", "cracks.pvd", "tetrahedra.pvd"] {
         fs::write(path.join(name), vtu::write_pvd(std::slice::from_ref(&last))).unwrap();
     }
@@ -340,10 +263,7 @@ fn a_run_that_goes_on_from_before_a_list_begins_it_again() {
     drop(RunFolder::reopen(&path, &marks).unwrap());
     // Those of frames before it are listed, and no others.
     let left = vtu::read_pvd(&path.join("bolts.pvd")).unwrap();
-    assert_eq!(
-        left.iter().map(|e| &e.file).collect::<Vec<_>>(),
-        [&bolt_file(1)]
-    );
+    assert_eq!(left.iter().map(|e| &e.file).collect::<Vec<_>>(), [&bolt_file(1)]);
     assert!(!path.join("cracks.pvd").exists() && !path.join("tetrahedra.pvd").exists());
 }
 

@@ -40,11 +40,7 @@ pub fn read_frame(blocks: &Path, contacts: Option<&Path>) -> Result<Frame, ReadE
         return Ok(frame);
     };
     let c = read(path)?;
-    let frame = Frame {
-        contact_points: c.points,
-        contact_columns: c.point_columns,
-        ..frame
-    };
+    let frame = Frame { contact_points: c.points, contact_columns: c.point_columns, ..frame };
     checked(frame, path)
 }
 
@@ -54,10 +50,8 @@ pub fn read_frame(blocks: &Path, contacts: Option<&Path>) -> Result<Frame, ReadE
 /// As [`read_frame`].
 pub fn read_blocks(blocks: &Path, wanted: Wanted<'_>) -> Result<Frame, ReadError> {
     let b = read_some(blocks, wanted)?;
-    let solids = solids(&b).map_err(|reason| ReadError::Damaged {
-        path: blocks.to_owned(),
-        reason,
-    })?;
+    let solids =
+        solids(&b).map_err(|reason| ReadError::Damaged { path: blocks.to_owned(), reason })?;
     let mut frame = Frame {
         solids,
         step: b.step,
@@ -76,20 +70,13 @@ pub fn read_blocks(blocks: &Path, wanted: Wanted<'_>) -> Result<Frame, ReadError
         frame.offsets.push(0);
         frame.offsets.extend(b.offsets);
     }
-    if wanted.geometry {
-        checked(frame, blocks)
-    } else {
-        Ok(frame)
-    }
+    if wanted.geometry { checked(frame, blocks) } else { Ok(frame) }
 }
 
 fn checked(frame: Frame, path: &Path) -> Result<Frame, ReadError> {
     match frame.fault() {
         None => Ok(frame),
-        Some(reason) => Err(ReadError::Damaged {
-            path: path.to_owned(),
-            reason,
-        }),
+        Some(reason) => Err(ReadError::Damaged { path: path.to_owned(), reason }),
     }
 }
 
@@ -98,11 +85,7 @@ fn solids(file: &Vtu) -> Result<Option<Solids>, String> {
     if file.dimension != 3 {
         return Ok(None);
     }
-    let mut out = Solids {
-        faces: vec![0],
-        ends: vec![0],
-        corners: Vec::new(),
-    };
+    let mut out = Solids { faces: vec![0], ends: vec![0], corners: Vec::new() };
     let bad = || "its faces cannot be read".to_owned();
     let mut at = 0;
     let mut first = 0_i64;

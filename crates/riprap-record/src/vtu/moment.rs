@@ -27,33 +27,19 @@ pub fn read_moment(path: &Path) -> Result<Moment, ReadError> {
     let mut bytes = Vec::new();
     crate::open_plain(path)
         .and_then(|file| file.take(HEAD).read_to_end(&mut bytes))
-        .map_err(|source| ReadError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
-    let damaged = |reason: &str| ReadError::Damaged {
-        path: path.to_owned(),
-        reason: reason.to_owned(),
-    };
+        .map_err(|source| ReadError::Read { path: path.to_owned(), source })?;
+    let damaged =
+        |reason: &str| ReadError::Damaged { path: path.to_owned(), reason: reason.to_owned() };
     let end = b"</FieldData>";
     let at = bytes.windows(end.len()).position(|w| w == end);
     let head = at.and_then(|at| str::from_utf8(&bytes[..at + end.len()]).ok());
-    let tags = head
-        .and_then(tags)
-        .ok_or_else(|| damaged("its field data are missing"))?;
+    let tags = head.and_then(tags).ok_or_else(|| damaged("its field data are missing"))?;
     let mut found = Vtu::default();
-    for tag in tags
-        .iter()
-        .filter(|t| ["DataArray", "Array"].contains(&t.name))
-    {
+    for tag in tags.iter().filter(|t| ["DataArray", "Array"].contains(&t.name)) {
         let unit = String::new();
         array(&mut found, tag, "FieldData", unit, &[], (0, 0)).map_err(|e| damaged(&e))?;
     }
-    Ok(Moment {
-        time: found.time,
-        step: found.step,
-        phase: found.phase,
-    })
+    Ok(Moment { time: found.time, step: found.step, phase: found.phase })
 }
 
 #[cfg(test)]

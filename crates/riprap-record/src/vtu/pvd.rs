@@ -72,19 +72,13 @@ pub fn read_pvd(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
 }
 
 fn read_pvd_once(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
-    let text = crate::read_plain_text(path).map_err(|source| ReadError::Read {
-        path: path.to_owned(),
-        source,
-    })?;
-    let damaged = |reason: &str| ReadError::Damaged {
-        path: path.to_owned(),
-        reason: reason.to_owned(),
-    };
+    let text = crate::read_plain_text(path)
+        .map_err(|source| ReadError::Read { path: path.to_owned(), source })?;
+    let damaged =
+        |reason: &str| ReadError::Damaged { path: path.to_owned(), reason: reason.to_owned() };
     let tags: Vec<Tag> = tags(&text).ok_or_else(|| damaged("it is not well-formed XML"))?;
     if !tags.iter().any(|t| t.name == "Collection") {
-        return Err(ReadError::Foreign {
-            path: path.to_owned(),
-        });
+        return Err(ReadError::Foreign { path: path.to_owned() });
     }
     if !tags.iter().any(|t| t.name == "/VTKFile") {
         return Err(damaged("it is cut off"));
@@ -125,10 +119,8 @@ mod tests {
         std::thread::scope(|scope| {
             let writer = scope.spawn(|| {
                 for k in 0..count {
-                    let entry = PvdEntry {
-                        time: f64::from(k),
-                        file: format!("frames/frame_{k:06}.vtu"),
-                    };
+                    let entry =
+                        PvdEntry { time: f64::from(k), file: format!("frames/frame_{k:06}.vtu") };
                     assert!(insert_before_end(&path, &pvd_entry(&entry), PVD_END).unwrap());
                 }
             });

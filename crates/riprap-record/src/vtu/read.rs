@@ -80,10 +80,7 @@ pub struct Wanted<'a> {
 
 impl Wanted<'_> {
     /// Everything.
-    pub const ALL: Wanted<'static> = Wanted {
-        geometry: true,
-        column: &|_| true,
-    };
+    pub const ALL: Wanted<'static> = Wanted { geometry: true, column: &|_| true };
 }
 
 /// Reads a `.vtu` file of ours.
@@ -99,10 +96,8 @@ pub fn read(path: &Path) -> Result<Vtu, ReadError> {
 /// # Errors
 /// As [`read`].
 pub fn read_some(path: &Path, wanted: Wanted<'_>) -> Result<Vtu, ReadError> {
-    let bytes = crate::read_plain(path).map_err(|source| ReadError::Read {
-        path: path.to_owned(),
-        source,
-    })?;
+    let bytes = crate::read_plain(path)
+        .map_err(|source| ReadError::Read { path: path.to_owned(), source })?;
     parse_some(&bytes, path, wanted)
 }
 
@@ -115,22 +110,14 @@ pub fn parse(bytes: &[u8], path: &Path) -> Result<Vtu, ReadError> {
 }
 
 fn parse_some(bytes: &[u8], path: &Path, wanted: Wanted<'_>) -> Result<Vtu, ReadError> {
-    let damaged = |reason: String| ReadError::Damaged {
-        path: path.to_owned(),
-        reason,
-    };
+    let damaged = |reason: String| ReadError::Damaged { path: path.to_owned(), reason };
     if !bytes.starts_with(b"<?xml") {
-        return Err(ReadError::Foreign {
-            path: path.to_owned(),
-        });
+        return Err(ReadError::Foreign { path: path.to_owned() });
     }
     let mark = b"<AppendedData encoding=\"raw\">\n_";
-    let at = bytes
-        .windows(mark.len())
-        .position(|w| w == mark)
-        .ok_or_else(|| {
-            damaged("it is cut off before its data, or not written by riprap".to_owned())
-        })?;
+    let at = bytes.windows(mark.len()).position(|w| w == mark).ok_or_else(|| {
+        damaged("it is cut off before its data, or not written by riprap".to_owned())
+    })?;
     let head =
         str::from_utf8(&bytes[..at]).map_err(|_| damaged("its head is not text".to_owned()))?;
     let end = b"\n</AppendedData>\n</VTKFile>\n";
@@ -143,10 +130,7 @@ fn parse_some(bytes: &[u8], path: &Path, wanted: Wanted<'_>) -> Result<Vtu, Read
 }
 
 fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String> {
-    let file = tags
-        .iter()
-        .find(|t| t.name == "VTKFile")
-        .ok_or("it has no VTKFile element")?;
+    let file = tags.iter().find(|t| t.name == "VTKFile").ok_or("it has no VTKFile element")?;
     for (key, value) in [
         ("type", "UnstructuredGrid"),
         ("byte_order", "LittleEndian"),
@@ -157,10 +141,7 @@ fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String
             return Err(format!("{key} is not {value}"));
         }
     }
-    let mut out = Vtu {
-        dimension: 2,
-        ..Vtu::default()
-    };
+    let mut out = Vtu { dimension: 2, ..Vtu::default() };
     let (mut points, mut cells) = (0, 0);
     let mut section = "";
     let mut i = 0;
@@ -293,12 +274,7 @@ pub(super) fn array(
                     values.len()
                 ));
             };
-            if on_points {
-                &mut out.point_columns
-            } else {
-                &mut out.cell_columns
-            }
-            .push(column);
+            if on_points { &mut out.point_columns } else { &mut out.cell_columns }.push(column);
         }
         // Connectivity is the same in all our files.
         (_, _) => {}
@@ -325,10 +301,7 @@ fn integers(bytes: &[u8]) -> Result<Vec<i64>, String> {
 fn triples(values: &[f64], items: usize, name: &str) -> Result<Vec<[f64; 3]>, String> {
     let (triples, rest) = values.as_chunks::<3>();
     if !rest.is_empty() || triples.len() != items {
-        return Err(format!(
-            "array `{name}` has {} numbers for {items} vectors",
-            values.len()
-        ));
+        return Err(format!("array `{name}` has {} numbers for {items} vectors", values.len()));
     }
     Ok(triples.to_vec())
 }
@@ -349,11 +322,7 @@ fn unpack(data: &[u8], offset: usize, most: u64) -> Result<Vec<u8>, String> {
         return Err(cut());
     }
     let sizes: Vec<u64> = (0..blocks).map(|_| word()).collect::<Result<_, _>>()?;
-    let whole = if partial == 0 {
-        blocks
-    } else {
-        blocks.saturating_sub(1)
-    };
+    let whole = if partial == 0 { blocks } else { blocks.saturating_sub(1) };
     if whole.saturating_mul(size).saturating_add(partial) > most {
         return Err("it unpacks to more than the counts of the file allow".to_owned());
     }
@@ -393,18 +362,15 @@ impl Tag<'_> {
     fn wanted(&self, section: &str, wanted: Wanted<'_>) -> bool {
         match section {
             "Points" | "Cells" => wanted.geometry,
-            "PointData" | "CellData" => self
-                .attribute("Name")
-                .is_none_or(|name| (wanted.column)(&name)),
+            "PointData" | "CellData" => {
+                self.attribute("Name").is_none_or(|name| (wanted.column)(&name))
+            }
             _other => true,
         }
     }
 
     pub(super) fn attribute(&self, key: &str) -> Option<String> {
-        self.attributes
-            .iter()
-            .find(|a| a.0 == key)
-            .map(|a| unescape(a.1))
+        self.attributes.iter().find(|a| a.0 == key).map(|a| unescape(a.1))
     }
 
     /// Bytes that an array unpacks to at most, by the counts of points and cells; `None` where they do not tell.
@@ -455,21 +421,14 @@ pub(super) fn tags(text: &str) -> Option<Vec<Tag<'_>>> {
         if !more.trim().is_empty() {
             return None;
         }
-        out.push(Tag {
-            name,
-            attributes,
-            text,
-        });
+        out.push(Tag { name, attributes, text });
     }
     Some(out)
 }
 
 fn unescape(text: &str) -> String {
     // `&amp;` last: what it leaves must not be taken for the beginning of another one.
-    text.replace("&lt;", "<")
-        .replace("&gt;", ">")
-        .replace("&quot;", "\"")
-        .replace("&amp;", "&")
+    text.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&amp;", "&")
 }
 
 #[cfg(test)]

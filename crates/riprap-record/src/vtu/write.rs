@@ -28,12 +28,7 @@ pub(super) const POLYHEDRON: u8 = 42;
 /// A frame whose parts do not fit together is `InvalidData`: a mistake of the engine.
 pub fn blocks(frame: &Frame, exec: &Exec) -> io::Result<Vec<u8>> {
     check(frame)?;
-    let ends: Vec<i64> = frame
-        .offsets
-        .iter()
-        .skip(1)
-        .map(|o| i64::from(*o))
-        .collect();
+    let ends: Vec<i64> = frame.offsets.iter().skip(1).map(|o| i64::from(*o)).collect();
     let kinds = match &frame.solids {
         None => vec![POLYGON; ends.len()],
         Some(solids) => solids
@@ -157,11 +152,7 @@ fn face_stream(frame: &Frame) -> Option<(Vec<i64>, Vec<i64>)> {
 }
 
 fn file(frame: &Frame, mesh: &Mesh, exec: &Exec) -> io::Result<Vec<u8>> {
-    let mut w = Writer {
-        head: String::new(),
-        data: Vec::new(),
-        exec,
-    };
+    let mut w = Writer { head: String::new(), data: Vec::new(), exec };
     w.put("<?xml version=\"1.0\"?>\n");
     w.put(
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
@@ -205,21 +196,13 @@ fn file(frame: &Frame, mesh: &Mesh, exec: &Exec) -> io::Result<Vec<u8>> {
     let more = "NumberOfComponents=\"3\"";
     w.array("Float64", "Points", more, "m", numbers(places))?;
     w.put("</Points>\n<Cells>\n");
-    let integers = |list| Items {
-        count: <[i64]>::len(list),
-        item: |k: usize| list[k].to_le_bytes(),
-    };
+    let integers =
+        |list| Items { count: <[i64]>::len(list), item: |k: usize| list[k].to_le_bytes() };
     // No two cells share a point: each has its own run of them.
-    let ids = Items {
-        count: mesh.points.len(),
-        item: |k: usize| (k as i64).to_le_bytes(),
-    };
+    let ids = Items { count: mesh.points.len(), item: |k: usize| (k as i64).to_le_bytes() };
     w.array("Int64", "connectivity", "", "-", ids)?;
     w.array("Int64", "offsets", "", "-", integers(mesh.ends))?;
-    let kinds = Items {
-        count: mesh.kinds.len(),
-        item: |k: usize| [mesh.kinds[k]],
-    };
+    let kinds = Items { count: mesh.kinds.len(), item: |k: usize| [mesh.kinds[k]] };
     w.array("UInt8", "types", "", "-", kinds)?;
     if let Some((stream, ends)) = &mesh.faces {
         w.array("Int64", "faces", "", "-", integers(stream))?;
@@ -240,10 +223,7 @@ struct Items<F> {
 }
 
 fn numbers(list: &[f64]) -> Items<impl Fn(usize) -> [u8; 8] + Sync> {
-    Items {
-        count: list.len(),
-        item: |k: usize| list[k].to_le_bytes(),
-    }
+    Items { count: list.len(), item: |k: usize| list[k].to_le_bytes() }
 }
 
 struct Writer<'a> {

@@ -32,14 +32,9 @@ pub(super) fn find(head: &[String], column: &Column) -> Result<Option<Cell>, Csv
     let mut refused = None;
     let mut found: Option<Cell> = None;
     // A name that the user gives as it stands means that cell, whatever else is like it.
-    let exact: Vec<usize> = (0..head.len())
-        .filter(|k| column.chosen && head[*k] == column.names[0])
-        .collect();
-    let places = if exact.is_empty() {
-        (0..head.len()).collect()
-    } else {
-        exact
-    };
+    let exact: Vec<usize> =
+        (0..head.len()).filter(|k| column.chosen && head[*k] == column.names[0]).collect();
+    let places = if exact.is_empty() { (0..head.len()).collect() } else { exact };
     for at in places {
         match fit(&head[at], at, column) {
             Fit::Not => {}
@@ -65,23 +60,13 @@ fn fit(cell: &str, at: usize, column: &Column) -> Fit {
         let name = plain(name);
         column.names.iter().any(|known| plain(known) == name)
     };
-    let bare = |factor: f64| {
-        Fit::Is(Cell {
-            at,
-            factor,
-            bare: true,
-        })
-    };
+    let bare = |factor: f64| Fit::Is(Cell { at, factor, bare: true });
     let whole = known(without_unit(cell));
     // The scene says it: what stands in the head is not looked at.
     if let Some(factor) = column.given {
         let named = |(name, ..): &(&str, &str, bool)| known(name);
         return match whole || name_and_unit(cell).iter().any(named) {
-            true => Fit::Is(Cell {
-                at,
-                factor,
-                bare: false,
-            }),
+            true => Fit::Is(Cell { at, factor, bare: false }),
             false => Fit::Not,
         };
     }
@@ -92,11 +77,7 @@ fn fit(cell: &str, at: usize, column: &Column) -> Fit {
         }
         match unit_of(unit, column.dim) {
             Ok((factor, dim)) if dim == column.dim => {
-                return Fit::Is(Cell {
-                    at,
-                    factor,
-                    bare: false,
-                });
+                return Fit::Is(Cell { at, factor, bare: false });
             }
             Ok((_, dim)) => {
                 let message = format!("the column `{cell}` is {}", dim.describe());
@@ -139,20 +120,11 @@ fn remedy(column: &Column) -> String {
         Dim::LENGTH => &["mm", "m"],
         Dim::MASS => &["kg"],
         dim => {
-            return format!(
-                "{what} is expected: name it for example `{name} [{}]`",
-                dim.unit()
-            );
+            return format!("{what} is expected: name it for example `{name} [{}]`", dim.unit());
         }
     };
-    let names: Vec<String> = examples
-        .iter()
-        .map(|unit| format!("`{name} [{unit}]`"))
-        .collect();
-    format!(
-        "{what} is expected: name it for example {}",
-        names.join(" or ")
-    )
+    let names: Vec<String> = examples.iter().map(|unit| format!("`{name} [{unit}]`")).collect();
+    format!("{what} is expected: name it for example {}", names.join(" or "))
 }
 
 /// Two columns of which either could be meant.

@@ -41,10 +41,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<String, CsvError> {
     };
     let strange = |c: char| c.is_ascii_control() && !matches!(c, '\t' | '\n' | '\r' | '\u{c}');
     if text.contains(strange) {
-        return Err(CsvError::new(
-            "this is not a text file",
-            "save it as CSV in UTF-8",
-        ));
+        return Err(CsvError::new("this is not a text file", "save it as CSV in UTF-8"));
     }
     Ok(match text.strip_prefix('\u{feff}') {
         Some(rest) => rest.to_owned(),
@@ -93,15 +90,7 @@ pub(super) fn rows(text: &str) -> Result<Rows<'_>, CsvError> {
         .flexible(true)
         .trim(csv::Trim::All)
         .from_reader(text.as_bytes());
-    Ok(Rows {
-        separator,
-        head,
-        row: csv::StringRecord::new(),
-        line: 0,
-        empty: 0,
-        reader,
-        skipped,
-    })
+    Ok(Rows { separator, head, row: csv::StringRecord::new(), line: 0, empty: 0, reader, skipped })
 }
 
 impl Rows<'_> {
@@ -142,10 +131,7 @@ impl Rows<'_> {
 }
 
 fn empty() -> CsvError {
-    CsvError::new(
-        "the file is empty",
-        "the first line names the columns, for example `t_s,a_m_s2`",
-    )
+    CsvError::new("the file is empty", "the first line names the columns, for example `t_s,a_m_s2`")
 }
 
 /// The separator that a first line `sep=;` names, the text behind that line, and the number of lines taken.

@@ -71,9 +71,7 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
     let places = |(start, centre): (f64, bool), size: f64, count: usize| -> Vec<f64> {
         // Heights stand at the centres of cells, half a cell from the corner.
         let first = if centre { 0.0 } else { 0.5 };
-        (0..count)
-            .map(|k| start + (first + k as f64) * size)
-            .collect()
+        (0..count).map(|k| start + (first + k as f64) * size).collect()
     };
     let cells = columns * rows;
     let nothing = head.nothing.unwrap_or(NOTHING);
@@ -100,17 +98,8 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
         );
         return Err(at_line(last, text));
     }
-    let z = north_first
-        .chunks(columns)
-        .rev()
-        .flatten()
-        .copied()
-        .collect();
-    Ok(Heights {
-        x: places(x, wide, columns),
-        y: places(y, high, rows),
-        z,
-    })
+    let z = north_first.chunks(columns).rev().flatten().copied().collect();
+    Ok(Heights { x: places(x, wide, columns), y: places(y, high, rows), z })
 }
 
 /// Whether a line belongs to the head: it begins with a letter, or is empty.
@@ -134,11 +123,7 @@ fn is_nothing(word: &str) -> bool {
 /// A number, whose decimal sign may be a comma.
 fn number(line: usize, word: &str) -> Result<f64, FileError> {
     let comma = word.matches(',').count() == 1 && !word.contains('.');
-    let number = if comma {
-        word.replace(',', ".").parse::<f64>()
-    } else {
-        word.parse::<f64>()
-    };
+    let number = if comma { word.replace(',', ".").parse::<f64>() } else { word.parse::<f64>() };
     let number = number.ok().filter(|x| x.is_finite());
     number.ok_or_else(|| at_line(line, format!("`{}` is no finite number", shown(word))))
 }
@@ -235,11 +220,7 @@ mod tests {
         ] {
             let text = SMALL.replace("NODATA_value -9999", &format!("NODATA_value {word}"));
             let text = text.replace("1 2 -9999", &format!("1 2 {cell}"));
-            assert_eq!(
-                parse_asc(text.as_bytes()).as_ref(),
-                Ok(&right),
-                "{word} {cell}"
-            );
+            assert_eq!(parse_asc(text.as_bytes()).as_ref(), Ok(&right), "{word} {cell}");
         }
         // In the first cell too, where it could be taken for a word of the head.
         let first = SMALL.replace("1 2 -9999", "nan 2 3");
@@ -250,9 +231,7 @@ mod tests {
     fn cells_may_be_longer_than_wide_and_numbers_may_have_commas() {
         let read = parse_asc(SMALL.replace("cellsize 2", "dx 2\nDY 3").as_bytes()).unwrap();
         assert_eq!((read.x[1] - read.x[0], read.y[1] - read.y[0]), (2.0, 3.0));
-        let comma = SMALL
-            .replace("cellsize 2", "cellsize 2,0")
-            .replace("4 5 6", "4,0 5 6");
+        let comma = SMALL.replace("cellsize 2", "cellsize 2,0").replace("4 5 6", "4,0 5 6");
         assert_eq!(parse_asc(comma.as_bytes()), parse_asc(SMALL.as_bytes()));
     }
 

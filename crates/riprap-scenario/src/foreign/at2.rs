@@ -32,10 +32,7 @@ pub fn parse_at2(bytes: &[u8]) -> Result<Record, FileError> {
     let mut unit = None;
     let (line, count, dt) = loop {
         let Some((line, text)) = lines.next() else {
-            return Err(at_line(
-                1,
-                "there is no line with NPTS and DT: this is no record of PEER",
-            ));
+            return Err(at_line(1, "there is no line with NPTS and DT: this is no record of PEER"));
         };
         let upper = text.to_uppercase();
         if upper.contains("NPTS") && upper.contains("DT") {
@@ -46,12 +43,8 @@ pub fn parse_at2(bytes: &[u8]) -> Result<Record, FileError> {
             unit = Some(unit_of(line, said)?);
         }
     };
-    let (factor, dim) = unit.ok_or_else(|| {
-        at_line(
-            line,
-            "no line above says `IN UNITS OF`: the unit is not known",
-        )
-    })?;
+    let (factor, dim) = unit
+        .ok_or_else(|| at_line(line, "no line above says `IN UNITS OF`: the unit is not known"))?;
     let mut values = Vec::new();
     let mut last = line;
     for (line, text) in lines {
@@ -108,10 +101,7 @@ fn unit_of(line: usize, said: &str) -> Result<(f64, Dim), FileError> {
         }
         Ok(_) | Err(_) => Err(at_line(
             line,
-            format!(
-                "`{}` is no unit of a record: g, cm/s/s, cm/s, cm",
-                shown(said.trim())
-            ),
+            format!("`{}` is no unit of a record: g, cm/s/s, cm/s, cm", shown(said.trim())),
         )),
     }
 }
@@ -126,24 +116,14 @@ mod tests {
     #[test]
     fn records_of_all_times_are_read() {
         let read = parse_at2(NEW.as_bytes()).unwrap();
-        assert_eq!(
-            (read.dt, read.dim, read.values.len()),
-            (0.005, Dim::ACCELERATION, 5)
-        );
+        assert_eq!((read.dt, read.dim, read.values.len()), (0.005, Dim::ACCELERATION, 5));
         assert!((read.values[1] + 0.002 * 9.80665).abs() < 1e-15);
         let old = NEW.replace("NPTS=   5, DT=   .0050 SEC,", "    5    0.0050    NPTS, DT");
         assert_eq!(parse_at2(old.as_bytes()).unwrap(), read);
-        let velocity = NEW
-            .replace("ACCELERATION", "VELOCITY")
-            .replace("OF G", "OF CM/S");
+        let velocity = NEW.replace("ACCELERATION", "VELOCITY").replace("OF G", "OF CM/S");
         let velocity = parse_at2(velocity.as_bytes()).unwrap();
-        assert_eq!(
-            (velocity.dim, velocity.values[0]),
-            (Dim::VELOCITY, 1e-2 * 1e-3)
-        );
-        let far = NEW
-            .replace("ACCELERATION", "DISPLACEMENT")
-            .replace("OF G", "OF CM.");
+        assert_eq!((velocity.dim, velocity.values[0]), (Dim::VELOCITY, 1e-2 * 1e-3));
+        let far = NEW.replace("ACCELERATION", "DISPLACEMENT").replace("OF G", "OF CM.");
         assert_eq!(parse_at2(far.as_bytes()).unwrap().dim, Dim::LENGTH);
     }
 
@@ -154,12 +134,7 @@ mod tests {
             assert_ne!(text, NEW);
             parse_at2(text.as_bytes()).unwrap_err().to_string()
         };
-        assert!(
-            parse_at2(b"hello\n")
-                .unwrap_err()
-                .to_string()
-                .contains("no record of PEER")
-        );
+        assert!(parse_at2(b"hello\n").unwrap_err().to_string().contains("no record of PEER"));
         assert!(wrong("OF G", "OF KG").contains("line 3: `KG` is no unit of a record"));
         assert!(wrong("IN UNITS OF G", "").contains("line 4: no line above says"));
         assert!(wrong(".0050", "0.0").contains("line 4: NPTS"));

@@ -78,8 +78,7 @@ impl Network {
 /// Words of a line with its number, without a comment behind `#` or `;`.
 pub(super) fn words(line: &str) -> impl Iterator<Item = &str> {
     let text = line.split(['#', ';']).next().unwrap_or_default();
-    text.split(|c: char| c.is_whitespace() || c == ',')
-        .filter(|word| !word.is_empty())
+    text.split(|c: char| c.is_whitespace() || c == ',').filter(|word| !word.is_empty())
 }
 
 pub(super) fn numbers(line: usize, found: &[&str]) -> Result<Vec<f64>, FileError> {
@@ -102,10 +101,7 @@ pub fn parse_fab(bytes: &[u8]) -> Result<Network, FileError> {
     while let Some((line, text)) = lines.next() {
         last = line;
         let mut first = text.split_whitespace();
-        if !first
-            .next()
-            .is_some_and(|word| word.eq_ignore_ascii_case("BEGIN"))
-        {
+        if !first.next().is_some_and(|word| word.eq_ignore_ascii_case("BEGIN")) {
             continue;
         }
         sections += 1;
@@ -221,9 +217,7 @@ fn tessellated_section<'a>(
         if is_end(text) {
             return Ok(count);
         }
-        let mut head = words(text)
-            .skip(1)
-            .map_while(|word| word.parse::<usize>().ok());
+        let mut head = words(text).skip(1).map_while(|word| word.parse::<usize>().ok());
         let (Some(corners), Some(triangles)) = (head.next(), head.next()) else {
             continue;
         };
@@ -239,10 +233,7 @@ fn tessellated_section<'a>(
 }
 
 fn cut_off(begin: usize) -> FileError {
-    at_line(
-        begin,
-        "the section that begins here has no end: the file is cut off",
-    )
+    at_line(begin, "the section that begins here has no end: the file is cut off")
 }
 
 /// The polygons of dfnWorks: `nPolygons: n`, then for each its number of corners and these in braces.
@@ -251,13 +242,10 @@ fn cut_off(begin: usize) -> FileError {
 /// The first thing that is wrong, with its line.
 pub fn parse_polygons(bytes: &[u8]) -> Result<Network, FileError> {
     let text = String::from_utf8_lossy(super::without_mark(bytes));
-    let mut lines = (1..)
-        .zip(text.lines())
-        .filter(|(_, text)| words(text).next().is_some());
+    let mut lines = (1..).zip(text.lines()).filter(|(_, text)| words(text).next().is_some());
     let (line, head) = lines.next().unwrap_or((1, ""));
-    let claimed = head
-        .split_once(':')
-        .filter(|(key, _)| key.trim().eq_ignore_ascii_case("nPolygons"));
+    let claimed =
+        head.split_once(':').filter(|(key, _)| key.trim().eq_ignore_ascii_case("nPolygons"));
     let claimed = claimed.and_then(|(_, count)| count.trim().parse::<usize>().ok());
     let claimed = claimed.ok_or_else(|| {
         at_line(
@@ -281,10 +269,8 @@ pub fn parse_polygons(bytes: &[u8]) -> Result<Network, FileError> {
         network.fractures.push((Shape::Corners(places), line));
     }
     if network.fractures.len() != claimed {
-        let text = format!(
-            "{claimed} polygons are announced, and {} are there",
-            network.fractures.len()
-        );
+        let text =
+            format!("{claimed} polygons are announced, and {} are there", network.fractures.len());
         return Err(at_line(line, text));
     }
     Ok(network)
@@ -325,22 +311,13 @@ mod tests {
             assert_ne!(text, FAB);
             parse_fab(text.as_bytes()).unwrap_err().to_string()
         };
-        assert!(
-            parse_fab(b"hello")
-                .unwrap_err()
-                .to_string()
-                .contains("no file of FracMan")
-        );
+        assert!(parse_fab(b"hello").unwrap_err().to_string().contains("no file of FracMan"));
         assert!(fab("= Ascii", "= Binary").contains("line 2: the format is `Binary`"));
         assert!(fab("Meter", "Cubits").contains("line 3: `Cubits` is no unit"));
         assert!(fab("1 4 1 1e-9", "1 2 1 1e-9").contains("line 10: a fracture begins"));
         assert!(fab(" 2 1 0 1\n", " 2 1 0\n").contains("line 12: a corner has its number"));
         assert!(fab(" 2 1 0 1\n", " 2 1 x 1\n").contains("line 12: `x` is no finite number"));
-        assert!(
-            fab(" 4 0 1 1\n", "").contains("line 15: a row `0`"),
-            "{}",
-            fab(" 4 0 1 1\n", "")
-        );
+        assert!(fab(" 4 0 1 1\n", "").contains("line 15: a row `0`"), "{}", fab(" 4 0 1 1\n", ""));
         assert!(
             fab("END FRACTURE", "").contains("cut off")
                 || fab("END FRACTURE", "").contains("a fracture begins")

@@ -65,11 +65,7 @@ fn found(path: &Path) -> Found {
     if !known && !path.is_dir() {
         return Found::Polygons(path.to_owned());
     }
-    let folder = if known {
-        path.parent().unwrap_or(Path::new(""))
-    } else {
-        path
-    };
+    let folder = if known { path.parent().unwrap_or(Path::new("")) } else { path };
     let within = folder.join(OUTPUT);
     let holds = |folder: &Path| [POLYGONS, CENTRES].iter().any(|n| folder.join(n).is_file());
     let folder = if (name == PARAMS || !known) && !holds(folder) && within.is_dir() {
@@ -100,18 +96,10 @@ pub fn companions(path: &Path) -> Vec<PathBuf> {
         Found::Polygons(file) if file != path && file.is_file() => vec![file],
         Found::Polygons(_) => Vec::new(),
         Found::Lists(lists) => {
-            let Lists {
-                radii,
-                normals,
-                centres,
-                families,
-                params,
-            } = *lists;
+            let Lists { radii, normals, centres, families, params } = *lists;
             let files = [Some(radii), Some(normals), Some(centres), families, params];
             let files = files.into_iter().flatten();
-            files
-                .filter(|file| file != path && file.is_file())
-                .collect()
+            files.filter(|file| file != path && file.is_file()).collect()
         }
     }
 }
@@ -134,10 +122,7 @@ pub fn read_dfnworks(path: &Path) -> Result<Network, Refused> {
 }
 
 fn named(path: &Path) -> String {
-    path.file_name()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned()
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// A row of three numbers.
@@ -175,11 +160,7 @@ pub fn parse_rows(bytes: &[u8]) -> Result<Vec<Row>, FileError> {
             let text = format!("there are more than {MOST_ROWS} rows: make a smaller network");
             return Err(at_line(line, text));
         }
-        rows.push(Row {
-            line,
-            numbers: [x, y, z],
-            removed,
-        });
+        rows.push(Row { line, numbers: [x, y, z], removed });
     }
     Ok(rows)
 }
@@ -248,11 +229,7 @@ fn frame(normal: Vec3) -> [Vec3; 2] {
         return [Vec3::X, Vec3::Y];
     }
     // I + V + V V / (1 + z), with V of z cross the normal; written otherwise below, where 1 + z loses digits.
-    let part = if z > 0.0 {
-        1.0 / (1.0 + z)
-    } else {
-        (1.0 - z) / (x * x + y * y)
-    };
+    let part = if z > 0.0 { 1.0 / (1.0 + z) } else { (1.0 - z) / (x * x + y * y) };
     [
         Vec3::new(1.0 - part * x * x, -part * x * y, -x),
         Vec3::new(-part * x * y, 1.0 - part * y * y, -y),
@@ -294,18 +271,11 @@ impl Lists {
             turned += usize::from(one.unknown_turn());
             network.fractures.push((one.shape(), radii.line));
         }
-        network.leave(
-            isolated[0].max(isolated[1]),
-            "dfnGen removed them as isolated (R)",
-        );
+        network.leave(isolated[0].max(isolated[1]), "dfnGen removed them as isolated (R)");
         let why = "they were given by their corners, which stand in polygons.dat alone";
         network.leave(by_corners, why);
         let files = [&self.radii, &self.normals, &self.centres];
-        network.files = files
-            .into_iter()
-            .chain(&self.families)
-            .map(|f| named(f))
-            .collect();
+        network.files = files.into_iter().chain(&self.families).map(|f| named(f)).collect();
         let stochastic = radii.iter().any(|row| row.numbers[2] > 0.0);
         if self.families.is_none() && stochastic {
             let text =
@@ -326,9 +296,7 @@ impl Lists {
         let said = match &self.params {
             Some(file) => Some(read(file, |bytes| {
                 let text = String::from_utf8_lossy(bytes);
-                let count = words(&text)
-                    .next()
-                    .and_then(|word| word.parse::<usize>().ok());
+                let count = words(&text).next().and_then(|word| word.parse::<usize>().ok());
                 count.ok_or_else(|| at_line(1, "the number of fractures is expected"))
             })?),
             None => None,
@@ -344,10 +312,7 @@ impl Lists {
         if let Some(said) = said {
             message.push_str(&format!(", and {PARAMS} says {said}"));
         }
-        Err(Refused {
-            message,
-            help: Some("all are to be of one run of dfnGen".to_owned()),
-        })
+        Err(Refused { message, help: Some("all are to be of one run of dfnGen".to_owned()) })
     }
 
     fn normal(&self, row: &Row) -> Result<Vec3, Refused> {
@@ -372,10 +337,7 @@ impl Lists {
 }
 
 fn refused(file: &Path, row: &Row, what: &str) -> Refused {
-    Refused {
-        message: format!("`{}`, line {}: {what}", file.display(), row.line),
-        help: None,
-    }
+    Refused { message: format!("`{}`, line {}: {what}", file.display(), row.line), help: None }
 }
 
 /// A fracture as the lists give it.
@@ -400,11 +362,7 @@ impl Drawn {
     fn shape(&self) -> Shape {
         let at = self.centre;
         if self.circle() && self.family.corners.is_none() {
-            return Shape::Disk {
-                at,
-                normal: self.normal,
-                radius: self.radii[0],
-            };
+            return Shape::Disk { at, normal: self.normal, radius: self.radii[0] };
         }
         let [east, north] = frame(self.normal);
         // Clockwise, as dfnGen turns them.
@@ -418,11 +376,7 @@ impl Drawn {
             let corners = [long + short, short - long, -long - short, long - short];
             return Shape::Corners(corners.map(|arm| at + arm).to_vec());
         }
-        Shape::Ellipse {
-            at,
-            arms: [long, short],
-            corners: self.family.corners.unwrap_or(CORNERS),
-        }
+        Shape::Ellipse { at, arms: [long, short], corners: self.family.corners.unwrap_or(CORNERS) }
     }
 }
 

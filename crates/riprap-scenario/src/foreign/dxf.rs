@@ -103,10 +103,7 @@ pub fn parse_dxf(bytes: &[u8], sagitta: Option<f64>) -> Result<Drawing, FileErro
     let mut pairs = Pairs::new(bytes);
     let mut drawing = Drawing::default();
     let (mut content, mut blocks) = (Content::default(), BTreeMap::new());
-    let mut reading = Reading {
-        sagitta,
-        room: MAX_POINTS,
-    };
+    let mut reading = Reading { sagitta, room: MAX_POINTS };
     loop {
         let Some((code, value)) = pairs.next()? else {
             return Err(pairs.cut_off());

@@ -57,9 +57,7 @@ fn spelled_out(text: &str) -> String {
     let mut parts = text.split("\\U+");
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let letter = part
-            .get(..4)
-            .filter(|digits| digits.bytes().all(|b| b.is_ascii_hexdigit()));
+        let letter = part.get(..4).filter(|digits| digits.bytes().all(|b| b.is_ascii_hexdigit()));
         let letter = letter.and_then(|digits| u32::from_str_radix(digits, 16).ok());
         match letter.and_then(char::from_u32) {
             Some(letter) => {
@@ -103,9 +101,7 @@ impl<'a> Pairs<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         let coding = match bytes.strip_prefix(SENTINEL) {
             // The first pair is 0 SECTION: its code is one byte or two.
-            Some(rest) => Coding::Binary {
-                wide: rest.get(1) == Some(&0),
-            },
+            Some(rest) => Coding::Binary { wide: rest.get(1) == Some(&0) },
             None => Coding::Text,
         };
         Self {
@@ -179,10 +175,7 @@ impl<'a> Pairs<'a> {
     /// A coordinate or another number.
     pub(super) fn real(&self, value: Value) -> Result<f64, FileError> {
         value.real().ok_or_else(|| {
-            self.wrong(format!(
-                "a number is expected, not {:?}",
-                shown(&value.text())
-            ))
+            self.wrong(format!("a number is expected, not {:?}", shown(&value.text())))
         })
     }
 

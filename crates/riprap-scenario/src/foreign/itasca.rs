@@ -159,13 +159,7 @@ mod tests {
         // Windows, blank lines and commas make no difference.
         let other = TEXT.replace('\n', "\r\n\r\n").replace(' ', ", ");
         let other = parse_itasca(other.as_bytes()).unwrap();
-        assert!(
-            other
-                .fractures
-                .iter()
-                .map(|f| &f.0)
-                .eq(network.fractures.iter().map(|f| &f.0))
-        );
+        assert!(other.fractures.iter().map(|f| &f.0).eq(network.fractures.iter().map(|f| &f.0)));
         assert!(parse_itasca(b"; none\n0\n").unwrap().fractures.is_empty());
     }
 
@@ -181,69 +175,25 @@ mod tests {
             assert!(error.contains("no DFN file of Itasca"), "{error}");
         }
         for (from, to, says) in [
-            (
-                "\n3\n",
-                "\n4\n",
-                "line 2: 4 fractures are announced, and 3 are there",
-            ),
-            (
-                "\n3\n",
-                "\n99999999999999999999\n",
-                "line 2: behind a header line",
-            ),
-            (
-                "1 2 1 ",
-                "1 2",
-                "line 3: a fracture begins with three whole numbers",
-            ),
+            ("\n3\n", "\n4\n", "line 2: 4 fractures are announced, and 3 are there"),
+            ("\n3\n", "\n99999999999999999999\n", "line 2: behind a header line"),
+            ("1 2 1 ", "1 2", "line 3: a fracture begins with three whole numbers"),
             (
                 "2 2 3\n",
                 "2 2 2\n",
                 "line 5: a fracture in space has one corner (a disk) or three and more, not 2",
             ),
             ("2 2 3\n", "2 2 0\n", "three and more, not 0"),
-            (
-                "2 2 3\n",
-                "2 2 18446744073709551615\n",
-                "line 9: a corner has x, y and z",
-            ),
+            ("2 2 3\n", "2 2 18446744073709551615\n", "line 9: a corner has x, y and z"),
             ("7 1 1", "7 1 3", "line 11: a corner has x, y and z"),
-            (
-                "5.0-01",
-                "",
-                "line 4: a disk has x, y, z, dip, dip direction and diameter",
-            ),
-            (
-                "5.0-01",
-                "-5.0-01",
-                "line 4: a disk has a diameter above 0, not -0.5",
-            ),
-            (
-                "9.0+01",
-                "9.1+02",
-                "line 4: a disk has a dip from 0 to 180 degrees, not 910",
-            ),
-            (
-                "1.0+00 0 0",
-                "1.0+00 0 x",
-                "line 7: `x` is no finite number",
-            ),
+            ("5.0-01", "", "line 4: a disk has x, y, z, dip, dip direction and diameter"),
+            ("5.0-01", "-5.0-01", "line 4: a disk has a diameter above 0, not -0.5"),
+            ("9.0+01", "9.1+02", "line 4: a disk has a dip from 0 to 180 degrees, not 910"),
+            ("1.0+00 0 0", "1.0+00 0 x", "line 7: `x` is no finite number"),
             ("1.0+00 0 0", "inf 0 0", "line 7: `inf` is no finite number"),
-            (
-                "1.0+00 0 0",
-                "1.0+999 0 0",
-                "line 7: `1.0+999` is no finite number",
-            ),
-            (
-                "90 0\n",
-                "",
-                "line 9: a row with dip and dip direction is expected",
-            ),
-            (
-                "0 0 0 135 270 2\n",
-                "",
-                "line 10: the fracture that begins here is not complete",
-            ),
+            ("1.0+00 0 0", "1.0+999 0 0", "line 7: `1.0+999` is no finite number"),
+            ("90 0\n", "", "line 9: a row with dip and dip direction is expected"),
+            ("0 0 0 135 270 2\n", "", "line 10: the fracture that begins here is not complete"),
         ] {
             let error = said(from, to);
             assert!(error.contains(says), "{error}");

@@ -53,12 +53,8 @@ pub fn parse_obj(bytes: &[u8]) -> Result<Obj, FileError> {
     let mut obj = Obj::default();
     let mut lines = (1..).zip(text.lines());
     while let Some((line, first)) = lines.next() {
-        let mut words: Vec<&str> = first
-            .split('#')
-            .next()
-            .unwrap_or("")
-            .split_whitespace()
-            .collect();
+        let mut words: Vec<&str> =
+            first.split('#').next().unwrap_or("").split_whitespace().collect();
         // A line that ends so goes on in the next one.
         while words.last().is_some_and(|word| word.ends_with('\\')) {
             let last = words.pop().unwrap_or_default().trim_end_matches('\\');
@@ -90,10 +86,7 @@ pub fn parse_obj(bytes: &[u8]) -> Result<Obj, FileError> {
 }
 
 fn begin(list: &mut Vec<Object>, name: Option<String>) {
-    list.push(Object {
-        name,
-        faces: Vec::new(),
-    });
+    list.push(Object { name, faces: Vec::new() });
 }
 
 impl Obj {
@@ -181,15 +174,10 @@ impl Obj {
                     let point = self.points.get(*corner as usize);
                     let missing = || {
                         let (corner, count) = (*corner + 1, self.points.len());
-                        at_line(
-                            *line,
-                            format!("`{corner}` is not a corner: the file has {count}"),
-                        )
+                        at_line(*line, format!("`{corner}` is not a corner: the file has {count}"))
                     };
                     // -0 is 0.
-                    point
-                        .map(|p| Vec3::from_array(*p) + Vec3::ZERO)
-                        .ok_or_else(missing)
+                    point.map(|p| Vec3::from_array(*p) + Vec3::ZERO).ok_or_else(missing)
                 };
                 let ring: Vec<Vec3> = corners.iter().map(at).collect::<Result<_, _>>()?;
                 for k in 2..ring.len() {
@@ -202,16 +190,12 @@ impl Obj {
         let mut solids = Vec::new();
         for (name, triangles) in lists {
             let found = parts(&triangles).map_err(|error| match &name {
-                Some(name) => FileError {
-                    text: format!("object `{}`, {}", shown(name), error.text),
-                    ..error
-                },
+                Some(name) => {
+                    FileError { text: format!("object `{}`, {}", shown(name), error.text), ..error }
+                }
                 None => error,
             })?;
-            solids.extend(found.into_iter().map(|part| Solid {
-                name: name.clone(),
-                part,
-            }));
+            solids.extend(found.into_iter().map(|part| Solid { name: name.clone(), part }));
         }
         if solids.is_empty() {
             return Err(at_line(
@@ -241,14 +225,9 @@ mod tests {
         ] {
             text.push_str(&format!("v {x} {y} {}\n", z + up));
         }
-        for face in [
-            [1, 4, 3, 2],
-            [5, 6, 7, 8],
-            [1, 2, 6, 5],
-            [2, 3, 7, 6],
-            [3, 4, 8, 7],
-            [4, 1, 5, 8],
-        ] {
+        for face in
+            [[1, 4, 3, 2], [5, 6, 7, 8], [1, 2, 6, 5], [2, 3, 7, 6], [3, 4, 8, 7], [4, 1, 5, 8]]
+        {
             // Counted from the first corner of the file, or back from the last one so far.
             let words = face.map(|k: i64| match first {
                 Some(first) => format!("{}/1/1", k + first),
@@ -268,23 +247,19 @@ mod tests {
     #[test]
     fn objects_that_touch_stay_apart() {
         let named = |name: &str| (Some(name.to_owned()), 8);
-        let two = format!(
-            "{}{}",
-            cube("o lower", 0.0, Some(0)),
-            cube("o upper", 1.0, None)
-        );
+        let two = format!("{}{}", cube("o lower", 0.0, Some(0)), cube("o upper", 1.0, None));
         assert_eq!(solids(&two), [named("lower"), named("upper")]);
-        let groups = two
-            .replace("o lower", "g lower")
-            .replace("o upper", "g upper");
+        let groups = two.replace("o lower", "g lower").replace("o upper", "g upper");
         assert_eq!(solids(&groups), [named("lower"), named("upper")]);
         // One name, and parts that do not touch.
         let apart = format!("{}{}", cube("o stones", 0.0, Some(0)), cube("", 3.0, None));
         assert_eq!(solids(&apart), [named("stones"), named("stones")]);
         // Groups that are sides of one solid.
-        let sides = cube("", 0.0, None)
-            .replacen("f ", "g bottom\nf ", 1)
-            .replacen("f -4", "g rest\nf -4", 1);
+        let sides = cube("", 0.0, None).replacen("f ", "g bottom\nf ", 1).replacen(
+            "f -4",
+            "g rest\nf -4",
+            1,
+        );
         assert_eq!(solids(&sides), [(None, 8)]);
         let parted = cube("o a", 0.0, None).replace("f -8 -5", "f -8 \\\n-5");
         assert_eq!(solids(&parted), [named("a")]);
@@ -304,10 +279,6 @@ mod tests {
         assert!(wrong("v 0 0 0\nf -1 -2 -1\n").contains("`-2` is not a corner"));
         assert!(wrong("v 0 0 0\nf 1 9 1\n").contains("`9` is not a corner: the file has 1"));
         let open = cube("o box", 0.0, None).replace("f -4 -3 -2 -1\n", "");
-        assert!(
-            wrong(&open).contains("object `box`, part 1 is not closed"),
-            "{}",
-            wrong(&open)
-        );
+        assert!(wrong(&open).contains("object `box`, part 1 is not closed"), "{}", wrong(&open));
     }
 }

@@ -78,10 +78,7 @@ impl Triangles {
     }
 
     fn wrong(&self, triangle: usize, text: String) -> FileError {
-        FileError {
-            place: self.place(triangle),
-            text,
-        }
+        FileError { place: self.place(triangle), text }
     }
 }
 
@@ -111,16 +108,11 @@ fn binary(bytes: &[u8]) -> Result<Option<Triangles>, FileError> {
                     "{count} triangles need {whole} bytes: this is no STL file, or it is cut off"
                 ),
             )),
-            None => Err(at_byte(
-                bytes.len(),
-                "this is no STL file, or it is cut off",
-            )),
+            None => Err(at_byte(bytes.len(), "this is no STL file, or it is cut off")),
         };
     }
-    let mut triangles = Triangles {
-        corners: Vec::with_capacity((bytes.len() - HEAD) / RECORD),
-        lines: Vec::new(),
-    };
+    let mut triangles =
+        Triangles { corners: Vec::with_capacity((bytes.len() - HEAD) / RECORD), lines: Vec::new() };
     for (k, record) in bytes[HEAD..].chunks_exact(RECORD).enumerate() {
         // The normal stands before the corners; it follows from them.
         let mut numbers = record[12..48].chunks_exact(4).map(|b| {
@@ -141,10 +133,7 @@ fn binary(bytes: &[u8]) -> Result<Option<Triangles>, FileError> {
 
 /// A text file: its lines `vertex x y z`.
 fn text(bytes: &[u8]) -> Result<Triangles, FileError> {
-    let mut triangles = Triangles {
-        corners: Vec::new(),
-        lines: Vec::new(),
-    };
+    let mut triangles = Triangles { corners: Vec::new(), lines: Vec::new() };
     let (mut ring, mut ends) = (Vec::new(), false);
     for (line, words) in (1..).zip(bytes.split(|b| *b == b'\n')) {
         let words = String::from_utf8_lossy(words);
@@ -201,9 +190,7 @@ pub(super) fn parts(triangles: &Triangles) -> Result<Vec<Part>, FileError> {
         lists[part].push(triangle);
     }
     let lists = lists.iter().enumerate();
-    lists
-        .map(|(number, list)| part(triangles, &points, &rings, number, list))
-        .collect()
+    lists.map(|(number, list)| part(triangles, &points, &rings, number, list)).collect()
 }
 
 /// Different corners, and those of each triangle.
@@ -212,9 +199,7 @@ fn joined(corners: &[[Vec3; 3]]) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let mut order: Vec<u32> = (0..flat.len() as u32).collect();
     let compare = |a: &Vec3, b: &Vec3| {
         let pairs = a.to_array().into_iter().zip(b.to_array());
-        pairs.fold(std::cmp::Ordering::Equal, |so_far, (x, y)| {
-            so_far.then(x.total_cmp(&y))
-        })
+        pairs.fold(std::cmp::Ordering::Equal, |so_far, (x, y)| so_far.then(x.total_cmp(&y)))
     };
     order.sort_unstable_by(|a, b| compare(&flat[*a as usize], &flat[*b as usize]).then(a.cmp(b)));
     let mut points: Vec<Vec3> = Vec::new();
@@ -244,10 +229,8 @@ fn part(
     own.dedup();
     // First of all, since convexity looks at every corner from every triangle.
     if own.len() > MAX_VERTICES {
-        let text = format!(
-            "part {number} has {} corners; a block has at most {MAX_VERTICES}",
-            own.len()
-        );
+        let text =
+            format!("part {number} has {} corners; a block has at most {MAX_VERTICES}", own.len());
         return Err(triangles.wrong(list[0], text));
     }
     let mut edges: Vec<(u32, u32, usize)> = Vec::with_capacity(3 * list.len());
@@ -267,11 +250,8 @@ fn part(
         let k = edges.partition_point(|e| (e.0, e.1) < (b, a));
         edges.get(k).is_some_and(|e| (e.0, e.1) == (b, a))
     };
-    let lone: Vec<usize> = edges
-        .iter()
-        .filter(|(a, b, _)| !there(*a, *b))
-        .map(|(_, _, t)| *t)
-        .collect();
+    let lone: Vec<usize> =
+        edges.iter().filter(|(a, b, _)| !there(*a, *b)).map(|(_, _, t)| *t).collect();
     if let Some(&t) = lone.iter().min() {
         let text = format!(
             "part {number} is not closed: {} edges have a triangle on one side only",
@@ -281,9 +261,7 @@ fn part(
     }
     let at = |k: &u32| points[*k as usize];
     let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-    let (low, high) = own
-        .iter()
-        .fold(start, |(low, high), k| (low.min(at(k)), high.max(at(k))));
+    let (low, high) = own.iter().fold(start, |(low, high), k| (low.min(at(k)), high.max(at(k))));
     let slack = CONVEX * (high - low).length();
     for &t in list {
         let [a, b, c] = rings[t].each_ref().map(at);

@@ -67,10 +67,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
     })?;
     let mut reader = Reader::new(text);
     if reader.lines.first().map(|line| line.trim()) != Some("***tess") {
-        return Err(at_line(
-            1,
-            "`***tess` is expected: this is no tessellation of Neper",
-        ));
+        return Err(at_line(1, "`***tess` is expected: this is no tessellation of Neper"));
     }
     reader.section("**general")?;
     let general = reader.next()?;
@@ -107,11 +104,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
                 ring.len()
             )));
         }
-        let face = Face {
-            ring,
-            line: reader.at,
-            uses: 0,
-        };
+        let face = Face { ring, line: reader.at, uses: 0 };
         faces.insert(number, face);
         // Edges, equation and state.
         for _ in 0..3 {
@@ -122,11 +115,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
     if plane {
         let cells = faces.into_iter().map(|(number, face)| Polygon {
             number,
-            points: face
-                .ring
-                .iter()
-                .map(|k| [vertices[k][0], vertices[k][1]])
-                .collect(),
+            points: face.ring.iter().map(|k| [vertices[k][0], vertices[k][1]]).collect(),
             line: face.line,
         });
         return Ok(Cells::Plane(cells.collect())).and_then(|cells| some(cells, &reader));
@@ -205,11 +194,7 @@ impl<'a> Reader<'a> {
             .filter(|(_, line)| line.trim_start().starts_with("**"))
             .map(|(at, line)| (line.trim(), at + 1))
             .collect();
-        Self {
-            lines,
-            sections,
-            at: 0,
-        }
+        Self { lines, sections, at: 0 }
     }
 
     /// An error at the line read last.
@@ -269,9 +254,7 @@ impl<'a> Reader<'a> {
         let count = self.integer(words.next())?;
         // A line has only so many words, whatever its count says.
         let list = words.take(usize::try_from(count).unwrap_or(0));
-        let list: Vec<i64> = list
-            .map(|word| self.integer(Some(word)))
-            .collect::<Result<_, _>>()?;
+        let list: Vec<i64> = list.map(|word| self.integer(Some(word))).collect::<Result<_, _>>()?;
         if list.len() as i64 != count {
             return Err(self.wrong(format!("{count} numbers are expected, not {}", list.len())));
         }

@@ -53,17 +53,9 @@ fn broken_tessellations_have_their_line() {
     let half = &good[..good.len() / 2];
     assert!(wrong(half).contains("line "), "{}", wrong(half));
     let count = good.replace(" **polyhedron\n 8", " **polyhedron\n 2000000");
-    assert!(
-        wrong(&count).contains("entries in a file of"),
-        "{}",
-        wrong(&count)
-    );
+    assert!(wrong(&count).contains("entries in a file of"), "{}", wrong(&count));
     let more = good.replace(" **polyhedron\n 8", " **polyhedron\n 9");
-    assert!(
-        wrong(&more).contains("the next section begins"),
-        "{}",
-        wrong(&more)
-    );
+    assert!(wrong(&more).contains("the next section begins"), "{}", wrong(&more));
     let none = "***tess\n **format\n 3.4\n **general\n 3 standard\n **vertex\n 0\n **face\n 0\n **polyhedron\n 0\n";
     assert!(wrong(none).contains("no cells"));
     assert!(wrong(&good.replace("**face", "**fac")).contains("no section **face"));
@@ -161,9 +153,7 @@ fn broken_surfaces_have_their_line_or_byte() {
 
 fn summary(drawing: &Drawing) -> Vec<(&str, bool, usize)> {
     let lines = drawing.lines.iter();
-    lines
-        .map(|l| (l.layer.as_str(), l.closed, l.points.len()))
-        .collect()
+    lines.map(|l| (l.layer.as_str(), l.closed, l.points.len())).collect()
 }
 
 #[test]
@@ -192,11 +182,7 @@ fn lines_of_ezdxf_are_read() {
         let fine = parse_dxf(bytes, Some(0.01)).unwrap();
         let area = |points: &[[f64; 2]]| {
             let next = points.iter().cycle().skip(1);
-            0.5 * points
-                .iter()
-                .zip(next)
-                .map(|(p, q)| p[0] * q[1] - p[1] * q[0])
-                .sum::<f64>()
+            0.5 * points.iter().zip(next).map(|(p, q)| p[0] * q[1] - p[1] * q[0]).sum::<f64>()
         };
         let exact = std::f64::consts::PI * 500.0 * 500.0 / 2.0;
         assert!((area(&fine.lines[2].points) / exact - 1.0).abs() < 1e-4);
@@ -212,11 +198,7 @@ fn letters_of_layers_are_read_as_the_drawing_writes_them() {
     let layers = |page: &str, name: &[u8]| {
         let text = text(DXF[0]).replace("ANSI_1252", page);
         let parts: Vec<&str> = text.split("joints").collect();
-        let bytes = parts
-            .iter()
-            .map(|p| p.as_bytes())
-            .collect::<Vec<_>>()
-            .join(name);
+        let bytes = parts.iter().map(|p| p.as_bytes()).collect::<Vec<_>>().join(name);
         let drawing = parse_dxf(&bytes, None).unwrap();
         drawing.layers()[2].to_owned()
     };

@@ -75,10 +75,7 @@ pub struct Block {
     #[key(space = "spatial", instead = "use a fixed `polygon`")]
     pub terrain: Option<Terrain>,
     /// How the blocks deform. Default rigid.
-    #[key(
-        space = "spatial",
-        instead = "leave it out: blocks of the plane are rigid"
-    )]
+    #[key(space = "spatial", instead = "leave it out: blocks of the plane are rigid")]
     pub mechanics: Option<Mechanics>,
     /// Mass of a single rigid shape in place of density times volume, kg; in the plane kg/m. Its centre stays the centroid.
     pub mass: Option<Quantity<MassPerLength>>,
@@ -161,39 +158,22 @@ impl Block {
     /// All geometry keys that were given; after a check without errors exactly one.
     pub fn geometries(&self) -> Vec<(&'static str, Geometry<'_>)> {
         [
-            self.polygon
-                .as_ref()
-                .map(|g| ("polygon", Geometry::Polygon(g))),
-            self.polygons
-                .as_ref()
-                .map(|g| ("polygons", Geometry::Polygons(g))),
-            self.rectangle
-                .as_ref()
-                .map(|g| ("rectangle", Geometry::Rectangle(g))),
-            self.regular
-                .as_ref()
-                .map(|g| ("regular", Geometry::Regular(g))),
+            self.polygon.as_ref().map(|g| ("polygon", Geometry::Polygon(g))),
+            self.polygons.as_ref().map(|g| ("polygons", Geometry::Polygons(g))),
+            self.rectangle.as_ref().map(|g| ("rectangle", Geometry::Rectangle(g))),
+            self.regular.as_ref().map(|g| ("regular", Geometry::Regular(g))),
             self.wall.as_ref().map(|g| ("wall", Geometry::Wall(g))),
             self.arch.as_ref().map(|g| ("arch", Geometry::Arch(g))),
             // In space it is no shape of its own.
-            self.cut
-                .as_ref()
-                .filter(|cut| cut.region.is_some())
-                .map(|g| ("cut", Geometry::Cut(g))),
-            self.voronoi
-                .as_ref()
-                .map(|g| ("voronoi", Geometry::Voronoi(g))),
+            self.cut.as_ref().filter(|cut| cut.region.is_some()).map(|g| ("cut", Geometry::Cut(g))),
+            self.voronoi.as_ref().map(|g| ("voronoi", Geometry::Voronoi(g))),
             self.pour.as_ref().map(|g| ("pour", Geometry::Pour(g))),
             self.brick.as_ref().map(|g| ("brick", Geometry::Brick(g))),
             self.grid.as_ref().map(|g| ("grid", Geometry::Grid(g))),
-            self.polyhedron
-                .as_ref()
-                .map(|g| ("polyhedron", Geometry::Polyhedron(g))),
+            self.polyhedron.as_ref().map(|g| ("polyhedron", Geometry::Polyhedron(g))),
             self.parts.as_ref().map(|g| ("parts", Geometry::Parts(g))),
             self.mesh.as_ref().map(|g| ("mesh", Geometry::Mesh(g))),
-            self.terrain
-                .as_ref()
-                .map(|g| ("terrain", Geometry::Terrain(g))),
+            self.terrain.as_ref().map(|g| ("terrain", Geometry::Terrain(g))),
         ]
         .into_iter()
         .flatten()

@@ -23,10 +23,7 @@ pub struct Interface {
     /// `default`, where it is forbidden.
     pub between: Option<[Name; 2]>,
     /// Normal law of found contacts.
-    #[key(
-        space = "planar",
-        instead = "joints are elastic up to their strength; leave it out"
-    )]
+    #[key(space = "planar", instead = "joints are elastic up to their strength; leave it out")]
     #[key(default, changes)]
     pub law: Option<NormalLaw>,
     /// How `penetration_potential` treats a reflex (inward) corner.

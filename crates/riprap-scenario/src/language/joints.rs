@@ -30,10 +30,7 @@ pub struct JointSet {
     #[key(default = "1")]
     pub persistence: Option<Quantity<Share>>,
     /// Mean length of one cut piece when `persistence` is less than 1, m.
-    #[key(
-        space = "planar",
-        instead = "give `persistence` alone: joints end at others"
-    )]
+    #[key(space = "planar", instead = "give `persistence` alone: joints end at others")]
     pub trace_length: Option<Quantity<PositiveLength>>,
     /// A point [x, y, z] through which a joint of the set goes, m. Default the origin.
     #[key(space = "spatial", instead = "use `offset`")]

@@ -138,10 +138,7 @@ pub struct Load {
     /// A force at a point.
     pub point: Option<PointLoad>,
     /// A pressure or traction along a part of the boundary, for example water in a joint.
-    #[key(
-        space = "planar",
-        instead = "use [[boundaries]] with `pressure` or `traction`"
-    )]
+    #[key(space = "planar", instead = "use [[boundaries]] with `pressure` or `traction`")]
     pub edge: Option<EdgeLoad>,
     /// A moment: in the plane per metre of thickness, N, anticlockwise; in space about x, y, z, N m.
     pub moment: Option<Axial<MomentPerLength>>,

@@ -20,11 +20,7 @@ pub struct Water {
     #[key(space = "spatial", instead = "give its corners (`points`)")]
     pub csv: Option<Name>,
     /// Bearing, clockwise from north (y), in which distances from the origin grow: 90 deg is along x.
-    #[key(
-        default = "90 deg",
-        space = "spatial",
-        instead = "distances run along x"
-    )]
+    #[key(default = "90 deg", space = "spatial", instead = "distances run along x")]
     pub azimuth: Option<Quantity<Angle>>,
     /// Density of the water, kg/m3.
     #[key(default = "1000 kg/m3")]

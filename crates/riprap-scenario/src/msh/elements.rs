@@ -37,20 +37,8 @@ impl CellKind {
     pub fn faces(self) -> &'static [&'static [u32]] {
         match self {
             Self::Tetrahedron => &[&[0, 2, 1], &[0, 1, 3], &[1, 2, 3], &[0, 3, 2]],
-            Self::Pyramid => &[
-                &[0, 3, 2, 1],
-                &[0, 1, 4],
-                &[1, 2, 4],
-                &[2, 3, 4],
-                &[3, 0, 4],
-            ],
-            Self::Prism => &[
-                &[0, 2, 1],
-                &[3, 4, 5],
-                &[0, 1, 4, 3],
-                &[1, 2, 5, 4],
-                &[2, 0, 3, 5],
-            ],
+            Self::Pyramid => &[&[0, 3, 2, 1], &[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]],
+            Self::Prism => &[&[0, 2, 1], &[3, 4, 5], &[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 0, 3, 5]],
             Self::Hexahedron => &[
                 &[0, 3, 2, 1],
                 &[4, 5, 6, 7],
@@ -86,10 +74,7 @@ impl Cell {
     /// # Errors
     /// It is not a convex solid with flat faces: a twisted hexahedron, for example.
     pub fn solid(&self, at: &[[f64; 3]]) -> Result<Polyhedron, SolidError> {
-        let corners = self
-            .nodes()
-            .iter()
-            .map(|&k| Vec3::from_array(at[k as usize]));
+        let corners = self.nodes().iter().map(|&k| Vec3::from_array(at[k as usize]));
         let faces = self.kind.faces().iter().map(|f| f.to_vec());
         Polyhedron::new(corners.collect(), faces.collect())
     }
@@ -170,12 +155,9 @@ fn two_binary(file: &mut File, reader: &mut Reader) -> Result<(), FileError> {
         let kind = kind(reader, number)?;
         let here = reader.int("a number of elements")?;
         let tags = reader.int("a number of tags")?;
-        let here = usize::try_from(here)
-            .ok()
-            .filter(|here| (1..=left).contains(here))
-            .ok_or_else(|| {
-                reader.wrong(format!("{here} elements where at most {left} are left"))
-            })?;
+        let here = usize::try_from(here).ok().filter(|here| (1..=left).contains(here)).ok_or_else(
+            || reader.wrong(format!("{here} elements where at most {left} are left")),
+        )?;
         for _ in 0..here {
             reader.int("the number of an element")?;
             let group = first_tag(reader, tags)?;

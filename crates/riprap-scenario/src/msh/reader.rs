@@ -49,12 +49,7 @@ pub(super) struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self {
-            bytes,
-            at: 0,
-            start: 0,
-            coding: Coding::Text,
-        }
+        Self { bytes, at: 0, start: 0, coding: Coding::Text }
     }
 
     /// An error at what was read last.
@@ -68,10 +63,7 @@ impl<'a> Reader<'a> {
             }
             Coding::Binary { .. } => Place::Byte(start),
         };
-        FileError {
-            place,
-            text: text.into(),
-        }
+        FileError { place, text: text.into() }
     }
 
     /// The next word of text, or nothing at the end of the file.
@@ -80,11 +72,7 @@ impl<'a> Reader<'a> {
             self.at += 1;
         }
         self.start = self.at;
-        while self
-            .bytes
-            .get(self.at)
-            .is_some_and(|b| !b.is_ascii_whitespace())
-        {
+        while self.bytes.get(self.at).is_some_and(|b| !b.is_ascii_whitespace()) {
             self.at += 1;
         }
         let word = &self.bytes[self.start..self.at];
@@ -164,9 +152,8 @@ impl<'a> Reader<'a> {
             Some(name) if !name.is_empty() => Ok(Some(name)),
             _ => {
                 let shown: String = word.chars().take(40).collect();
-                Err(self.wrong(format!(
-                    "{shown:?} stands where a section such as $Nodes should begin"
-                )))
+                Err(self
+                    .wrong(format!("{shown:?} stands where a section such as $Nodes should begin")))
             }
         }
     }
@@ -177,11 +164,7 @@ impl<'a> Reader<'a> {
         if word.and_then(|w| w.strip_prefix("$End")) == Some(name) {
             return Ok(());
         }
-        let found: String = word
-            .unwrap_or("the end of the file")
-            .chars()
-            .take(40)
-            .collect();
+        let found: String = word.unwrap_or("the end of the file").chars().take(40).collect();
         Err(self.wrong(format!("{found:?} stands where $End{name} should be")))
     }
 
@@ -221,9 +204,7 @@ impl<'a> Reader<'a> {
     pub(super) fn line(&mut self) -> String {
         self.start = self.at;
         self.next_line();
-        String::from_utf8_lossy(&self.bytes[self.start..self.at])
-            .trim()
-            .to_owned()
+        String::from_utf8_lossy(&self.bytes[self.start..self.at]).trim().to_owned()
     }
 
     /// Runs `f` on numbers written as text, whatever the rest of the file is written in.

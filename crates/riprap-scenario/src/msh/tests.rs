@@ -28,11 +28,8 @@ fn tetrahedra_of_a_cylinder_in_all_formats() {
         // A prism on a polygon with few corners inside the circle.
         let share = volume(mesh) / std::f64::consts::TAU;
         assert!(share > 0.7 && share < 1.0, "{share}");
-        let names: Vec<(u8, &str)> = mesh
-            .groups
-            .iter()
-            .map(|g| (g.dimension, g.name.as_str()))
-            .collect();
+        let names: Vec<(u8, &str)> =
+            mesh.groups.iter().map(|g| (g.dimension, g.name.as_str())).collect();
         assert_eq!(names, [(2, "ends"), (3, "rock core")]);
         assert!(mesh.cells.iter().all(|c| mesh.groups_of(c.set) == [1]));
         assert!(mesh.facets.len() > 8);
@@ -56,10 +53,7 @@ fn sheared_bricks_in_all_formats() {
         assert!((volume(&mesh) - 2.0).abs() < 1e-12);
         let of = |name: &str| {
             let group = mesh.groups.iter().position(|g| g.name == name).unwrap();
-            mesh.cells
-                .iter()
-                .filter(|c| mesh.groups_of(c.set) == [group as u32])
-                .count()
+            mesh.cells.iter().filter(|c| mesh.groups_of(c.set) == [group as u32]).count()
         };
         assert_eq!((of("left"), of("right")), (2, 2));
     }
@@ -76,22 +70,13 @@ fn prisms_and_pyramids_are_solids() {
         [1.0, 0.0, 1.0],
         [1.0, 1.0, 1.0],
     ];
-    let cell = |kind, nodes| Cell {
-        kind,
-        nodes,
-        set: 0,
-    };
+    let cell = |kind, nodes| Cell { kind, nodes, set: 0 };
     let prism = cell(CellKind::Prism, [0, 1, 2, 4, 5, 6, 0, 0]);
     let pyramid = cell(CellKind::Pyramid, [0, 1, 2, 3, 4, 0, 0, 0]);
     let volume = |cell: &Cell| cell.solid(&at).unwrap().moments().volume;
     assert!((volume(&prism) - 0.5).abs() < 1e-15);
     assert!((volume(&pyramid) - 1.0 / 3.0).abs() < 1e-15);
-    for kind in [
-        CellKind::Prism,
-        CellKind::Pyramid,
-        CellKind::Tetrahedron,
-        CellKind::Hexahedron,
-    ] {
+    for kind in [CellKind::Prism, CellKind::Pyramid, CellKind::Tetrahedron, CellKind::Hexahedron] {
         let edges: usize = kind.faces().iter().map(|f| f.len()).sum();
         assert_eq!(kind.nodes() + kind.faces().len(), edges / 2 + 2);
     }
@@ -150,9 +135,7 @@ fn repeated_elements_count_once() {
     let mesh = parse_msh(text.as_bytes()).unwrap();
     assert_eq!(mesh.cells.len(), 1);
     let groups = mesh.groups_of(mesh.cells[0].set).iter();
-    let names: Vec<&str> = groups
-        .map(|k| mesh.groups[*k as usize].name.as_str())
-        .collect();
+    let names: Vec<&str> = groups.map(|k| mesh.groups[*k as usize].name.as_str()).collect();
     assert_eq!(names, ["left", "right"]);
 }
 
@@ -177,23 +160,14 @@ fn entities_in_several_groups_keep_all_of_them() {
     let mesh = parse_msh(text.as_bytes()).unwrap();
     let names = |set: u32| -> Vec<&str> {
         let groups = mesh.groups_of(set).iter();
-        groups
-            .map(|k| mesh.groups[*k as usize].name.as_str())
-            .collect()
+        groups.map(|k| mesh.groups[*k as usize].name.as_str()).collect()
     };
-    assert!(
-        mesh.cells
-            .iter()
-            .all(|c| names(c.set) == ["rock core", "5"])
-    );
+    assert!(mesh.cells.iter().all(|c| names(c.set) == ["rock core", "5"]));
     assert!(mesh.facets.iter().all(|f| names(f.set) == ["ends", "5"]));
     assert_eq!(mesh.facets.len(), whole.facets.len());
     let many = text.replacen(" 3 8 5 -5", " 33 8 5 -5", 1);
     let found = error(&many);
-    assert!(
-        found.contains("in 33 physical groups; 32 at most"),
-        "{found}"
-    );
+    assert!(found.contains("in 33 physical groups; 32 at most"), "{found}");
 }
 
 /// Files cut off anywhere and with any byte changed: an error or a mesh, never a panic, and no memory for made-up counts.

@@ -27,10 +27,8 @@ impl Joint {
             of.as_ref().map(|angle| (angle.si(), angle.span.clone()))
         };
         let stiffness = |of: &Option<Quantity<_>>| of.as_ref().map(Quantity::si);
-        let contact = [
-            stiffness(&interface.normal_stiffness),
-            stiffness(&interface.shear_stiffness),
-        ];
+        let contact =
+            [stiffness(&interface.normal_stiffness), stiffness(&interface.shear_stiffness)];
         // The default of the language for the shear stiffness.
         let half = |[normal, shear]: [Option<f64>; 2]| shear.or(normal.map(|k| 0.5 * k));
         match (space, &interface.bond) {
@@ -68,14 +66,8 @@ impl Rules {
         self.dilation(of, interface);
         let keys = [
             ("dilation_angle", span(&interface.dilation_angle)),
-            (
-                "softening",
-                interface.softening.as_ref().map(|s| &s.slip.span),
-            ),
-            (
-                "barton_bandis",
-                interface.barton_bandis.as_ref().map(|b| &b.jrc.span),
-            ),
+            ("softening", interface.softening.as_ref().map(|s| &s.slip.span)),
+            ("barton_bandis", interface.barton_bandis.as_ref().map(|b| &b.jrc.span)),
             ("closure", interface.closure.as_ref().map(|c| &c.limit.span)),
         ];
         if self.space == InSpace::Planar && interface.bond.is_none() {
@@ -116,10 +108,7 @@ impl Rules {
             // Dilation is an angle, so that friction is compared as one however it was given.
             .or(coefficient.map(|friction| libm::atan(friction.si())));
         let residual = joint.residual.as_ref().map(|(angle, _)| *angle);
-        let least = peak
-            .into_iter()
-            .chain(residual)
-            .fold(f64::INFINITY, f64::min);
+        let least = peak.into_iter().chain(residual).fold(f64::INFINITY, f64::min);
         if angle.si() > least {
             let message = format!(
                 "the dilation angle of {of} is above its friction angle: sliding would make energy"

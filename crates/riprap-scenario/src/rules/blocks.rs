@@ -28,15 +28,9 @@ impl Rules {
                 "voronoi",
                 "pour",
             ],
-            InSpace::Spatial => &[
-                "brick",
-                "grid",
-                "polyhedron",
-                "parts",
-                "mesh",
-                "pour",
-                "terrain",
-            ],
+            InSpace::Spatial => {
+                &["brick", "grid", "polyhedron", "parts", "mesh", "pour", "terrain"]
+            }
         };
         let flags: Vec<(&str, bool)> = all
             .iter()
@@ -67,10 +61,7 @@ impl Rules {
             }
         }
         if block.parts.is_some() || block.mesh.as_ref().is_some_and(|m| m.glued == Some(true)) {
-            let divides = [
-                ("cut", block.cut.is_some()),
-                ("mechanics", block.mechanics.is_some()),
-            ];
+            let divides = [("cut", block.cut.is_some()), ("mechanics", block.mechanics.is_some())];
             for (word, _) in divides.into_iter().filter(|(_, given)| *given) {
                 let message = format!("{of} is made of glued parts and has `{word}`");
                 let help = "such a block is rigid and stays whole: leave it out";
@@ -101,10 +92,7 @@ impl Rules {
 
     /// Mass and moments of inertia are of one rigid body that stays whole.
     fn given_mass(&mut self, span: &Span, of: &str, block: &Block) {
-        let given = [
-            ("mass", block.mass.is_some()),
-            ("inertia", block.inertia.is_some()),
-        ];
+        let given = [("mass", block.mass.is_some()), ("inertia", block.inertia.is_some())];
         let many = block.cut.is_some() || block.geometry().is_some_and(Geometry::is_many);
         for (word, _) in given.into_iter().filter(|(_, given)| *given) {
             if many {
@@ -129,10 +117,8 @@ impl Rules {
 
     /// An angle, in space about one axis, or a quaternion.
     fn rotate(&mut self, span: &Span, of: &str, rotate: &Rotate) {
-        let forms = [
-            ("angle", rotate.angle.is_some()),
-            ("quaternion", rotate.quaternion.is_some()),
-        ];
+        let forms =
+            [("angle", rotate.angle.is_some()), ("quaternion", rotate.quaternion.is_some())];
         let forms = match self.space {
             InSpace::Planar => &forms[..1],
             InSpace::Spatial => &forms[..],
@@ -170,10 +156,7 @@ impl Rules {
             Geometry::Brick(brick) => self.one_of(
                 span,
                 &format!("the brick of {of}"),
-                &[
-                    ("corner", brick.corner.is_some()),
-                    ("centre", brick.centre.is_some()),
-                ],
+                &[("corner", brick.corner.is_some()), ("centre", brick.centre.is_some())],
             ),
             Geometry::Grid(Grid::Box(grid)) => {
                 if let (Some(_), Some(centre)) = (&grid.corner, &grid.centre) {
@@ -251,10 +234,7 @@ impl Rules {
             }
             Geometry::Polygons(polygons) => {
                 let of = format!("the polygons of {of}");
-                let given = [
-                    ("dxf", polygons.dxf.is_some()),
-                    ("tess", polygons.tess.is_some()),
-                ];
+                let given = [("dxf", polygons.dxf.is_some()), ("tess", polygons.tess.is_some())];
                 self.one_of(span, &of, &given);
                 let layers = polygons.layers.as_ref().and_then(|layers| layers.first());
                 let sagitta = polygons.sagitta.as_ref().map(|sagitta| &sagitta.span);
@@ -265,23 +245,13 @@ impl Rules {
             Geometry::Rectangle(shape) => self.one_of(
                 span,
                 &format!("the rectangle of {of}"),
-                &[
-                    ("corner", shape.corner.is_some()),
-                    ("centre", shape.centre.is_some()),
-                ],
+                &[("corner", shape.corner.is_some()), ("centre", shape.centre.is_some())],
             ),
             // The schema has their ranges.
             Geometry::Regular(_) => {}
             Geometry::Wall(wall) => {
                 let (rows, columns) = (u64::from(wall.courses), u64::from(wall.per_course));
-                self.count(
-                    span,
-                    of,
-                    "courses x per_course",
-                    rows * columns,
-                    0,
-                    MAX_BLOCKS,
-                );
+                self.count(span, of, "courses x per_course", rows * columns, 0, MAX_BLOCKS);
             }
             Geometry::Arch(arch) => {
                 if self.values_sound && arch.thickness.si() >= 2.0 * arch.radius.si() {
@@ -299,12 +269,7 @@ impl Rules {
                 let [low, high] = pour.vertices_or_default();
                 self.count(span, of, "vertices", u64::from(low), 3, 100);
                 self.count(span, of, "vertices", u64::from(high), u64::from(low), 100);
-                self.in_order(
-                    &pour.size[0],
-                    &pour.size[1],
-                    true,
-                    "`size` is [smallest, largest]",
-                );
+                self.in_order(&pour.size[0], &pour.size[1], true, "`size` is [smallest, largest]");
                 let [lowest, highest] = &pour.region;
                 for (low, high) in lowest.items.iter().zip(&highest.items) {
                     let help = "`region` is [lowest corner, highest corner]";
@@ -318,10 +283,7 @@ impl Rules {
         self.one_of(
             span,
             &format!("the polyhedron of {of}"),
-            &[
-                ("vertices", shape.vertices.is_some()),
-                ("obj", shape.obj.is_some()),
-            ],
+            &[("vertices", shape.vertices.is_some()), ("obj", shape.obj.is_some())],
         );
         let count = shape.vertices.as_ref().map_or(4, Vec::len);
         if count < 4 {
@@ -356,12 +318,7 @@ impl Rules {
 
     pub(super) fn corners_of_box(&mut self, min: &Vector<Length>, max: &Vector<Length>) {
         for (low, high) in min.items.iter().zip(&max.items) {
-            self.in_order(
-                low,
-                high,
-                true,
-                "`box` is { min = [lowest], max = [highest] }",
-            );
+            self.in_order(low, high, true, "`box` is { min = [lowest], max = [highest] }");
         }
     }
 
@@ -374,12 +331,7 @@ impl Rules {
     pub(super) fn corners(&mut self, span: &Span, of: &str, count: usize) {
         if count < 3 {
             let message = format!("the polygon of {of} has {count} corners");
-            self.error(
-                "polygon.corners",
-                span,
-                message,
-                "a polygon has at least three corners",
-            );
+            self.error("polygon.corners", span, message, "a polygon has at least three corners");
         }
     }
 

@@ -17,10 +17,7 @@ impl Rules {
         self.one_of(
             span,
             &of,
-            &[
-                ("head", bolt.head.is_some() || bolt.toe.is_some()),
-                ("csv", bolt.csv.is_some()),
-            ],
+            &[("head", bolt.head.is_some() || bolt.toe.is_some()), ("csv", bolt.csv.is_some())],
         );
         if bolt.head.is_some() != bolt.toe.is_some() {
             let message = format!("{of} needs both `head` and `toe`");
@@ -42,10 +39,7 @@ impl Rules {
         self.one_of(
             span,
             &format!("the steel of `{name}`"),
-            &[
-                ("diameter", steel.diameter.is_some()),
-                ("area", steel.area.is_some()),
-            ],
+            &[("diameter", steel.diameter.is_some()), ("area", steel.area.is_some())],
         );
         if let (Some(pull), None) = (&bolt.pretension, &bolt.plate) {
             let message = format!("{of} is stretched and has no plate that holds it");

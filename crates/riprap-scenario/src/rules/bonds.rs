@@ -57,10 +57,7 @@ impl Rules {
         }
         if bond.elastic {
             let broken = [
-                (
-                    "residual_friction_angle",
-                    bond.residual_friction_angle.is_some(),
-                ),
+                ("residual_friction_angle", bond.residual_friction_angle.is_some()),
                 ("residual_cohesion", bond.residual_cohesion.is_some()),
                 ("cohesive", bond.cohesive.is_some()),
                 ("failure", bond.failure.is_some()),
@@ -181,9 +178,7 @@ impl Rules {
         let Some(curve) = &cohesive.curve else {
             return;
         };
-        let span = curve
-            .first()
-            .map_or(&cohesive.mode_1.span, |point| &point[0].span);
+        let span = curve.first().map_or(&cohesive.mode_1.span, |point| &point[0].span);
         if cohesive.softening.is_some() {
             let message = format!("{of} has `softening` and `curve`");
             self.error("key.one_of", span, message, "keep one of them");
@@ -243,8 +238,7 @@ impl Rules {
         if !relaxes && (phase.load_steps.is_some() || phase.iterations.is_some()) {
             let message = format!("{of} is dynamic: `load_steps` and `iterations` have no effect");
             let note = Diagnostic::warning("key.unused", message).at(phase.name.span.clone());
-            self.found
-                .push(note.help("they belong to kind = \"static\""));
+            self.found.push(note.help("they belong to kind = \"static\""));
         }
     }
 
@@ -278,12 +272,7 @@ fn least_stiffness(bond: &BrittleBond, materials: &[(f64, f64)]) -> [f64; 2] {
     let thickness = match (&bond.normal_stiffness, &bond.thickness) {
         (Some(normal), _) => {
             let normal = normal.si();
-            return [
-                normal,
-                bond.shear_stiffness
-                    .as_ref()
-                    .map_or(0.5 * normal, Quantity::si),
-            ];
+            return [normal, bond.shear_stiffness.as_ref().map_or(0.5 * normal, Quantity::si)];
         }
         (None, Some(thickness)) => thickness.si(),
         (None, None) => return [f64::INFINITY; 2],

@@ -8,22 +8,14 @@ use crate::values::short;
 
 impl Rules {
     pub(super) fn criterion(&mut self, criterion: &Criterion) {
-        let keys = [
-            ("above", criterion.above.is_some()),
-            ("below", criterion.below.is_some()),
-        ];
+        let keys = [("above", criterion.above.is_some()), ("below", criterion.below.is_some())];
         self.one_of(&criterion.field.span, "fails_when", &keys);
         let at = (criterion.of.as_ref(), criterion.at_point.as_ref());
         self.of_or_point(at, &criterion.field.span);
         if let Some(Reduce::FirstAbove | Reduce::FirstBelow | Reduce::ShareAbove) = criterion.reduce
         {
             let message = "fails_when cannot use `first_above` or `share_above`".to_owned();
-            self.error(
-                "value.word",
-                &criterion.field.span,
-                message,
-                "use max, min, mean or range",
-            );
+            self.error("value.word", &criterion.field.span, message, "use max, min, mean or range");
         }
     }
 
@@ -72,8 +64,7 @@ impl Rules {
         {
             let message = format!("{of} sees one sign of the residual only");
             let note = Diagnostic::warning("check.one_sided", message).at(check.field.span.clone());
-            self.found
-                .push(note.help("use reduce = \"range\": the residual begins at 0"));
+            self.found.push(note.help("use reduce = \"range\": the residual begins at 0"));
         }
         if check.over.is_some() && check.reduce.is_none() {
             let message = format!("{of} has `over` without `reduce`");
@@ -103,41 +94,19 @@ impl Rules {
             self.same_dimension(&[low, high], "between");
         } else if check.relative.is_none() && check.absolute.is_none() {
             let message = format!("{of} has no tolerance");
-            self.error(
-                "key.missing",
-                span,
-                message,
-                "write for example relative = 1e-3",
-            );
+            self.error("key.missing", span, message, "write for example relative = 1e-3");
         }
         if check.known.is_some() && check.exact {
             let message = format!("{of} is exact and cannot be marked as known to fail");
-            self.error(
-                "key.forbidden",
-                span,
-                message,
-                "remove `known` and mend the cause",
-            );
+            self.error("key.forbidden", span, message, "remove `known` and mend the cause");
         }
-        if let Some(reason) = check
-            .known
-            .as_ref()
-            .filter(|reason| reason.text.trim().is_empty())
-        {
+        if let Some(reason) = check.known.as_ref().filter(|reason| reason.text.trim().is_empty()) {
             let message = "a known failure needs its reason".to_owned();
-            self.error(
-                "name.form",
-                &reason.span,
-                message,
-                "say in one line why it fails",
-            );
+            self.error("name.form", &reason.span, message, "say in one line why it fails");
         }
         let mut known = vec!["t"];
         for (name, _) in check.names.iter() {
-            let plain = name
-                .text
-                .chars()
-                .all(|c| c.is_ascii_alphanumeric() || c == '_')
+            let plain = name.text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
                 && name.text.starts_with(|c: char| c.is_ascii_alphabetic());
             if !plain || ["t", "pi", "deg", "e", "E", "PI", "TAU"].contains(&name.as_str()) {
                 let message = format!("`{}` cannot be a name in `let`", short(&name.text));

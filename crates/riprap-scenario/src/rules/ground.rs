@@ -95,11 +95,8 @@ impl Rules {
             ("pressure", boundary.pressure.is_some()),
             ("traction", boundary.traction.is_some()),
         ];
-        let given: Vec<&str> = kinds
-            .iter()
-            .filter(|(_, there)| *there)
-            .map(|(key, _)| *key)
-            .collect();
+        let given: Vec<&str> =
+            kinds.iter().filter(|(_, there)| *there).map(|(key, _)| *key).collect();
         if given.len() > 1 {
             let message = format!("a boundary has {}: only one is possible", list(&given));
             let help = "keep one and remove the others";

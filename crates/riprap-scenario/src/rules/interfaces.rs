@@ -10,10 +10,7 @@ use crate::vectors::InSpace;
 
 /// Whether the rock bridges of some blocks have this interface.
 fn is_of_bridges(name: &Name, scenario: &Scenario) -> bool {
-    let cuts = scenario
-        .blocks
-        .iter()
-        .filter_map(|block| block.cut.as_ref());
+    let cuts = scenario.blocks.iter().filter_map(|block| block.cut.as_ref());
     let joints = cuts.filter_map(|cut| cut.joints.as_ref());
     let mut bridges = joints.filter_map(|joints| joints.bridges.as_ref());
     bridges.any(|bridge| bridge.as_str() == name.as_str())
@@ -52,21 +49,12 @@ impl Rules {
 
     fn contact(&mut self, span: &Span, of: &str, interface: &Interface, scenario: &Scenario) {
         self.friction(span, of, interface);
-        self.friction_law(
-            span,
-            of,
-            interface.friction_law,
-            interface.clip_speed.is_some(),
-        );
+        self.friction_law(span, of, interface.friction_law, interface.clip_speed.is_some());
         self.behaviour(of, interface);
         if interface.reflex.is_some() && interface.law != Some(NormalLaw::PenetrationPotential) {
             let message = format!("`reflex` in {of} has no effect");
             let help = "it belongs to law = \"penetration_potential\"";
-            self.found.push(
-                Diagnostic::warning("key.unused", message)
-                    .at(span.clone())
-                    .help(help),
-            );
+            self.found.push(Diagnostic::warning("key.unused", message).at(span.clone()).help(help));
         }
         self.elastic_constants(span, of, interface, scenario);
     }
@@ -92,10 +80,7 @@ impl Rules {
             of,
             &[
                 ("friction_angle", interface.friction_angle.is_some()),
-                (
-                    "friction_coefficient",
-                    interface.friction_coefficient.is_some(),
-                ),
+                ("friction_coefficient", interface.friction_coefficient.is_some()),
             ],
         );
     }
@@ -138,11 +123,8 @@ impl Rules {
             (false, true) => {
                 let message = format!("`clip_speed` in {of} has no effect");
                 let help = "it belongs to friction_law = \"clipped\"";
-                self.found.push(
-                    Diagnostic::warning("key.unused", message)
-                        .at(span.clone())
-                        .help(help),
-                );
+                self.found
+                    .push(Diagnostic::warning("key.unused", message).at(span.clone()).help(help));
             }
             (true, true) | (false, false) => {}
         }

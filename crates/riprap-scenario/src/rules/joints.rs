@@ -106,9 +106,7 @@ impl Rules {
             let help = "above cohesion / tan(friction_angle) a joint in tension has no shear \
                         strength; lower `tension` or raise `cohesion`";
             self.found.push(
-                Diagnostic::warning("value.tip", message)
-                    .at(tension.span.clone())
-                    .help(help),
+                Diagnostic::warning("value.tip", message).at(tension.span.clone()).help(help),
             );
         }
     }
@@ -130,11 +128,7 @@ impl Rules {
         else {
             return;
         };
-        let lacking = if lacks_moduli(scenario, one) {
-            one
-        } else {
-            other
-        };
+        let lacking = if lacks_moduli(scenario, one) { one } else { other };
         let message =
             format!("{of} has no normal stiffness, which blocks of `{one}` and `{other}` need");
         let help = format!(
@@ -154,29 +148,18 @@ fn lacks_moduli(scenario: &Scenario, name: &str) -> bool {
 /// Pairs of materials that an interface is for and that blocks of the scene have: two blocks of one material, or one of each.
 fn pairs_of<'a>(interface: &'a Interface, scenario: &'a Scenario) -> Vec<[&'a str; 2]> {
     let many = |name: &str| {
-        let tables = scenario
-            .blocks
-            .iter()
-            .filter(|b| b.material.as_str() == name);
-        tables
-            .map(|b| 1 + usize::from(b.is_generator()))
-            .sum::<usize>()
+        let tables = scenario.blocks.iter().filter(|b| b.material.as_str() == name);
+        tables.map(|b| 1 + usize::from(b.is_generator())).sum::<usize>()
     };
     let meet = |[a, b]: &[&str; 2]| match a == b {
         true => many(a) > 1,
         false => many(a) > 0 && many(b) > 0,
     };
     if let Some([a, b]) = &interface.between {
-        return [[a.as_str(), b.as_str()]]
-            .into_iter()
-            .filter(meet)
-            .collect();
+        return [[a.as_str(), b.as_str()]].into_iter().filter(meet).collect();
     }
     let named = |[a, b]: &[&str; 2]| {
-        let pairs = scenario
-            .interfaces
-            .iter()
-            .filter_map(|(_, i)| i.between.as_ref());
+        let pairs = scenario.interfaces.iter().filter_map(|(_, i)| i.between.as_ref());
         let mut pairs = pairs.map(|pair| pair.each_ref().map(Name::as_str));
         pairs.any(|pair| pair == [*a, *b] || pair == [*b, *a])
     };

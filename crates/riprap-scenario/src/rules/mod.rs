@@ -66,17 +66,12 @@ struct Rules {
 
 impl Rules {
     fn error(&mut self, code: &'static str, span: &Span, message: String, help: &str) {
-        self.found
-            .push(Diagnostic::error(code, message).at(span.clone()).help(help));
+        self.found.push(Diagnostic::error(code, message).at(span.clone()).help(help));
     }
 
     /// Exactly one of the keys must be there.
     fn one_of(&mut self, span: &Span, of: &str, keys: &[(&str, bool)]) {
-        let given: Vec<&str> = keys
-            .iter()
-            .filter(|(_, there)| *there)
-            .map(|(k, _)| *k)
-            .collect();
+        let given: Vec<&str> = keys.iter().filter(|(_, there)| *there).map(|(k, _)| *k).collect();
         let all: Vec<&str> = keys.iter().map(|(key, _)| *key).collect();
         match given.len() {
             1 => {}
@@ -87,12 +82,7 @@ impl Rules {
             }
             _ => {
                 let message = format!("{of} has {}: only one is possible", list(&given));
-                self.error(
-                    "key.one_of",
-                    span,
-                    message,
-                    "keep one and remove the others",
-                );
+                self.error("key.one_of", span, message, "keep one and remove the others");
             }
         }
     }
@@ -101,12 +91,7 @@ impl Rules {
     fn count(&mut self, span: &Span, of: &str, key: &str, value: u64, low: u64, high: u64) {
         if value < low || value > high {
             let message = format!("`{key}` of {of} is {value}");
-            self.error(
-                "value.range",
-                span,
-                message,
-                &format!("from {low} to {high} is possible"),
-            );
+            self.error("value.range", span, message, &format!("from {low} to {high} is possible"));
         }
     }
 
@@ -118,12 +103,7 @@ impl Rules {
         }
         if scenario.title.trim().is_empty() {
             let help = "say in one line what the scene shows";
-            self.error(
-                "title",
-                &place("title"),
-                "the title is empty".to_owned(),
-                help,
-            );
+            self.error("title", &place("title"), "the title is empty".to_owned(), help);
         }
     }
 
@@ -250,17 +230,9 @@ impl Rules {
         let (first, second) = (low.si(), high.si());
         // Not `SAME`: places far from the origin may lie nearer to each other.
         let round = 4.0 * f64::EPSILON * first.abs().max(second.abs());
-        let wrong = if may_be_equal {
-            first - second > round
-        } else {
-            second - first <= round
-        };
+        let wrong = if may_be_equal { first - second > round } else { second - first <= round };
         if self.values_sound && wrong {
-            let than = if may_be_equal {
-                "is larger than"
-            } else {
-                "is not less than"
-            };
+            let than = if may_be_equal { "is larger than" } else { "is not less than" };
             let message = format!("\"{}\" {than} \"{}\"", low.raw, high.raw);
             self.error("value.order", &high.span, message, help);
         }

@@ -13,10 +13,7 @@ use crate::vectors::InSpace;
 impl Rules {
     pub(super) fn support(&mut self, support: &Support) {
         let span = target_span(&support.on);
-        let keys = [
-            ("fixed", support.fixed.is_some()),
-            ("motion", support.motion.is_some()),
-        ];
+        let keys = [("fixed", support.fixed.is_some()), ("motion", support.motion.is_some())];
         self.one_of(&span, "a support", &keys);
         if let Target::Box(region) = &support.on {
             self.region(region);
@@ -94,8 +91,7 @@ impl Rules {
         for (key, _) in given.into_iter().filter(|(_, given)| *given) {
             let message = format!("`{key}` of a motion has no effect");
             let note = Diagnostic::warning("key.unused", message).at(span.clone());
-            self.found
-                .push(note.help("it belongs to a spin, and none is given"));
+            self.found.push(note.help("it belongs to a spin, and none is given"));
         }
     }
 
@@ -172,12 +168,7 @@ impl Rules {
     pub(super) fn end_after(&mut self, start: f64, end: f64, span: &Span) {
         if self.values_sound && !above(end, start) {
             let message = "`end` does not come after `start`".to_owned();
-            self.error(
-                "value.order",
-                span,
-                message,
-                "`start` is 0 s if it is not given",
-            );
+            self.error("value.order", span, message, "`start` is 0 s if it is not given");
         }
     }
 
@@ -193,14 +184,8 @@ impl Rules {
                 ("body", load.body.is_some()),
             ],
         );
-        if let Some(EdgeLoad {
-            pressure, traction, ..
-        }) = &load.edge
-        {
-            let keys = [
-                ("pressure", pressure.is_some()),
-                ("traction", traction.is_some()),
-            ];
+        if let Some(EdgeLoad { pressure, traction, .. }) = &load.edge {
+            let keys = [("pressure", pressure.is_some()), ("traction", traction.is_some())];
             self.one_of(&span, "an edge load", &keys);
         }
         self.time_function(&span, load.time.as_ref());

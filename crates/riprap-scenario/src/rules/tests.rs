@@ -57,11 +57,7 @@ fn times_in_other_units_are_the_same_times() {
         )
     };
     let late = "`end` does not come after `start`";
-    assert!(
-        told(&load("0.7 s", "700 ms")).contains(late),
-        "{}",
-        told(&load("0.7 s", "700 ms"))
-    );
+    assert!(told(&load("0.7 s", "700 ms")).contains(late), "{}", told(&load("0.7 s", "700 ms")));
     assert_eq!(told(&load("0.7 s", "701 ms")), "");
 }
 
@@ -80,10 +76,7 @@ fn elastic_bonds_tell_what_they_do_not_read() {
     );
     for one in ["young = \"1 GPa\"", "poisson = 0.2"] {
         let found = bond(one);
-        assert!(
-            found.contains("has only one of `young` and `poisson`"),
-            "{found}"
-        );
+        assert!(found.contains("has only one of `young` and `poisson`"), "{found}");
     }
 }
 
@@ -91,21 +84,13 @@ fn elastic_bonds_tell_what_they_do_not_read() {
 fn a_phase_gives_a_speed_to_friction_that_is_clipped() {
     let scene = |law: &str, change: &str| {
         let head = PLANAR.replace("friction_angle", &format!("{law}friction_angle"));
-        told(&format!(
-            "{head}{PHASE}interfaces.default = {{ {change} }}\n"
-        ))
+        told(&format!("{head}{PHASE}interfaces.default = {{ {change} }}\n"))
     };
     let clipped = "friction_law = \"clipped\", clip_speed = \"1 mm/s\", ";
     let speed = "clip_speed = \"2 mm/s\"";
-    assert_eq!(
-        scene("", speed),
-        "`clip_speed` in phases.p.interfaces.default has no effect"
-    );
+    assert_eq!(scene("", speed), "`clip_speed` in phases.p.interfaces.default has no effect");
     assert_eq!(scene(clipped, speed), "");
-    assert_eq!(
-        scene("", &format!("friction_law = \"clipped\", {speed}")),
-        ""
-    );
+    assert_eq!(scene("", &format!("friction_law = \"clipped\", {speed}")), "");
     let other = scene(clipped, &format!("friction_law = \"rate_sign\", {speed}"));
     assert!(other.contains("has no effect"), "{other}");
 }

@@ -58,10 +58,7 @@ impl Rules {
             && first.water.is_none()
             && scenario.water.len() > 1
         {
-            let message = format!(
-                "phase `{}` does not say which water table stands",
-                first.name
-            );
+            let message = format!("phase `{}` does not say which water table stands", first.name);
             let help = "there are several: give it `water` with the name of one, a list of names, or \"none\"";
             self.error("key.missing", &first.name.span, message, help);
         }
@@ -83,21 +80,12 @@ impl Rules {
             let seeps = |w: &Water| w.seepage.is_some();
             let (message, help) = if name.as_str() == NO_WATER {
                 let help = "give the tables that stand, or this word alone";
-                (
-                    format!("`{NO_WATER}` stands beside other water tables"),
-                    help,
-                )
+                (format!("`{NO_WATER}` stands beside other water tables"), help)
             } else if names[..k].contains(name) {
-                (
-                    format!("water table `{name}` stands twice in a list"),
-                    "give each once",
-                )
+                (format!("water table `{name}` stands twice in a list"), "give each once")
             } else if scenario.water.get(name.as_str()).is_some_and(seeps) {
                 let help = "one table that seeps stands alone: its `points` can have steps between different heads";
-                (
-                    format!("water table `{name}` seeps and stands beside others"),
-                    help,
-                )
+                (format!("water table `{name}` seeps and stands beside others"), help)
             } else {
                 continue;
             };

@@ -68,10 +68,7 @@ fn add(key: FoundKey, path: &str, out: &mut Vec<KeyDoc>) {
             takes: takes(node),
             text,
             required: key.required,
-            words: words
-                .into_iter()
-                .map(|(word, text)| (word.to_owned(), flat(text)))
-                .collect(),
+            words: words.into_iter().map(|(word, text)| (word.to_owned(), flat(text))).collect(),
         });
     }
     collect(node, path, out);
@@ -96,10 +93,7 @@ fn fits(pattern: &str, path: &str) -> bool {
 /// No such key; the text says which one is close.
 pub fn explain_key(path: &str) -> Result<String, String> {
     let all = keys();
-    let wanted: String = path
-        .replace("[[", "")
-        .replace("]]", "")
-        .replace(['[', ']', '"'], "");
+    let wanted: String = path.replace("[[", "").replace("]]", "").replace(['[', ']', '"'], "");
     let wanted = wanted.trim().trim_matches('.');
     if wanted.is_empty() || wanted.len() > 300 {
         return Err("write a key with dots, for example `materials.rock.density`".to_owned());
@@ -110,24 +104,16 @@ pub fn explain_key(path: &str) -> Result<String, String> {
     found.sort_by_key(|key| key.path.matches('*').count());
     found.truncate(1);
     if found.is_empty() {
-        found = all
-            .iter()
-            .filter(|key| without_stars(key) == wanted)
-            .collect();
+        found = all.iter().filter(|key| without_stars(key) == wanted).collect();
     }
     if found.is_empty() {
         let ending = format!(".{wanted}");
-        found = all
-            .iter()
-            .filter(|key| without_stars(key).ends_with(&ending))
-            .collect();
+        found = all.iter().filter(|key| without_stars(key).ends_with(&ending)).collect();
     }
     if found.is_empty() {
         let last = wanted.rsplit('.').next().unwrap_or(wanted);
-        let lasts: Vec<&str> = all
-            .iter()
-            .filter_map(|key| key.path.rsplit('.').find(|word| *word != "*"))
-            .collect();
+        let lasts: Vec<&str> =
+            all.iter().filter_map(|key| key.path.rsplit('.').find(|word| *word != "*")).collect();
         let mut help = String::new();
         if let Some(word) = closest(last, lasts) {
             let ending = format!(".{word}");
@@ -153,10 +139,7 @@ pub fn explain_key(path: &str) -> Result<String, String> {
 
 fn key_text(key: &KeyDoc, all: &[KeyDoc]) -> String {
     let need = if key.required { " (required)" } else { "" };
-    let mut text = format!(
-        "{}{need}\n  {}\n  Takes {}.\n",
-        key.path, key.text, key.takes
-    );
+    let mut text = format!("{}{need}\n  {}\n  Takes {}.\n", key.path, key.text, key.takes);
     for (word, meaning) in key.words.iter().filter(|(_, meaning)| !meaning.is_empty()) {
         text.push_str(&format!("    {word}: {meaning}\n"));
     }
@@ -183,11 +166,7 @@ mod tests {
         assert!(keys.len() > 200, "{}", keys.len());
         for key in &keys {
             assert!(!key.text.is_empty(), "{} has no text", key.path);
-            assert!(
-                key.takes != "any value" || key.path.contains('*'),
-                "{}",
-                key.path
-            );
+            assert!(key.takes != "any value" || key.path.contains('*'), "{}", key.path);
         }
     }
 

@@ -88,18 +88,12 @@ pub(crate) struct FoundKey {
 impl Node {
     /// Schema of the whole file.
     pub(crate) fn root() -> Self {
-        Node {
-            value: schema(),
-            type_name: None,
-        }
+        Node { value: schema(), type_name: None }
     }
 
     /// Follows references and strips "or null".
     pub(crate) fn resolve(value: &'static Value) -> Self {
-        let mut node = Node {
-            value,
-            type_name: None,
-        };
+        let mut node = Node { value, type_name: None };
         // References are never deeper than a few; the bound only guards against a loop.
         for _ in 0..8 {
             if let Some(name) = node.value.get("$ref").and_then(Value::as_str) {
@@ -107,15 +101,9 @@ impl Node {
                 let Some(target) = schema().get("$defs").and_then(|defs| defs.get(name)) else {
                     break;
                 };
-                node = Node {
-                    value: target,
-                    type_name: Some(name),
-                };
+                node = Node { value: target, type_name: Some(name) };
             } else if let Some(inner) = only_alternative(node.value) {
-                node = Node {
-                    value: inner,
-                    type_name: None,
-                };
+                node = Node { value: inner, type_name: None };
             } else {
                 break;
             }
@@ -155,19 +143,12 @@ impl Node {
         found: &mut impl FnMut(FoundKey, &str),
     ) {
         let join = |key: &str| {
-            if path.is_empty() {
-                key.to_owned()
-            } else {
-                format!("{path}.{key}")
-            }
+            if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
         };
         let required: Vec<&str> = self.required().collect();
         for (key, value) in self.properties() {
-            let key_found = FoundKey {
-                value,
-                documented: value,
-                required: required.contains(&key),
-            };
+            let key_found =
+                FoundKey { value, documented: value, required: required.contains(&key) };
             found(key_found, &join(key));
         }
         let mut others: Vec<(&str, &'static Value, &'static Value)> = self.variants();
@@ -175,11 +156,7 @@ impl Node {
             others.push(("*", value, Node::resolve(value).value));
         }
         for (key, value, documented) in others {
-            let key_found = FoundKey {
-                value,
-                documented,
-                required: false,
-            };
+            let key_found = FoundKey { value, documented, required: false };
             found(key_found, &join(key));
         }
         for alternative in self.alternatives() {
@@ -215,10 +192,7 @@ impl Node {
     /// Words that may stand here: (word, description).
     pub(crate) fn words(self) -> Vec<(&'static str, &'static str)> {
         if let Some(words) = self.value.get("enum").and_then(Value::as_array) {
-            return words
-                .iter()
-                .filter_map(|word| Some((word.as_str()?, "")))
-                .collect();
+            return words.iter().filter_map(|word| Some((word.as_str()?, ""))).collect();
         }
         if let Some(word) = self.value.get("const").and_then(Value::as_str) {
             return vec![(word, description(self.value))];
@@ -227,24 +201,14 @@ impl Node {
         alternatives
             .into_iter()
             .flatten()
-            .flat_map(|alternative| {
-                Node {
-                    value: alternative,
-                    type_name: None,
-                }
-                .words()
-            })
+            .flat_map(|alternative| Node { value: alternative, type_name: None }.words())
             .collect()
     }
 
     /// Alternatives of different types; empty if there is only one.
     pub(crate) fn alternatives(self) -> Vec<Node> {
         let alternatives = self.value.get("anyOf").and_then(Value::as_array);
-        alternatives
-            .into_iter()
-            .flatten()
-            .map(Node::resolve)
-            .collect()
+        alternatives.into_iter().flatten().map(Node::resolve).collect()
     }
 
     /// The alternative in which a word leads on; itself if there are none.
@@ -292,8 +256,5 @@ fn only_alternative(value: &'static Value) -> Option<&'static Value> {
 
 /// The doc comment of a schema, on one line.
 pub(super) fn description(value: &'static Value) -> &'static str {
-    value
-        .get("description")
-        .and_then(Value::as_str)
-        .unwrap_or_default()
+    value.get("description").and_then(Value::as_str).unwrap_or_default()
 }

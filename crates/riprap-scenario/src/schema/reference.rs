@@ -22,10 +22,7 @@ from the scenario file.
 
 /// The reference page of the language, made from the schema.
 pub fn markdown() -> String {
-    let page = Page {
-        shared: shared(),
-        root: Node::root(),
-    };
+    let page = Page { shared: shared(), root: Node::root() };
     let mut text = HEAD.to_owned();
     let mut section = "";
     let all = page.entries(page.root, "");
@@ -67,12 +64,8 @@ struct Entry {
 
 impl Entry {
     fn write(&self, page: &mut String) {
-        let takes: Vec<&str> = self
-            .takes
-            .iter()
-            .map(String::as_str)
-            .filter(|part| !part.is_empty())
-            .collect();
+        let takes: Vec<&str> =
+            self.takes.iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
         let takes = match takes.join("; ") {
             none if none.is_empty() => String::new(),
             some => format!(" ({some})"),
@@ -117,11 +110,7 @@ impl Page {
     }
 
     fn add(&self, key: FoundKey, path: &str, out: &mut Vec<Entry>) {
-        let FoundKey {
-            value,
-            documented,
-            required,
-        } = key;
+        let FoundKey { value, documented, required } = key;
         let node = Node::resolve(value);
         let own = super::description(documented);
         // What a shared table says about itself stands where the table does.
@@ -149,21 +138,14 @@ impl Page {
         let changes = node.value.get("x-change-of").and_then(Value::as_str);
         let mut text = flat(&said);
         if let Some(whose) = changes {
-            let keys: Vec<String> = node
-                .properties()
-                .map(|(key, _)| format!("`{key}`"))
-                .collect();
+            let keys: Vec<String> = node.properties().map(|(key, _)| format!("`{key}`")).collect();
             text.push_str(&format!(" Keys as in `{whose}`: {}.", keys.join(", ")));
         }
         // A free name without text of its own is documented by the key above it.
         if !text.is_empty() || !path.ends_with('*') {
             out.push(Entry {
                 path: path.to_owned(),
-                takes: vec![
-                    takes,
-                    fixed.to_owned(),
-                    space.unwrap_or_default().to_owned(),
-                ],
+                takes: vec![takes, fixed.to_owned(), space.unwrap_or_default().to_owned()],
                 text,
                 words,
             });
@@ -214,10 +196,8 @@ impl Page {
         }
         let alternatives = node.alternatives();
         if !alternatives.is_empty() {
-            let mut texts: Vec<String> = alternatives
-                .into_iter()
-                .map(|one| self.takes(one))
-                .collect();
+            let mut texts: Vec<String> =
+                alternatives.into_iter().map(|one| self.takes(one)).collect();
             // The keys of a table follow on lines of their own; beside words it has to be said that there are some.
             texts
                 .iter_mut()
@@ -290,11 +270,7 @@ fn walk(
     let values = node.properties().map(|(_, value)| value);
     let variants = node.variants().into_iter().map(|(_, value, _)| value);
     let items = node.value.get("items");
-    for value in values
-        .chain(variants)
-        .chain(node.free_values())
-        .chain(items)
-    {
+    for value in values.chain(variants).chain(node.free_values()).chain(items) {
         walk(Node::resolve(value), uses, forms);
     }
     for alternative in node.alternatives() {
@@ -345,11 +321,7 @@ fn short_name(kind: &KindInfo) -> &'static str {
 fn brief(kind: &KindInfo) -> String {
     let name = short_name(kind);
     let bounds = kind.bounds;
-    match (
-        bounds.low == 0.0,
-        bounds.high.is_infinite(),
-        bounds.low_closed,
-    ) {
+    match (bounds.low == 0.0, bounds.high.is_infinite(), bounds.low_closed) {
         (true, true, false) => format!("{name} > 0"),
         (true, true, true) => format!("{name} ≥ 0"),
         _ if bounds.low.is_infinite() && bounds.high.is_infinite() => name.to_owned(),
@@ -383,20 +355,12 @@ mod tests {
     fn every_key_is_on_the_page() {
         let page = markdown();
         for key in keys() {
-            let last = key
-                .path
-                .rsplit('.')
-                .find(|word| *word != "*")
-                .unwrap_or_default();
+            let last = key.path.rsplit('.').find(|word| *word != "*").unwrap_or_default();
             let whole = format!("**`{}`**", key.path);
             let part = |end: &str| {
                 page.contains(&format!("`{last}{end}")) || page.contains(&format!(".{last}{end}"))
             };
-            assert!(
-                page.contains(&whole) || part("`"),
-                "{} is missing",
-                key.path
-            );
+            assert!(page.contains(&whole) || part("`"), "{} is missing", key.path);
         }
     }
 
@@ -420,10 +384,7 @@ mod tests {
     fn a_time_function_stands_once() {
         let page = markdown();
         assert_eq!(page.matches("duvall.rise`**").count(), 1);
-        assert!(
-            page.contains("[time function](#time-function): pressure"),
-            "{page}"
-        );
+        assert!(page.contains("[time function](#time-function): pressure"), "{page}");
         assert!(page.contains("\n### Time function\n"));
     }
 }

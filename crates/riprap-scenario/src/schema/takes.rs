@@ -10,11 +10,7 @@ use crate::vectors::{FormInfo, InSpace};
 pub(crate) fn example(node: Node) -> Option<String> {
     if let Some(kind) = node.kind() {
         let bare = kind.example.parse::<f64>().is_ok();
-        return Some(if bare {
-            kind.example.to_owned()
-        } else {
-            format!("\"{}\"", kind.example)
-        });
+        return Some(if bare { kind.example.to_owned() } else { format!("\"{}\"", kind.example) });
     }
     if let Some((word, _)) = node.words().first() {
         return Some(format!("\"{word}\""));

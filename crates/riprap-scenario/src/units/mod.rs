@@ -69,10 +69,7 @@ impl Dim {
             (Dim::ANGLE, "an angle"),
             (Dim::DENSITY, "a density (mass per volume)"),
             (Dim::PRESSURE, "a pressure (force per area)"),
-            (
-                Dim::STIFFNESS_PER_AREA,
-                "a pressure per length (or unit weight)",
-            ),
+            (Dim::STIFFNESS_PER_AREA, "a pressure per length (or unit weight)"),
             (Dim::VISCOSITY, "a viscosity (pressure times time)"),
             (Dim::TIME, "a time"),
             (Dim::VELOCITY, "a velocity"),
@@ -158,10 +155,7 @@ pub struct UnitError {
 
 impl UnitError {
     fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
-        UnitError {
-            message: message.into(),
-            help: Some(help.into()),
-        }
+        UnitError { message: message.into(), help: Some(help.into()) }
     }
 }
 
@@ -190,12 +184,7 @@ const DEG: f64 = std::f64::consts::PI / 180.0;
 const TURN: f64 = std::f64::consts::TAU;
 
 const fn unit(name: &'static str, factor: f64, dim: Dim, prefixes: &'static str) -> Unit {
-    Unit {
-        name,
-        factor,
-        dim,
-        prefixes,
-    }
+    Unit { name, factor, dim, prefixes }
 }
 
 /// Units without prefixes; a prefix is one of `n u µ m c d k M G T` where the unit allows it.
@@ -255,11 +244,7 @@ pub fn all_names() -> Vec<String> {
     let mut names = Vec::new();
     for unit in UNITS {
         names.push(unit.name.to_owned());
-        names.extend(
-            unit.prefixes
-                .chars()
-                .map(|prefix| format!("{prefix}{}", unit.name)),
-        );
+        names.extend(unit.prefixes.chars().map(|prefix| format!("{prefix}{}", unit.name)));
     }
     names
 }
@@ -338,18 +323,16 @@ pub fn spelled(text: &str) -> String {
     let mut out = String::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
-        let end = rest
-            .find(|c: char| !c.is_alphabetic())
-            .unwrap_or(rest.len());
+        let end = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
         let (word, after) = rest.split_at(end.max(first.len_utf8()));
         let lower = word.to_lowercase();
         let long = LONG_FORMS.iter().find(|(long, _)| *long == lower);
         let long = long.map(|(_, short)| (*short).to_owned());
         let alike: Vec<String> = match find_unit(word) {
             Some(_) => Vec::new(),
-            None => (all_names().into_iter())
-                .filter(|known| known.to_lowercase() == lower)
-                .collect(),
+            None => {
+                (all_names().into_iter()).filter(|known| known.to_lowercase() == lower).collect()
+            }
         };
         out.push_str(match (&long, &alike[..]) {
             (Some(long), _) => long,
@@ -372,10 +355,9 @@ fn unknown_unit(name: &str) -> UnitError {
         .or(long_form)
         .or_else(|| super::diagnostic::closest(name, names.iter().map(String::as_str)));
     match suggestion {
-        Some(known) => UnitError::new(
-            format!("unknown unit `{name}`"),
-            format!("did you mean `{known}`?"),
-        ),
+        Some(known) => {
+            UnitError::new(format!("unknown unit `{name}`"), format!("did you mean `{known}`?"))
+        }
         None => UnitError::new(
             format!("unknown unit `{name}`"),
             "known units are m, mm, kg, t, s, ms, us, deg, rad, N, kN, MN, Pa, kPa, MPa, GPa, J, \
@@ -402,10 +384,7 @@ pub fn parse(text: &str) -> Result<(f64, Dim), UnitError> {
     if value.is_finite() {
         Ok((value, dim))
     } else {
-        Err(UnitError::new(
-            "this is not a finite number",
-            "write a finite number",
-        ))
+        Err(UnitError::new("this is not a finite number", "write a finite number"))
     }
 }
 
@@ -414,11 +393,7 @@ pub fn parse(text: &str) -> Result<(f64, Dim), UnitError> {
 /// # Errors
 /// An unknown or unreadable unit.
 pub fn dimension(unit: &str) -> Result<Dim, UnitError> {
-    if unit == "-" {
-        Ok(Dim::NONE)
-    } else {
-        parse_unit(unit).map(|(_, dim)| dim)
-    }
+    if unit == "-" { Ok(Dim::NONE) } else { parse_unit(unit).map(|(_, dim)| dim) }
 }
 
 /// The unit of a text such as `"16 GPa"`, and what one of it is in SI; `None` without unit.
@@ -459,9 +434,8 @@ fn parse_unit(text: &str) -> Result<(f64, Dim), UnitError> {
             }
             _ => {}
         }
-        let end = rest
-            .find(|c: char| !(c.is_alphabetic() || c == '°' || c == '%'))
-            .unwrap_or(rest.len());
+        let end =
+            rest.find(|c: char| !(c.is_alphabetic() || c == '°' || c == '%')).unwrap_or(rest.len());
         if end == 0 {
             return Err(bad_expression(text));
         }
@@ -470,17 +444,11 @@ fn parse_unit(text: &str) -> Result<(f64, Dim), UnitError> {
         let (unit_factor, unit_dim) = find_unit(name).ok_or_else(|| unknown_unit(name))?;
         let power = if divide { -power } else { power };
         factor *= whole_power(unit_factor, power);
-        dim = dim
-            .times(unit_dim, power)
-            .ok_or_else(|| bad_expression(text))?;
+        dim = dim.times(unit_dim, power).ok_or_else(|| bad_expression(text))?;
         (divide, open) = (false, false);
         rest = after;
     }
-    if open {
-        Err(bad_expression(text))
-    } else {
-        Ok((factor, dim))
-    }
+    if open { Err(bad_expression(text)) } else { Ok((factor, dim)) }
 }
 
 fn bad_expression(text: &str) -> UnitError {
@@ -502,16 +470,9 @@ fn split_power(text: &str) -> Option<(i32, &str)> {
         None => (false, text),
     };
     let length = usize::from(rest.starts_with('-'));
-    let digits = rest[length..]
-        .bytes()
-        .take_while(u8::is_ascii_digit)
-        .count();
+    let digits = rest[length..].bytes().take_while(u8::is_ascii_digit).count();
     if digits == 0 {
-        return if caret || length == 1 {
-            None
-        } else {
-            Some((1, rest))
-        };
+        return if caret || length == 1 { None } else { Some((1, rest)) };
     }
     let end = length + digits;
     let power: i32 = rest[..end].parse().ok()?;

@@ -24,16 +24,11 @@ pub(super) fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
     }
     if count == 0 {
         // Elsewhere these words are numbers: to say that there is none would puzzle.
-        let word: String = text[start..]
-            .chars()
-            .take_while(|c| c.is_alphabetic())
-            .collect::<String>();
+        let word: String =
+            text[start..].chars().take_while(|c| c.is_alphabetic()).collect::<String>();
         let lower = word.to_lowercase();
         if ["nan", "inf", "infinity"].contains(&lower.as_str()) {
-            return Err(UnitError::new(
-                "this is not a finite number",
-                "write a finite number",
-            ));
+            return Err(UnitError::new("this is not a finite number", "write a finite number"));
         }
         return Err(UnitError::new(
             "this does not begin with a number",
@@ -53,14 +48,8 @@ pub(super) fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
     }
     match text[..end].parse::<f64>() {
         Ok(number) if number.is_finite() => Ok((number, &text[end..])),
-        Ok(_) => Err(UnitError::new(
-            "this is not a finite number",
-            "write a finite number",
-        )),
-        Err(_) => Err(UnitError::new(
-            "this is not a number",
-            "write for example \"10 MPa\"",
-        )),
+        Ok(_) => Err(UnitError::new("this is not a finite number", "write a finite number")),
+        Err(_) => Err(UnitError::new("this is not a number", "write for example \"10 MPa\"")),
     }
 }
 
@@ -68,10 +57,8 @@ pub(super) fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
 /// number that is not 0 are thousands, everything else is a decimal comma.
 fn comma_help(text: &str, comma: usize) -> String {
     let head = &text[..comma];
-    let written: String = text[comma..]
-        .chars()
-        .take_while(|c| c.is_ascii_digit() || *c == ',')
-        .collect();
+    let written: String =
+        text[comma..].chars().take_while(|c| c.is_ascii_digit() || *c == ',').collect();
     let groups: Vec<&str> = written.split(',').skip(1).collect();
     let whole = head.trim_start_matches(['+', '-']);
     let thousands = groups.iter().all(|group| group.len() == 3)

@@ -70,10 +70,7 @@ fn converts_a_table_of_values() {
         let (got, got_dim) = parse(text).unwrap_or_else(|error| panic!("{text}: {error}"));
         assert_eq!(got_dim, *dim, "{text}");
         // One or two roundings of the factor.
-        assert!(
-            (got - value).abs() <= 4.0 * f64::EPSILON * value.abs(),
-            "{text}: {got}"
-        );
+        assert!((got - value).abs() <= 4.0 * f64::EPSILON * value.abs(), "{text}: {got}");
     }
 }
 
@@ -95,10 +92,7 @@ fn refuses_what_is_no_quantity() {
         ("5 *m", "is not a unit"),
         ("5 m^", "is not a unit"),
         ("5 m99", "is not a unit"),
-        (
-            "5 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9",
-            "is not a unit",
-        ),
+        ("5 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9 m^9", "is not a unit"),
         ("5 furlong", "unknown unit `furlong`"),
         ("5 Mpa", "unknown unit `Mpa`"),
         ("5 6 m", "is not a unit"),

@@ -108,15 +108,13 @@ impl Walk {
             (1, true) => "is a list of 1".to_owned(),
             (count, true) => format!("is a list of {count}"),
         };
-        let space = self
-            .space
-            .map_or_else(String::new, |space| format!(" in [space.{}]", space.word()));
+        let space =
+            self.space.map_or_else(String::new, |space| format!(" in [space.{}]", space.word()));
         let message = format!("`{}` {has}", self.key());
         let label = format!("{} is expected{space}", wanted_once.join(" or "));
         let key = self.key().to_owned();
-        let mut diagnostic = Diagnostic::error("value.count", message)
-            .at(value.span())
-            .label(label);
+        let mut diagnostic =
+            Diagnostic::error("value.count", message).at(value.span()).label(label);
         if let Some(example) = self.written(node, form, accepted) {
             diagnostic.help = Some(format!("write for example {key} = {example}"));
         }
@@ -137,24 +135,17 @@ impl Walk {
         if wanted.single {
             // One value of a `Down` points down already: with a sign, stones rise.
             let sign = if form.name == "Down" { "\"-" } else { "" };
-            return node
-                .single()
-                .map(of)
-                .map(|one| match one.strip_prefix(sign) {
-                    Some(rest) if !sign.is_empty() => format!("\"{rest}"),
-                    _ => one,
-                });
+            return node.single().map(of).map(|one| match one.strip_prefix(sign) {
+                Some(rest) if !sign.is_empty() => format!("\"{rest}"),
+                _ => one,
+            });
         }
         let items = Node::resolve(node.items()?);
         let one = of(items.kind()?);
         let unit = one.trim_matches('"').split_once(' ');
         let zero = unit.map_or_else(|| "0".to_owned(), |(_, unit)| format!("\"0 {unit}\""));
         // A direction points up, everything else goes along the last axis.
-        let one = if form.name == "Direction" {
-            "1".to_owned()
-        } else {
-            one
-        };
+        let one = if form.name == "Direction" { "1".to_owned() } else { one };
         let mut parts = vec![zero; wanted.list];
         *parts.last_mut()? = one;
         Some(format!("[{}]", parts.join(", ")))

@@ -27,16 +27,8 @@ const LISTED: usize = 10;
 /// Everything that is wrong with a parsed text.
 pub(super) fn validate(root: &Spanned<DeTable<'_>>) -> Vec<Diagnostic> {
     let table = root.get_ref();
-    let si = table
-        .get("units")
-        .and_then(|units| units.get_ref().as_str())
-        == Some("SI");
-    let mut walk = Walk {
-        si,
-        space: forms::space(table),
-        path: Vec::new(),
-        found: Vec::new(),
-    };
+    let si = table.get("units").and_then(|units| units.get_ref().as_str()) == Some("SI");
+    let mut walk = Walk { si, space: forms::space(table), path: Vec::new(), found: Vec::new() };
     let place = 0..0;
     walk.object(table, &place, Node::root());
     walk.changes(table);
@@ -74,11 +66,7 @@ impl Walk {
     }
 
     fn here(&self) -> String {
-        if self.path.is_empty() {
-            "the scenario".to_owned()
-        } else {
-            self.path.join(".")
-        }
+        if self.path.is_empty() { "the scenario".to_owned() } else { self.path.join(".") }
     }
 
     /// Keys and values of `sweep`, `variants`, `bisect` and `when`.
@@ -106,14 +94,9 @@ impl Walk {
                 self.change(root, &key, ends);
             }
         }
-        let checks = root
-            .get("checks")
-            .and_then(|checks| checks.get_ref().as_array());
+        let checks = root.get("checks").and_then(|checks| checks.get_ref().as_array());
         for check in checks.into_iter().flatten() {
-            let when = check
-                .get_ref()
-                .get("when")
-                .and_then(|when| when.get_ref().as_table());
+            let when = check.get_ref().get("when").and_then(|when| when.get_ref().as_table());
             for (key, values) in when.into_iter().flatten() {
                 let values = values.get_ref().as_array();
                 self.change(root, key, values.into_iter().flatten());
@@ -194,12 +177,8 @@ impl Walk {
                 self.count(items.len(), &span, node);
                 if let Some(schema) = node.value.get("items") {
                     for (index, item) in items.iter().enumerate() {
-                        let name = item
-                            .get_ref()
-                            .get("name")
-                            .and_then(|n| n.get_ref().as_str());
-                        self.path
-                            .push(name.map_or_else(|| index.to_string(), str::to_owned));
+                        let name = item.get_ref().get("name").and_then(|n| n.get_ref().as_str());
+                        self.path.push(name.map_or_else(|| index.to_string(), str::to_owned));
                         self.value(item, schema);
                         self.path.pop();
                     }
@@ -284,11 +263,7 @@ impl Walk {
         if count < low || count > high {
             let message = format!("`{}` is a list of {low}, this one has {count}", self.key());
             let help = format!("write {}", takes(node));
-            self.report(
-                Diagnostic::error("value.count", message)
-                    .at(span.clone())
-                    .help(help),
-            );
+            self.report(Diagnostic::error("value.count", message).at(span.clone()).help(help));
         }
     }
 
@@ -308,11 +283,7 @@ impl Walk {
         if number.is_none_or(|number| (number as f64) < low || number as f64 > high) {
             let message = format!("`{}` is out of range", self.key());
             let help = format!("a whole number from {low} to {high} is expected");
-            self.report(
-                Diagnostic::error("value.range", message)
-                    .at(value.span())
-                    .help(help),
-            );
+            self.report(Diagnostic::error("value.range", message).at(value.span()).help(help));
         }
     }
 
@@ -383,10 +354,7 @@ impl Walk {
         let expected = takes(node);
         let mut diagnostic = Diagnostic::error("value.type", message)
             .at(value.span())
-            .label(format!(
-                "{} is expected",
-                expected.split(", for example").next().unwrap_or("")
-            ));
+            .label(format!("{} is expected", expected.split(", for example").next().unwrap_or("")));
         diagnostic.help = if self.path.len() == 1 && forms::lacks_brackets(value.get_ref(), node) {
             Some(format!("write [[{}]]", self.key()))
         } else {

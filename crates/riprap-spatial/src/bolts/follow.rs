@@ -46,29 +46,15 @@ fn hand_on(world: &World, bolt: &mut Bolt) {
     bolt.chain = kept.chain;
     let before = std::mem::take(&mut bolt.pins);
     bolt.pins = heirs.iter().flatten().copied().collect();
-    if world.setup.bolts[bolt.number as usize]
-        .design
-        .dowel
-        .is_none()
-    {
+    if world.setup.bolts[bolt.number as usize].design.dowel.is_none() {
         return;
     }
-    let old: Vec<&Pin> = before
-        .iter()
-        .zip(&stays)
-        .filter(|s| *s.1)
-        .map(|s| s.0)
-        .collect();
+    let old: Vec<&Pin> = before.iter().zip(&stays).filter(|s| *s.1).map(|s| s.0).collect();
     for k in 0..bolt.chain.bars.len() {
         let (ends, parts) = ([old[k], old[k + 1]], [bolt.pins[k], bolt.pins[k + 1]]);
         let cut = ends[0].block == ends[1].block && parts[0].block != parts[1].block;
         if let Some(sides) = cut.then(|| across(world, ends, parts)).flatten() {
-            bolt.dowels.push(Dowel {
-                bar: k as u32,
-                sides,
-                slip: Vec3::ZERO,
-                force: Vec3::ZERO,
-            });
+            bolt.dowels.push(Dowel { bar: k as u32, sides, slip: Vec3::ZERO, force: Vec3::ZERO });
         }
     }
     bolt.dowels.sort_by_key(|dowel| dowel.bar);
@@ -138,9 +124,7 @@ fn start(world: &World, pin: &Pin) -> Vec3 {
         (Inside::Block { block, arm }, _) => world.reference[block as usize] + arm,
         (inside, Some(deform)) => {
             let places = inside.nodes();
-            places
-                .map(|(n, w)| w * deform.nodes.place[n as usize])
-                .sum()
+            places.map(|(n, w)| w * deform.nodes.place[n as usize]).sum()
         }
         (_, None) => pin.place,
     }
@@ -164,10 +148,5 @@ fn handed(world: &World, pin: &Pin, block: u32, anchor: Inside) -> Pin {
     let freedoms = world.all_freedoms();
     let there = freedoms.displacement_inside(&anchor);
     let jump = there - freedoms.displacement_inside(&pin.anchor);
-    Pin {
-        block,
-        anchor,
-        base: pin.base + jump,
-        ..*pin
-    }
+    Pin { block, anchor, base: pin.base + jump, ..*pin }
 }

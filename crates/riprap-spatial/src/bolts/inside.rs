@@ -54,11 +54,7 @@ impl Star {
         let (solid, _) = centred(&world.setup.blocks[block].shape);
         // It was divided when the block was made.
         let mesh = Tetrahedra::new(&solid).ok()?;
-        let nodes: Vec<[u32; 4]> = mesh
-            .tets
-            .iter()
-            .map(|t| t.map(|n| n + body.first))
-            .collect();
+        let nodes: Vec<[u32; 4]> = mesh.tets.iter().map(|t| t.map(|n| n + body.first)).collect();
         let corners = nodes.iter().map(|t| t.map(|n| place(n as usize))).collect();
         Some(Self { nodes, corners })
     }
@@ -72,9 +68,8 @@ impl Star {
         let far = all.map(|p| p.distance_squared(centre)).fold(0.0, f64::max);
         let near = TOUCH * far.sqrt();
         let each = self.corners.iter();
-        let mut found: Vec<[f64; 2]> = each
-            .filter_map(|corners| clipped(corners, from, along, range, near))
-            .collect();
+        let mut found: Vec<[f64; 2]> =
+            each.filter_map(|corners| clipped(corners, from, along, range, near)).collect();
         found.sort_by(|a, b| a[0].total_cmp(&b[0]));
         let mut spans: Vec<[f64; 2]> = Vec::new();
         for [low, high] in found {
@@ -151,9 +146,7 @@ mod tests {
         let mesh = Tetrahedra::new(&Polyhedron::brick(Vec3::ZERO, half)).unwrap();
         let corners = mesh.tets.iter();
         Star {
-            corners: corners
-                .map(|t| t.map(|n| place(mesh.nodes[n as usize])))
-                .collect(),
+            corners: corners.map(|t| t.map(|n| place(mesh.nodes[n as usize]))).collect(),
             nodes: mesh.tets,
         }
     }
@@ -186,20 +179,13 @@ mod tests {
         let half = Vec3::new(0.3, 0.5, 1.0);
         let shear = |x: Vec3| x + Vec3::new(0.2 * x.z, 0.0, 0.1 * x.x);
         let (before, after) = (star(half, |x| x), star(half, shear));
-        for at in [
-            Vec3::new(0.1, -0.2, 0.6),
-            Vec3::new(-0.25, 0.4, -0.9),
-            Vec3::ZERO,
-        ] {
+        for at in [Vec3::new(0.1, -0.2, 0.6), Vec3::new(-0.25, 0.4, -0.9), Vec3::ZERO] {
             let (one, least) = before.point(at).unwrap();
             let (two, _) = after.point(shear(at)).unwrap();
             assert!(least > -1e-12);
             let place = |inside: &Inside| -> Vec3 {
                 let mesh = Tetrahedra::new(&Polyhedron::brick(Vec3::ZERO, half)).unwrap();
-                inside
-                    .nodes()
-                    .map(|(n, w)| w * mesh.nodes[n as usize])
-                    .sum()
+                inside.nodes().map(|(n, w)| w * mesh.nodes[n as usize]).sum()
             };
             assert!((place(&one) - at).length() < 1e-14);
             assert!((place(&two) - at).length() < 1e-14);

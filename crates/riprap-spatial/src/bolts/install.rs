@@ -29,10 +29,8 @@ pub struct InstallError {
 pub fn install(world: &mut World, numbers: &[u32]) -> Result<(), InstallError> {
     for &number in numbers {
         let spec = world.setup.bolts[number as usize].clone();
-        let bolt = one(world, number, &spec).map_err(|reason| InstallError {
-            name: spec.name.clone(),
-            reason,
-        })?;
+        let bolt = one(world, number, &spec)
+            .map_err(|reason| InstallError { name: spec.name.clone(), reason })?;
         world.bolts.push(bolt);
     }
     Ok(())
@@ -68,12 +66,7 @@ fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
             spans.extend(span.map(|span| (span, b as u32)));
         }
     }
-    let spans = place::order(
-        spans,
-        length,
-        spec.design.grouted,
-        spec.design.plate.is_some(),
-    )?;
+    let spans = place::order(spans, length, spec.design.grouted, spec.design.plate.is_some())?;
     let lengths: Vec<[f64; 2]> = spans.iter().map(|s| s.0).collect();
     let mut laid = lay(&spec.design, length, &lengths);
     let pin = |along: f64, span: usize| {
@@ -96,24 +89,14 @@ fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
     });
     let dowels = dowels.collect();
     let toll = laid.tighten(&spec.design);
-    Ok(Bolt {
-        number,
-        chain: laid.chain,
-        pins,
-        dowels,
-        axis,
-        toll,
-    })
+    Ok(Bolt { number, chain: laid.chain, pins, dowels, axis, toll })
 }
 
 /// Displacement of a block's centroid, and the turn back to its start.
 fn pose(world: &World, b: usize) -> (Vec3, Quat) {
     let shift = world.all_freedoms().displacement(&world.centroid(b as u32));
     let back = world.turned[b].as_ref();
-    (
-        shift,
-        back.map_or(Quat::IDENTITY, |t| t.attitude.conjugate()),
-    )
+    (shift, back.map_or(Quat::IDENTITY, |t| t.attitude.conjugate()))
 }
 
 /// The point of a block that lies at a place now; `star` is the shape of one that deforms.
@@ -127,11 +110,5 @@ fn pin(world: &World, (block, star): (u32, Option<&Star>), place: Vec3, along: f
             Inside::Block { block, arm }
         }
     };
-    Pin {
-        block,
-        anchor,
-        along,
-        place,
-        base: world.all_freedoms().displacement_inside(&anchor),
-    }
+    Pin { block, anchor, along, place, base: world.all_freedoms().displacement_inside(&anchor) }
 }

@@ -47,24 +47,14 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         return;
     }
     let changes = world.pending > 0.0 || world.fresh;
-    let World {
-        bolts,
-        bodies,
-        turned,
-        deform,
-        setup,
-        ..
-    } = world;
+    let World { bolts, bodies, turned, deform, setup, .. } = world;
     let freedoms = Freedoms::new(bodies, turned, deform.as_deref().map(|d| &d.nodes));
     if changes {
         if scratch.bolts.len() != bolts.len() {
             let desk = |bolt: &Bolt| Desk::new(&bolt.chain, |k| bolt.stretches(k));
             scratch.bolts = bolts.iter().map(desk).collect();
         }
-        let work = Piece {
-            bolts: &mut *bolts,
-            desks: &mut scratch.bolts,
-        };
+        let work = Piece { bolts: &mut *bolts, desks: &mut scratch.bolts };
         let specs = &setup.bolts;
         let chunks = work.bolts.len().div_ceil(CHUNK);
         scratch.exec.divided(work, chunks, |_, piece| {
@@ -103,9 +93,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
 /// Equilibrium of one bolt and forces of its dowels.
 fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, freedoms: &Freedoms) {
     let pins = &bolt.pins;
-    desk.solve(&mut bolt.chain, |k| {
-        chord(&pins[k], &pins[k + 1], freedoms).1
-    });
+    desk.solve(&mut bolt.chain, |k| chord(&pins[k], &pins[k + 1], freedoms).1);
     let Some(dowel) = spec.design.dowel else {
         return;
     };
@@ -113,10 +101,7 @@ fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, freedoms: &Freedoms) {
         let [behind, ahead] = &one.sides;
         let jump = ahead.displacement(freedoms) - behind.displacement(freedoms);
         let broken = bolt.chain.bars[one.bar as usize].stiffness <= 0.0;
-        let before = Sheared {
-            slip: one.slip.to_array(),
-            force: one.force.to_array(),
-        };
+        let before = Sheared { slip: one.slip.to_array(), force: one.force.to_array() };
         let (now, lost) = before.after(dowel, broken, bolt.axis.to_array(), jump.to_array());
         (one.slip, one.force) = (now.slip.into(), now.force.into());
         desk.sheared += lost;

@@ -52,18 +52,13 @@ mod tests {
         let (centre, half) = (Vec3::new(1.0, 2.0, 3.0), Vec3::new(0.5, 1.0, 1.5));
         let brick = Shape::Brick { centre, half };
         let same = Polyhedron::brick(centre, half);
-        let solid = Shape::Polyhedron(Box::new(Solid {
-            vertices: same.vertices,
-            faces: same.faces,
-        }));
+        let solid =
+            Shape::Polyhedron(Box::new(Solid { vertices: same.vertices, faces: same.faces }));
         let from = Vec3::new(0.2, 1.5, 2.0);
         let along = Vec3::new(1.0, 0.3, 0.5).normalize();
         let [a, b] = [&brick, &solid].map(|s| span(s, from, along, [-10.0, 10.0]).unwrap());
         assert!((a[0] - b[0]).abs() < 1e-12 && (a[1] - b[1]).abs() < 1e-12);
         assert!((from + a[0] * along).x - 0.5 < 1e-12);
-        assert_eq!(
-            span(&brick, from + 9.0 * Vec3::Y, Vec3::X, [-10.0, 10.0]),
-            None
-        );
+        assert_eq!(span(&brick, from + 9.0 * Vec3::Y, Vec3::X, [-10.0, 10.0]), None);
     }
 }

@@ -125,10 +125,7 @@ pub fn on_masses(world: &World, masses: &[f64]) -> (f64, Option<u32>) {
 fn held(bolt: &Bolt, k: usize) -> (f64, f64) {
     let bars = &bolt.chain.bars;
     let of = |k: Option<usize>| k.and_then(|k| bars.get(k)).map_or(0.0, |b| b.stiffness);
-    (
-        bolt.chain.holds[k].stiffness,
-        of(k.checked_sub(1)) + of(Some(k)),
-    )
+    (bolt.chain.holds[k].stiffness, of(k.checked_sub(1)) + of(Some(k)))
 }
 
 /// Springs of nodes of chains and of dowels, `times` the stiffness of these, on the nodes of deformable blocks, N/m.

@@ -37,10 +37,7 @@ fn design() -> Design {
 fn stack(count: usize, bolts: &[(f64, Design)], kinematics: Kinematics) -> Setup {
     let height = count as f64 * 2.001;
     let brick = |k: usize| BlockSpec {
-        name: BlockName {
-            base: 0,
-            number: k as u32 + 1,
-        },
+        name: BlockName { base: 0, number: k as u32 + 1 },
         shape: Shape::Brick {
             centre: Vec3::new(0.0, 0.0, 1.0 + 2.001 * k as f64),
             half: Vec3::new(0.5, 0.5, 1.0),
@@ -61,10 +58,7 @@ fn stack(count: usize, bolts: &[(f64, Design)], kinematics: Kinematics) -> Setup
         interfaces: vec![InterfaceLaw {
             name: "default".to_owned(),
             joint: JointLaw {
-                stiffness: Stiffness::Given {
-                    normal: 1e9,
-                    shear: 1e9,
-                },
+                stiffness: Stiffness::Given { normal: 1e9, shear: 1e9 },
                 strength: None,
                 behaviour: Default::default(),
                 failure: Failure::default(),
@@ -114,10 +108,7 @@ fn blocks_on_bolts_keep_momentum_and_energy_while_the_bolts_yield_and_slip() {
     let v = Vec3::new(0.3, -0.1, 1.5);
     world.bodies.set_velocity(2, v, Vec3::new(0.1, 0.2, 0.3));
     let view = |w: &World, s: &Scratch| {
-        let view = View {
-            world: w,
-            scratch: s,
-        };
+        let view = View { world: w, scratch: s };
         (view.momentum(), view.balance())
     };
     evaluate(&mut world, &mut scratch, &Damping::default(), 2e-5).unwrap();
@@ -134,51 +125,30 @@ fn blocks_on_bolts_keep_momentum_and_energy_while_the_bolts_yield_and_slip() {
 
 #[test]
 fn blocks_that_turn_together_strain_no_bolt() {
-    let (mut world, mut scratch) = world(
-        stack(2, &[(0.2, design())], Kinematics::Finite),
-        Exec::serial(),
-    );
+    let (mut world, mut scratch) =
+        world(stack(2, &[(0.2, design())], Kinematics::Finite), Exec::serial());
     let turn = Quat::from_scaled_axis(Vec3::new(0.4, -0.3, 0.7));
     for b in 0..2 {
         let place = world.reference[b];
-        world
-            .bodies
-            .set_displacement(b, turn * place - place, Vec3::ZERO);
-        world.turned[b] = Some(Box::new(crate::world::Turned {
-            attitude: turn,
-            momentum: Vec3::ZERO,
-        }));
+        world.bodies.set_displacement(b, turn * place - place, Vec3::ZERO);
+        world.turned[b] =
+            Some(Box::new(crate::world::Turned { attitude: turn, momentum: Vec3::ZERO }));
     }
     evaluate(&mut world, &mut scratch, &Damping::default(), 1e-5).unwrap();
-    let most = world.bolts[0]
-        .chain
-        .force
-        .iter()
-        .fold(0.0, |m: f64, n| m.max(n.abs()));
+    let most = world.bolts[0].chain.force.iter().fold(0.0, |m: f64, n| m.max(n.abs()));
     assert!(most < 1e-3, "{most}");
 }
 
 #[test]
 fn the_stable_step_is_that_of_the_elastic_bolt() {
-    let elastic = Design {
-        bond: f64::INFINITY,
-        yields: f64::INFINITY,
-        ..design()
-    };
-    let plated = Design {
-        plate: Some(f64::INFINITY),
-        grouted: 1.8,
-        ..elastic
-    };
+    let elastic = Design { bond: f64::INFINITY, yields: f64::INFINITY, ..design() };
+    let plated = Design { plate: Some(f64::INFINITY), grouted: 1.8, ..elastic };
     for design in [elastic, plated] {
         let mut setup = stack(2, &[(0.0, design)], Kinematics::Small);
         setup.bolts[0].head.y = 0.0;
         setup.supports = vec![crate::setup::Support {
             blocks: vec![0],
-            motion: crate::setup::Motion::Fixed {
-                translation: [true; 3],
-                rotation: [true; 3],
-            },
+            motion: crate::setup::Motion::Fixed { translation: [true; 3], rotation: [true; 3] },
         }];
         let grows = |share: f64| {
             let (mut world, mut scratch) = world(setup.clone(), Exec::serial());
@@ -244,10 +214,8 @@ fn advance_to(world: &mut World, scratch: &mut Scratch, steps: u64) {
 
 #[test]
 fn a_block_that_is_taken_out_leaves_a_free_length() {
-    let (mut world, mut scratch) = world(
-        stack(3, &[(0.1, design())], Kinematics::Small),
-        Exec::serial(),
-    );
+    let (mut world, mut scratch) =
+        world(stack(3, &[(0.1, design())], Kinematics::Small), Exec::serial());
     let nodes = world.bolts[0].pins.len();
     world.alive[1] = false;
     follow(&mut world);
@@ -269,11 +237,7 @@ fn a_block_that_is_taken_out_leaves_a_free_length() {
 /// Bars as pictures and `bolts.csv` show them: every one between two nodes, at its place now, with its force and what has given way.
 #[test]
 fn bars_are_told_one_by_one() {
-    let weak = Design {
-        yields: 20e3,
-        breaks: 1e-4,
-        ..design()
-    };
+    let weak = Design { yields: 20e3, breaks: 1e-4, ..design() };
     let dowel = Some([5e7, 30e3]);
     let bolts = [(-0.3, weak), (0.2, Design { dowel, ..design() })];
     let (mut world, mut scratch) = world(stack(2, &bolts, Kinematics::Automatic), Exec::serial());
@@ -291,10 +255,7 @@ fn bars_are_told_one_by_one() {
     assert!(text.starts_with("name,element,x_m,") && text.contains("\nbolt.2,1,"));
     assert!(text.lines().skip(1).all(|line| line.ends_with(",elastic")));
     for pair in bars.windows(2).filter(|p| p[0].bolt == p[1].bolt) {
-        assert_eq!(
-            (pair[0].ends[1], pair[0].bar + 1),
-            (pair[1].ends[0], pair[1].bar)
-        );
+        assert_eq!((pair[0].ends[1], pair[0].bar + 1), (pair[1].ends[0], pair[1].bar));
     }
     // The upper block goes up and to the side: the weak bolt breaks at the joint, the other one slips and shears.
     let v = Vec3::new(0.4, 0.0, 1.0);
@@ -311,11 +272,7 @@ fn bars_are_told_one_by_one() {
     assert!(slipped.slip > 0.0 && slipped.force > 50e3 && slipped.shear > 1e3);
     assert_eq!(text.matches(",broken\n").count(), 1);
     let line = text.lines().find(|l| l.ends_with(",broken")).unwrap();
-    let numbers: Vec<f64> = line
-        .split(',')
-        .skip(2)
-        .filter_map(|x| x.parse().ok())
-        .collect();
+    let numbers: Vec<f64> = line.split(',').skip(2).filter_map(|x| x.parse().ok()).collect();
     let [a, b] = broken.ends;
     assert_eq!(numbers[..3], [0, 1, 2].map(|k| 0.5 * (a[k] + b[k])));
     // The end in the upper block has gone with it and turned with it, by a few millionths.
@@ -323,8 +280,5 @@ fn bars_are_told_one_by_one() {
     let arm = pin.place - Vec3::new(0.0, 0.0, 3.001);
     let moved = world.bodies.displacement(1) + world.bodies.rotation(1).cross(arm);
     let place = pin.place + moved + world.setup.origin;
-    assert!(
-        (Vec3::from_array(a) - place).length() < 1e-10,
-        "{a:?} {place:?}"
-    );
+    assert!((Vec3::from_array(a) - place).length() < 1e-10, "{a:?} {place:?}");
 }

@@ -69,15 +69,11 @@ impl ClassTable {
     /// A stiffness without modulus.
     pub fn class_of(&mut self, world: &mut World, overlap: &Overlap) -> Result<u32, BuildError> {
         let setup = &world.setup;
-        let materials = overlap
-            .blocks
-            .map(|b| setup.blocks[b as usize].material as usize);
+        let materials = overlap.blocks.map(|b| setup.blocks[b as usize].material as usize);
         let centre = world.reference[overlap.blocks[0] as usize] + overlap.arms[0];
         let row = setup.row_at(materials, centre, overlap.frame[0]);
         let joint = &setup.interfaces[row as usize].joint;
-        let arms = overlap
-            .arms
-            .map(|a| a.to_array().map(|x| self.round(x)).into());
+        let arms = overlap.arms.map(|a| a.to_array().map(|x| self.round(x)).into());
         // Four equal points at this distance have the exact second moments of the part.
         let spread = match joint.points {
             Points::Gauss => 1.0,
@@ -85,13 +81,7 @@ impl ClassTable {
         };
         let half_spacing = overlap.gyration.map(|g| spread * g);
         let pair = materials.map(|m| m as u16);
-        let key = self.key(
-            &overlap.frame,
-            &arms,
-            overlap.area,
-            half_spacing,
-            (pair, row),
-        );
+        let key = self.key(&overlap.frame, &arms, overlap.area, half_spacing, (pair, row));
         if let Some(&class) = self.known.get(&key) {
             return Ok(class);
         }
@@ -151,10 +141,9 @@ pub(crate) fn stiffness(
     let shear = |k: usize| sides[k].0.shear_modulus().map(|g| 2.0 * g);
     let stiffness = match setup.interfaces[row as usize].joint.stiffness {
         Stiffness::Given { normal, shear } => [normal, shear],
-        Stiffness::Rule(StiffnessRule::Material) => [
-            series(&|k| sides[k].0.constrained_modulus())?,
-            series(&shear)?,
-        ],
+        Stiffness::Rule(StiffnessRule::Material) => {
+            [series(&|k| sides[k].0.constrained_modulus())?, series(&shear)?]
+        }
         Stiffness::Rule(StiffnessRule::Uniaxial) => {
             [series(&|k| sides[k].0.young)?, series(&shear)?]
         }
@@ -164,9 +153,7 @@ pub(crate) fn stiffness(
     let mut travel = 0.0;
     for (material, depth) in sides {
         let distance: f64 = depths.iter().sum();
-        let modulus = material
-            .constrained_modulus()
-            .unwrap_or(stiffness[0] * distance);
+        let modulus = material.constrained_modulus().unwrap_or(stiffness[0] * distance);
         travel += depth * (material.density / modulus).sqrt();
     }
     Ok((stiffness, travel))

@@ -34,20 +34,13 @@ pub struct Spot {
 pub fn on_blocks(cavity: &Cavity) -> impl Iterator<Item = Spot> + '_ {
     cavity.walls.iter().map(|wall| {
         let (normal, area) = wall.now();
-        Spot {
-            anchor: centre(wall),
-            area,
-            normal,
-        }
+        Spot { anchor: centre(wall), area, normal }
     })
 }
 
 /// The centre of a wall.
 fn centre(wall: &Wall) -> Anchor {
-    Anchor::Block {
-        block: wall.block,
-        arm: wall.arm,
-    }
+    Anchor::Block { block: wall.block, arm: wall.arm }
 }
 
 /// Takes the walls of blocks with finite rotations of cavity `k` along to where they are now.
@@ -57,13 +50,7 @@ pub(crate) fn follow(world: &mut World, k: usize) {
     if world.turned.iter().all(Option::is_none) {
         return;
     }
-    let World {
-        cavities,
-        bodies,
-        turned,
-        deform,
-        ..
-    } = world;
+    let World { cavities, bodies, turned, deform, .. } = world;
     let freedoms = Freedoms::new(bodies, turned, deform.as_deref().map(|d| &d.nodes));
     for wall in &mut cavities[k].walls {
         let Some(block) = &turned[wall.block as usize] else {
@@ -82,12 +69,7 @@ pub(crate) fn follow(world: &mut World, k: usize) {
             }
             None => swept_by(wall, &freedoms),
         };
-        wall.turned = Some(TurnedWall {
-            normal,
-            area,
-            displacement,
-            swept,
-        });
+        wall.turned = Some(TurnedWall { normal, area, displacement, swept });
     }
 }
 

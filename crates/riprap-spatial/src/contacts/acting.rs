@@ -30,13 +30,7 @@ const IN_PLACE: f64 = 0.02;
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let desk = &mut scratch.desk;
     place(world, desk, &scratch.exec);
-    let Desk {
-        slots,
-        groups,
-        workspaces,
-        sums,
-        ..
-    } = desk;
+    let Desk { slots, groups, workspaces, sums, .. } = desk;
     let evaluation = Evaluation {
         bodies: BodiesInPairs {
             shapes: &desk.shapes,
@@ -102,16 +96,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
 
 /// Turns the blocks that are in a pair to where they are now.
 fn place(world: &World, desk: &mut Desk, exec: &Exec) {
-    let Desk {
-        blocks,
-        shapes,
-        poses,
-        turns,
-        normals,
-        first_normal,
-        turning,
-        ..
-    } = desk;
+    let Desk { blocks, shapes, poses, turns, normals, first_normal, turning, .. } = desk;
     if poses.len() != blocks.len() || normals.len() != first_normal[blocks.len()] as usize {
         *poses = vec![Pose::at(Vec3::ZERO); blocks.len()];
         *turns = vec![Mat3::IDENTITY; blocks.len()];
@@ -132,23 +117,17 @@ fn place(world: &World, desk: &mut Desk, exec: &Exec) {
             *turn = Mat3::from_quat(pose.rotation);
         }
     });
-    exec.ragged(
-        turns,
-        normals,
-        first_normal,
-        nothing,
-        |first, turns, normals, ()| {
-            let mut left = normals;
-            for (b, turn) in blocks[first..].iter().zip(turns) {
-                let of = &shapes[world.solid[*b as usize] as usize].normals;
-                let (own, rest) = left.split_at_mut(of.len());
-                for (to, n) in own.iter_mut().zip(of) {
-                    *to = *turn * *n;
-                }
-                left = rest;
+    exec.ragged(turns, normals, first_normal, nothing, |first, turns, normals, ()| {
+        let mut left = normals;
+        for (b, turn) in blocks[first..].iter().zip(turns) {
+            let of = &shapes[world.solid[*b as usize] as usize].normals;
+            let (own, rest) = left.split_at_mut(of.len());
+            for (to, n) in own.iter_mut().zip(of) {
+                *to = *turn * *n;
             }
-        },
-    );
+            left = rest;
+        }
+    });
 }
 
 /// The blocks that are in a pair, turned to where they are now.
@@ -259,9 +238,7 @@ impl Evaluation<'_> {
         }
         let place =
             |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
-        let hint = pair
-            .start
-            .and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
+        let hint = pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
         let found = workspace.walker.find(&Pair {
             bodies: [&bodies[0], &bodies[1]],
             faces,
@@ -281,21 +258,14 @@ impl Evaluation<'_> {
                     in_place: pair.in_place && gap <= IN_PLACE * constants.inradius,
                     ..FoundPair::default()
                 };
-                *slot = Slot {
-                    nearing,
-                    ..Slot::default()
-                };
+                *slot = Slot { nearing, ..Slot::default() };
                 return;
             }
             Found::Swallowed(radius) => {
                 // No force can be given: not a number stops the run, and the deepest contact is to blame.
                 let mut unknown = Exerted::default();
                 unknown.elastic.force = Vec3::NAN;
-                *slot = Slot {
-                    at: group.push(unknown),
-                    nearing,
-                    ..Slot::default()
-                };
+                *slot = Slot { at: group.push(unknown), nearing, ..Slot::default() };
                 let sums = &mut group.sums;
                 pair.depth = 2.0 * radius;
                 let reach = constants.inradius;
@@ -305,9 +275,7 @@ impl Evaluation<'_> {
             }
         };
         sums.unlabelled += surface.unlabelled;
-        pair.next = surface
-            .hint
-            .map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
+        pair.next = surface.hint.map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
         let law = constants.law(self.known.rows);
         let handed_over = pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
         let before = left(pair) + pair.stored;
@@ -359,14 +327,7 @@ impl Evaluation<'_> {
 
 /// Adds what the pairs exert, block by block in the order of the pairs.
 fn sum(desk: &mut Desk, exec: &Exec) {
-    let Desk {
-        acting,
-        first_pair,
-        incidence,
-        slots,
-        groups,
-        ..
-    } = desk;
+    let Desk { acting, first_pair, incidence, slots, groups, .. } = desk;
     exec.chunks(acting, |first, chunk| {
         for (ends, acting) in first_pair[first..].windows(2).zip(chunk) {
             *acting = Acting::default();

@@ -42,13 +42,12 @@ pub(super) fn find(world: &World, desk: &mut Desk, exec: &Exec) {
     desk.facings = Vec::with_capacity(runs.iter().map(|run| run.1.len()).sum());
     for (constants, facings) in runs {
         let first = desk.facings.len() as u32;
-        desk.constants
-            .extend(constants.into_iter().map(|mut found| {
-                if found.facing != Constants::NO_FACING {
-                    found.facing += first;
-                }
-                found
-            }));
+        desk.constants.extend(constants.into_iter().map(|mut found| {
+            if found.facing != Constants::NO_FACING {
+                found.facing += first;
+            }
+            found
+        }));
         desk.facings.extend(facings);
     }
     let damps = |c: &Constants| desk.rows[usize::from(c.row)].damping_ratio > 0.0;
@@ -58,11 +57,7 @@ pub(super) fn find(world: &World, desk: &mut Desk, exec: &Exec) {
 /// 1 over the mass of a block, 1/kg; 0 for what no contact can move.
 pub(super) fn inverse_mass(world: &World, b: usize) -> f64 {
     let [free, _] = world.freedoms(b);
-    if free == Vec3::ZERO {
-        0.0
-    } else {
-        1.0 / world.solid_of(b).mass
-    }
+    if free == Vec3::ZERO { 0.0 } else { 1.0 / world.solid_of(b).mass }
 }
 
 /// Poses of the blocks of a pair when the candidate list was made, and the way that both together may go until the next one, m.
@@ -141,9 +136,8 @@ fn of_row(interface: &InterfaceLaw) -> ContactLaw {
     let joint = &interface.joint;
     // An elastic joint neither opens nor slides; a found contact under its law must open, and slides if it is told when.
     let elastic = interface.friction.unwrap_or(f64::INFINITY);
-    let (friction, cohesion) = joint.strength.map_or((elastic, 0.0), |s| {
-        (s.residual_friction, s.residual_cohesion)
-    });
+    let (friction, cohesion) =
+        joint.strength.map_or((elastic, 0.0), |s| (s.residual_friction, s.residual_cohesion));
     ContactLaw {
         normal_stiffness: f64::NAN,
         shear_stiffness: f64::NAN,

@@ -47,11 +47,7 @@ impl Facing {
         let turn = Mat3::from_quat(of.rotation);
         let squares = [0, 1].map(|s| {
             let mut felt = Felt::default();
-            felt.add(
-                &eases[s],
-                law,
-                &self.spread(turn, of.position - poses[s].position),
-            );
+            felt.add(&eases[s], law, &self.spread(turn, of.position - poses[s].position));
             felt.bound()
         });
         self.square = squares[0].max(squares[1]);
@@ -59,9 +55,8 @@ impl Facing {
     }
 
     pub(super) fn new(area: f64, side: usize, shape: &Shape, face: usize) -> Self {
-        let corners: Vec<Vec3> = (shape.outline(face).iter())
-            .map(|v| shape.vertices[*v as usize])
-            .collect();
+        let corners: Vec<Vec3> =
+            (shape.outline(face).iter()).map(|v| shape.vertices[*v as usize]).collect();
         let normal = shape.normals[face];
         // A fan of triangles about the first corner: centroid, and the mean square of distances from it, of corners and centroid.
         let (mut whole, mut first, mut second) = (0.0, Vec3::ZERO, 0.0);
@@ -73,11 +68,7 @@ impl Facing {
             first += share / 3.0 * (p + q);
             second += share / 6.0 * (p.length_squared() + q.length_squared() + p.dot(q));
         }
-        let centre = if whole > 0.0 {
-            first / whole
-        } else {
-            Vec3::ZERO
-        };
+        let centre = if whole > 0.0 { first / whole } else { Vec3::ZERO };
         let centre_at = start + centre;
         let corner = (corners.iter()).map(|v| (*v - centre_at).length_squared());
         Self {
@@ -110,17 +101,9 @@ pub(super) struct Felt {
 impl Felt {
     /// Adds a contact.
     pub(super) fn add(&mut self, ease: &Ease, law: &ContactLaw, spread: &Spread) {
-        let &Spread {
-            normal: n,
-            arm,
-            area,
-            polar,
-            held,
-        } = spread;
-        let (across, along) = (
-            2.0 * area * law.normal_stiffness,
-            2.0 * area.max(held) * law.shear_stiffness,
-        );
+        let &Spread { normal: n, arm, area, polar, held } = spread;
+        let (across, along) =
+            (2.0 * area * law.normal_stiffness, 2.0 * area.max(held) * law.shear_stiffness);
         let force = |d: Vec3| along * d + (across - along) * n.dot(d) * n;
         let (mass, inertia) = (ease.mass.sqrt(), ease.inertia.sqrt());
         for (k, axis) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().enumerate() {
@@ -175,12 +158,7 @@ mod tests {
     fn cube() -> (Shape, Ease) {
         let shape = Shape::brick(Vec3::splat(0.5)).unwrap();
         // 1 kg, 1 m: I = 1/6.
-        let ease = Ease {
-            mass: 1.0,
-            inertia: 6.0,
-            height: 0.25,
-            reach: 0.75,
-        };
+        let ease = Ease { mass: 1.0, inertia: 6.0, height: 0.25, reach: 0.75 };
         (shape, ease)
     }
 
@@ -220,13 +198,7 @@ mod tests {
         let mut share = Felt::default();
         share.add(&ease, &LAW, &whole);
         let [_, e, h] = riprap_geom::polyhedron::frame(face.normal);
-        for (s, t) in [
-            (0.45, 0.45),
-            (0.45, 0.0),
-            (0.0, -0.45),
-            (-0.45, 0.45),
-            (0.0, 0.0),
-        ] {
+        for (s, t) in [(0.45, 0.45), (0.45, 0.0), (0.0, -0.45), (-0.45, 0.45), (0.0, 0.0)] {
             let mut part = Felt::default();
             let spread = Spread {
                 normal: face.normal,

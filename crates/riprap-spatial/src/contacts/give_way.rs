@@ -66,9 +66,7 @@ pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
     if first.is_infinite() {
         return;
     }
-    let chunks = known
-        .exec
-        .chunked(count, |chunk| chunk.filter_map(goes).collect::<Vec<_>>());
+    let chunks = known.exec.chunked(count, |chunk| chunk.filter_map(goes).collect::<Vec<_>>());
     let mut pairs = Vec::new();
     for (p, fails) in chunks.into_iter().flatten() {
         if fails {
@@ -97,10 +95,7 @@ pub(super) fn let_go(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]
         let failed = failed_points(world, p);
         world.failed.add(world.patches.ends[p], failed);
         hand_over(world, scratch, p);
-        let faces = [0, 1].map(|side| Face {
-            parted: true,
-            ..bare(world, p, side)
-        });
+        let faces = [0, 1].map(|side| Face { parted: true, ..bare(world, p, side) });
         world.faces.extend(faces);
     }
     world.faces.sort_by_key(|face| face.block);
@@ -149,10 +144,7 @@ fn is_loose(world: &World, p: usize) -> bool {
 fn is_past(world: &World, scratch: &Scratch, p: usize) -> bool {
     let list = &world.patches;
     let class = &world.classes[list.class[p] as usize];
-    let poses = Poses {
-        bodies: &world.bodies,
-        turned: &world.turned,
-    };
+    let poses = Poses { bodies: &world.bodies, turned: &world.turned };
     let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
     let [b, c] = sides(world, p);
     let side = b.min(c);
@@ -189,10 +181,7 @@ fn is_torn(world: &World, p: usize) -> bool {
     {
         return false;
     }
-    let poses = Poses {
-        bodies: &world.bodies,
-        turned: &world.turned,
-    };
+    let poses = Poses { bodies: &world.bodies, turned: &world.turned };
     let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
     let slip = mean_slip(&points);
     let sides = sides(world, p);
@@ -210,10 +199,7 @@ fn turned(poses: &Poses, ends: [u32; 2]) -> f64 {
 /// Whether a patch of which some points have failed and others hold has folded.
 fn is_folded(world: &World, p: usize) -> bool {
     let broken = world.patches.flags[p] & flag::BROKEN;
-    let poses = Poses {
-        bodies: &world.bodies,
-        turned: &world.turned,
-    };
+    let poses = Poses { bodies: &world.bodies, turned: &world.turned };
     broken != 0 && broken != flag::BROKEN && turned(&poses, world.patches.ends[p]) > FOLDED
 }
 
@@ -273,10 +259,8 @@ fn hand_over(world: &mut World, scratch: &Scratch, p: usize) {
     let [i, j] = world.patches.ends[p];
     let arms = [(i, class.arms[0]), (j, class.arms[1])]
         .map(|(b, arm)| view.poses().attitude(b as usize) * arm);
-    let [from_i, from_j] = [
-        view.position(i as usize) + arms[0],
-        view.position(j as usize) + arms[1],
-    ];
+    let [from_i, from_j] =
+        [view.position(i as usize) + arms[0], view.position(j as usize) + arms[1]];
     let centre = 0.5 * (from_i + from_j);
     // Tractions are those on i; the found contact counts what acts on the second block, and its normal points there.
     let sign: f64 = if i < j { 1.0 } else { -1.0 };
@@ -284,13 +268,7 @@ fn hand_over(world: &mut World, scratch: &Scratch, p: usize) {
     let pairs = &mut world.found.pairs;
     let at = pairs.partition_point(|pair| pair.ends < ends);
     if pairs.get(at).is_none_or(|pair| pair.ends != ends) {
-        pairs.insert(
-            at,
-            FoundPair {
-                ends,
-                ..FoundPair::default()
-            },
-        );
+        pairs.insert(at, FoundPair { ends, ..FoundPair::default() });
     }
     let pair = &mut pairs[at];
     pair.in_place = true;
@@ -353,10 +331,7 @@ mod tests {
         assert!(run.world.patches.is_empty());
         // Still on the floor, and carried by it.
         let place = run.place(1);
-        assert!(
-            (place.z - 0.25).abs() < 1e-3 && (place.x - 3.35).abs() < 1e-3,
-            "{place}"
-        );
+        assert!((place.z - 0.25).abs() < 1e-3 && (place.x - 3.35).abs() < 1e-3, "{place}");
         let weight = 2500.0 * 0.125 * 9.81;
         let carried = run.world.found.pairs[0].force.z;
         assert!((carried / weight - 1.0).abs() < 0.02, "{carried}");
@@ -461,10 +436,7 @@ mod tests {
         assert!(run.world.patches.is_empty());
         let place = run.place(1);
         let height = 0.25 + 4.0 * 0.3 - 0.5 * 9.81 * 0.09;
-        assert!(
-            (place.z - height).abs() < 1e-2 && (place.x - 2.4).abs() < 5e-3,
-            "{place}"
-        );
+        assert!((place.z - height).abs() < 1e-2 && (place.x - 2.4).abs() < 5e-3, "{place}");
         // And it comes down on the floor again.
         run.until(2.0);
         let height = run.place(1).z;
@@ -486,10 +458,7 @@ mod tests {
             let mut setup = above_floor(blocks, 0.3, 0.1);
             setup.loads.push(Load {
                 blocks: vec![3, 5],
-                kind: LoadKind::Point {
-                    force: Vec3::new(0.0, 0.0, -500.0),
-                    at: None,
-                },
+                kind: LoadKind::Point { force: Vec3::new(0.0, 0.0, -500.0), at: None },
                 account: None,
                 time: TimeFunction::Constant(1.0),
             });
@@ -512,10 +481,7 @@ mod tests {
 
     /// Two bricks on each other on the floor, the joints between them gone.
     fn parted() -> Run {
-        let blocks = vec![
-            brick([0.0, 0.0, 0.0], [0.5; 3]),
-            brick([0.0, 0.0, 0.5], [0.5; 3]),
-        ];
+        let blocks = vec![brick([0.0, 0.0, 0.0], [0.5; 3]), brick([0.0, 0.0, 0.5], [0.5; 3])];
         let mut run = Run::new(above_floor(blocks, 0.5, 0.1), 1, 1e-4);
         assert_eq!(run.world.patches.len(), 2);
         run.evaluate();
@@ -574,10 +540,7 @@ mod tests {
         let balance = run.view().balance();
         // Falling onto each other by their weight is all that moves them.
         assert!(balance.kinetic < 1e-3 * whole, "{balance:?} {whole}");
-        assert!(
-            balance.works.edit_defect.abs() < 0.1 * whole,
-            "{balance:?} {whole}"
-        );
+        assert!(balance.works.edit_defect.abs() < 0.1 * whole, "{balance:?} {whole}");
     }
 
     #[test]

@@ -47,17 +47,8 @@ pub(super) fn act(
     let sums = &mut group.sums;
     let mut exerted = Exerted::default();
     let GluedWorkspace { gluer, old } = workspace;
-    let Asked {
-        placed,
-        law,
-        motion,
-        dt,
-        ..
-    } = asked;
-    let mut new = Slot {
-        nearing: asked.nearing,
-        ..Slot::default()
-    };
+    let Asked { placed, law, motion, dt, .. } = asked;
+    let mut new = Slot { nearing: asked.nearing, ..Slot::default() };
     old.clear();
     old.append(&mut pair.pieces);
     (pair.force, pair.depth, pair.stored) = (Vec3::ZERO, 0.0, 0.0);
@@ -94,10 +85,7 @@ pub(super) fn act(
             let pieces = [a as u16, b as u16];
             let known = old.iter().position(|contact| contact.pieces == pieces);
             let mut contact = known.map_or_else(
-                || PieceContact {
-                    pieces,
-                    ..PieceContact::default()
-                },
+                || PieceContact { pieces, ..PieceContact::default() },
                 |k| old.remove(k),
             );
             let falls = gluer.walker.falling(law, &surface);
@@ -195,15 +183,10 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
     let Some((first, _)) = blocks().find(|(_, block)| block.shape.is_glued()) else {
         return Ok(());
     };
-    let refused = |block: usize, reason: &'static str| BuildError::Glued {
-        block: name(block),
-        reason,
-    };
+    let refused =
+        |block: usize, reason: &'static str| BuildError::Glued { block: name(block), reason };
     let model = [
-        (
-            !setup.found_contacts,
-            "is held by found contacts alone: leave `found_contacts` on",
-        ),
+        (!setup.found_contacts, "is held by found contacts alone: leave `found_contacts` on"),
         (
             !setup.deform.sets.is_empty(),
             "finds no contact with deformable blocks yet: make all blocks rigid",
@@ -224,10 +207,7 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
             !setup.refinements.is_empty(),
             "cannot stand beside blocks that are split yet: leave `refine` out",
         ),
-        (
-            setup.periodic.iter().any(Option::is_some),
-            "cannot be in a periodic model",
-        ),
+        (setup.periodic.iter().any(Option::is_some), "cannot be in a periodic model"),
     ];
     if let Some((_, reason)) = model.into_iter().find(|(refuses, _)| *refuses) {
         return Err(refused(first, reason));

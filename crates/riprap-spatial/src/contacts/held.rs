@@ -130,10 +130,7 @@ mod tests {
             pairs.find(|pair| pair.ends == [1, 4]).cloned().unwrap()
         };
         let first = pair(&run);
-        assert!(
-            first.depth > 0.9 * depth && first.offset.is_some(),
-            "{first:?}"
-        );
+        assert!(first.depth > 0.9 * depth && first.offset.is_some(), "{first:?}");
         assert!(first.force.length() < 1e-9, "{first:?}");
         // Only what comes on top presses.
         for axis in [0, 1] {

@@ -60,12 +60,8 @@ const FACING: f64 = -0.98;
 /// Longest step, s.
 pub(super) fn longest_step(world: &World, desk: &mut Desk, exec: &Exec) -> f64 {
     let transit = transit(world, desk, exec);
-    let limit = StepLimit {
-        world,
-        desk,
-        speeds: Speeds::of(world),
-        gravity: world.gravity.length(),
-    };
+    let limit =
+        StepLimit { world, desk, speeds: Speeds::of(world), gravity: world.gravity.length() };
     exec.smallest(desk.blocks.len(), |blocks| {
         blocks.fold(transit, |longest, at| limit.of_block(longest, at))
     })
@@ -84,12 +80,7 @@ struct StepLimit<'a> {
 impl StepLimit<'_> {
     /// The smaller of `longest` (s) and the longest step of a block, by its place in the list of those that are in a pair.
     fn of_block(&self, mut longest: f64, at: usize) -> f64 {
-        let Self {
-            world,
-            desk,
-            speeds,
-            gravity,
-        } = self;
+        let Self { world, desk, speeds, gravity } = self;
         let b = desk.blocks[at] as usize;
         let ease = Ease::of(world, &desk.shapes, b);
         let (mut felt, mut damping) = (Felt::default(), 0.0_f64);
@@ -119,11 +110,8 @@ impl StepLimit<'_> {
                         / (stiffness * flat.area * ease.of_area(flat.area)).sqrt()
                 }
             });
-            longest = longest.min(if slot.touching && !as_joint {
-                alone
-            } else {
-                change.max(alone)
-            });
+            longest =
+                longest.min(if slot.touching && !as_joint { alone } else { change.max(alone) });
             if slot.touching {
                 let memory = &pair.memory;
                 let known = memory.area > 0.0;
@@ -201,11 +189,7 @@ impl StepLimit<'_> {
 /// Area that the springs along a contact stand for where it is stiffer along than across, m²; 0 elsewhere.
 fn held(law: &ContactLaw, memory: &Memory, area: f64) -> f64 {
     let across = law.normal_stiffness.max(law.shear_stiffness) * area;
-    if law.shear_stiffness * memory.area > across {
-        memory.area
-    } else {
-        0.0
-    }
+    if law.shear_stiffness * memory.area > across { memory.area } else { 0.0 }
 }
 
 /// A share of the undamped stable step that keeps the energy of what meets. Dashpots take energy and make none, so they shorten it only where the
@@ -225,11 +209,7 @@ fn of_edge(allowed: f64, edge: f64, v: f64, g: f64) -> f64 {
 
 /// Step that a pair may make before it meets or parts, s.
 fn until_change(pair: &FoundPair, slot: &Slot, gravity: f64) -> f64 {
-    let way = if slot.touching {
-        pair.depth
-    } else {
-        pair.gap.max(0.0)
-    };
+    let way = if slot.touching { pair.depth } else { pair.gap.max(0.0) };
     APPROACH * time_for(way, slot.nearing, gravity)
 }
 
@@ -299,11 +279,7 @@ impl Known<'_> {
                 return None;
             }
         }
-        Some(Impact {
-            square,
-            energy,
-            pair: k as u32,
-        })
+        Some(Impact { square, energy, pair: k as u32 })
     }
 }
 
@@ -317,11 +293,7 @@ pub(super) struct Speeds<'a> {
 
 impl<'a> Speeds<'a> {
     pub(super) fn of(world: &'a World) -> Self {
-        Self {
-            bodies: &world.bodies,
-            solid: &world.solid,
-            solids: &world.solids,
-        }
+        Self { bodies: &world.bodies, solid: &world.solid, solids: &world.solids }
     }
 
     /// Speed at which two blocks come nearer to each other across their contact, m/s; 0 where they part.
@@ -353,11 +325,7 @@ fn growing(small: f64, speed: f64, depth: f64) -> f64 {
 /// Time that a way (m) takes from the speed `v` (m/s) on under the acceleration `g` (m/s²): `v t + g t²/2 = way` in the form without
 /// cancellation, s.
 fn time_for(way: f64, v: f64, g: f64) -> f64 {
-    if way > 0.0 {
-        2.0 * way / (v + (v * v + 2.0 * g * way).sqrt())
-    } else {
-        0.0
-    }
+    if way > 0.0 { 2.0 * way / (v + (v * v + 2.0 * g * way).sqrt()) } else { 0.0 }
 }
 
 /// Longest step in which no pair can pass through each other, s.
@@ -404,11 +372,8 @@ impl Ease {
     pub(crate) fn of(world: &World, shapes: &[Shape], b: usize) -> Self {
         let [free, turns] = world.freedoms(b);
         let solid = world.solid_of(b);
-        let diagonal = Vec3::new(
-            solid.inverse.x_axis.x,
-            solid.inverse.y_axis.y,
-            solid.inverse.z_axis.z,
-        );
+        let diagonal =
+            Vec3::new(solid.inverse.x_axis.x, solid.inverse.y_axis.y, solid.inverse.z_axis.z);
         let offsets = &shapes[world.solid[b] as usize].offsets;
         let height = offsets.iter().copied().fold(0.0, f64::max);
         Self {

@@ -26,9 +26,7 @@ impl Laws {
         let blocks = &scratch.desk.terrain.blocks;
         let on_ground = terrain.flat_map(|(b, on)| on.facets.iter().map(move |f| (b, f.terrain())));
         Self {
-            pairs: pairs
-                .map(|pair| law(setup, pair.ends, pair.ends.map(inradius)))
-                .collect(),
+            pairs: pairs.map(|pair| law(setup, pair.ends, pair.ends.map(inradius))).collect(),
             facets: on_ground
                 .map(|(b, ground)| law(setup, [blocks[ground], b], [inradius(b); 2]))
                 .collect(),
@@ -65,10 +63,8 @@ pub fn change_laws(world: &mut World, scratch: &Scratch, change: impl FnOnce(&mu
     let all: f64 = pairs.iter().chain(&facets).sum();
     let parts = pairs.iter().zip(before.pairs.iter().zip(&after.pairs));
     let on_ground = facets.iter().zip(before.facets.iter().zip(&after.facets));
-    let added: f64 = parts
-        .chain(on_ground)
-        .map(|(energy, (old, new))| energy * normal([old, new]))
-        .sum();
+    let added: f64 =
+        parts.chain(on_ground).map(|(energy, (old, new))| energy * normal([old, new])).sum();
     // Where faces meet flat what each stores is known, else its share of what all of them do.
     if all > 0.0 && whole > 0.0 {
         world.works.contact_path += added * (whole / all).min(1.0);

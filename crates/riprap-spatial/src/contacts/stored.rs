@@ -90,10 +90,7 @@ fn of_pair(world: &World, desk: &Desk, k: usize, force: f64) -> f64 {
     }
     let of_piece = |piece: &crate::state::found::PieceContact| {
         let force = piece.force.dot(piece.memory.normal).abs();
-        most(
-            force,
-            way(world, desk, pair, Some(piece.pieces), &piece.memory),
-        )
+        most(force, way(world, desk, pair, Some(piece.pieces), &piece.memory))
     };
     pair.pieces.iter().map(of_piece).sum()
 }
@@ -176,9 +173,7 @@ mod tests {
         for dt in [2e-3, 1e-3] {
             let blocks = vec![brick([0.3, 0.2, 0.05], [0.4, 0.4, 0.4])];
             let mut run = Run::new(above_floor(blocks, 0.3, 0.0), 1, dt);
-            run.world
-                .bodies
-                .set_velocity(1, Vec3::new(0.0, 0.0, -10.0), Vec3::ZERO);
+            run.world.bodies.set_velocity(1, Vec3::new(0.0, 0.0, -10.0), Vec3::ZERO);
             run.until(0.04);
             assert!(run.world.bodies.velocity(1).z > 5.0);
             let balance = run.view().balance();
@@ -205,9 +200,7 @@ mod tests {
         let mut setup = above_floor(vec![block], 0.0, damping);
         setup.gravity = Vec3::ZERO;
         let mut run = Run::new(setup, 1, 2e-5);
-        run.world
-            .bodies
-            .set_velocity(1, Vec3::new(0.0, 0.0, -1.0), Vec3::ZERO);
+        run.world.bodies.set_velocity(1, Vec3::new(0.0, 0.0, -1.0), Vec3::ZERO);
         run
     }
 

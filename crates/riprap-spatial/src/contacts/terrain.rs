@@ -50,16 +50,10 @@ impl World {
 /// Finds what terrain does to all blocks.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let n = world.alive.len();
-    let Desk {
-        shapes,
-        glued,
-        terrain: desk,
-        ..
-    } = &mut scratch.desk;
+    let Desk { shapes, glued, terrain: desk, .. } = &mut scratch.desk;
     world.found.terrain.resize_with(n, OnTerrain::default);
     desk.exerted.resize(n, Acting::default());
-    desk.workspaces
-        .resize_with(n.div_ceil(piece(n)), TerrainWorkspace::default);
+    desk.workspaces.resize_with(n.div_ceil(piece(n)), TerrainWorkspace::default);
     for workspace in &mut desk.workspaces {
         workspace.left.clear();
     }
@@ -113,9 +107,7 @@ pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
     if !world.fresh && scratch.desk.terrain.laws.len() == n {
         return;
     }
-    let inradii: Vec<f64> = (0..n)
-        .map(|b| scratch.desk.inradius(world.solid[b]))
-        .collect();
+    let inradii: Vec<f64> = (0..n).map(|b| scratch.desk.inradius(world.solid[b])).collect();
     let desk = &mut scratch.desk.terrain;
     let there = |b: &usize| world.alive[*b] && world.is_terrain(*b);
     let blocks: Vec<u32> = (0..n).filter(there).map(|b| b as u32).collect();
@@ -125,19 +117,15 @@ pub(crate) fn prepare(world: &mut World, scratch: &mut Scratch) {
     }
     desk.laws.clear();
     desk.inverse_masses.clear();
-    desk.inverse_masses
-        .extend((0..n).map(|b| inverse_mass(world, b)));
+    desk.inverse_masses.extend((0..n).map(|b| inverse_mass(world, b)));
     desk.damped = false;
     for (b, inradius) in inradii.into_iter().enumerate() {
         let laws = desk.blocks.iter().map(|&terrain| {
             // Behind terrain there is no centroid: it counts as deep as the block.
             law(&world.setup, [terrain, b as u32], [inradius; 2])
         });
-        let laws: Vec<ContactLaw> = if world.meets_terrain(b) {
-            laws.collect()
-        } else {
-            Vec::new()
-        };
+        let laws: Vec<ContactLaw> =
+            if world.meets_terrain(b) { laws.collect() } else { Vec::new() };
         desk.damped |= laws.iter().any(|law| law.damping_ratio > 0.0);
         desk.laws.push(laws);
     }
@@ -214,12 +202,7 @@ impl Evaluation<'_> {
         let glued = glued.filter(|glued| !glued.is_convex());
         let mut clear = f64::INFINITY;
         for (k, terrain) in self.grounds.iter().enumerate() {
-            let body = Body {
-                shape,
-                normals: &workspace.normals,
-                turn,
-                position: pose.position,
-            };
+            let body = Body { shape, normals: &workspace.normals, turn, position: pose.position };
             let reached = match glued {
                 Some(glued) => workspace.under.find_glued(terrain, glued, &pose, REACH),
                 None => workspace.under.find(terrain, &body, REACH),
@@ -288,26 +271,19 @@ impl Here<'_> {
         let none = |_: &mut dyn FnMut(&Polygon, &Frame)| ();
         if let Some(on) = workspace.under.facets.first() {
             let asked = self.question(&on.sums, &none);
-            workspace
-                .ridges
-                .find(self.law, &asked, &workspace.under.facets);
+            workspace.ridges.find(self.law, &asked, &workspace.under.facets);
         }
         for (k, on) in workspace.under.facets.iter().enumerate() {
             let key = FacetContact::key(self.terrain, on.piece, on.facet);
             let old = workspace.old.iter().position(|f| f.key == key);
             let mut contact = old.map_or_else(
-                || FacetContact {
-                    key,
-                    ..FacetContact::default()
-                },
+                || FacetContact { key, ..FacetContact::default() },
                 |k| workspace.old.remove(k),
             );
             let law = self.law.part(on.sums.vector_area.length() / whole);
             let pieces = |show: &mut dyn FnMut(&Polygon, &Frame)| workspace.under.rubbing(on, show);
-            let question = Question {
-                shared: workspace.ridges.shared(k),
-                ..self.question(&on.sums, &pieces)
-            };
+            let question =
+                Question { shared: workspace.ridges.shared(k), ..self.question(&on.sums, &pieces) };
             let reply = respond(&law, &question, &mut contact.memory, &mut None);
             workspace.friction += reply.friction;
             contact.stored = contact.memory.stored(law.shear_stiffness);

@@ -18,10 +18,7 @@ pub(super) fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
     let half = 0.5 * Vec3::from_array(size);
     BlockSpec {
         name: BlockName { base: 0, number: 0 },
-        shape: Shape::Brick {
-            centre: Vec3::from_array(low) + half,
-            half,
-        },
+        shape: Shape::Brick { centre: Vec3::from_array(low) + half, half },
         material: 0,
         velocity: Vec3::ZERO,
         spin: Vec3::ZERO,
@@ -33,10 +30,8 @@ pub(super) fn turned(low: [f64; 3], size: [f64; 3], rotation: Quat) -> BlockSpec
     if let Shape::Brick { centre, half } = block.shape {
         let solid = riprap_geom::polyhedron::Polyhedron::brick(Vec3::ZERO, half);
         let vertices = solid.vertices.iter().map(|v| rotation * *v + centre);
-        block.shape = Shape::Polyhedron(Box::new(Solid {
-            vertices: vertices.collect(),
-            faces: solid.faces,
-        }));
+        block.shape =
+            Shape::Polyhedron(Box::new(Solid { vertices: vertices.collect(), faces: solid.faces }));
     }
     block
 }
@@ -44,10 +39,7 @@ pub(super) fn turned(low: [f64; 3], size: [f64; 3], rotation: Quat) -> BlockSpec
 /// Joints and contacts of 1e9 and 5e8 Pa/m without strength but for friction; tan of its angle, and damping ratio of both.
 pub(crate) fn joint(friction: f64, damping: f64) -> JointLaw {
     JointLaw {
-        stiffness: Stiffness::Given {
-            normal: 1e9,
-            shear: 5e8,
-        },
+        stiffness: Stiffness::Given { normal: 1e9, shear: 5e8 },
         strength: Some(Strength {
             cohesion: 0.0,
             tension: 0.0,
@@ -90,10 +82,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
     });
     setup.supports.push(Support {
         blocks: vec![0],
-        motion: Motion::Fixed {
-            translation: [true; 3],
-            rotation: [true; 3],
-        },
+        motion: Motion::Fixed { translation: [true; 3], rotation: [true; 3] },
     });
     setup.blocks.extend(blocks);
     for (k, block) in setup.blocks.iter_mut().enumerate() {
@@ -104,10 +93,7 @@ pub(super) fn above_floor(blocks: Vec<BlockSpec>, friction: f64, damping: f64) -
 
 /// Gives all contacts this stiffness, Pa/m.
 fn stiff(setup: &mut Setup, stiffness: f64) {
-    setup.interfaces[0].joint.stiffness = Stiffness::Given {
-        normal: stiffness,
-        shear: stiffness,
-    };
+    setup.interfaces[0].joint.stiffness = Stiffness::Given { normal: stiffness, shear: stiffness };
 }
 
 pub(super) struct Run {
@@ -123,13 +109,7 @@ impl Run {
     }
 
     pub(super) fn evaluate(&mut self) {
-        step::evaluate(
-            &mut self.world,
-            &mut self.scratch,
-            &Damping::default(),
-            self.dt,
-        )
-        .unwrap();
+        step::evaluate(&mut self.world, &mut self.scratch, &Damping::default(), self.dt).unwrap();
     }
 
     /// On to `time`; the forces there are found.
@@ -177,10 +157,7 @@ impl Run {
     }
 
     pub(super) fn view(&self) -> View<'_> {
-        View {
-            world: &self.world,
-            scratch: &self.scratch,
-        }
+        View { world: &self.world, scratch: &self.scratch }
     }
 
     pub(super) fn place(&self, b: usize) -> Vec3 {
@@ -202,10 +179,7 @@ fn frames_hold_every_number_of_found_contacts() {
 
 #[test]
 fn two_bricks_fall_on_a_floor_and_rest_on_each_other() {
-    let blocks = vec![
-        brick([-0.25, -0.25, 0.05], [0.5; 3]),
-        brick([-0.2, -0.25, 0.65], [0.5; 3]),
-    ];
+    let blocks = vec![brick([-0.25, -0.25, 0.05], [0.5; 3]), brick([-0.2, -0.25, 0.65], [0.5; 3])];
     let mut run = Run::new(above_floor(blocks, 0.6, 0.2), 1, 1e-4);
     run.until(1.5);
     // Pressed in by their weight over the stiffness.
@@ -222,11 +196,7 @@ fn two_bricks_fall_on_a_floor_and_rest_on_each_other() {
     let force = floor.map_or(0.0, |p| p.force.z);
     assert!((force / weight - 1.0).abs() < 1e-2, "{force} {weight}");
     let balance = run.view().balance();
-    assert!(
-        balance.residual_relative().abs() < 1e-5,
-        "{:e}",
-        balance.residual_relative()
-    );
+    assert!(balance.residual_relative().abs() < 1e-5, "{:e}", balance.residual_relative());
 }
 
 #[test]
@@ -252,10 +222,7 @@ fn a_sliding_brick_is_stopped_by_friction() {
     let mut run = Run::new(above_floor(vec![sliding], 0.5, 0.2), 1, 1e-4);
     run.until(1.0);
     let way = run.place(1).x + 1.75;
-    assert!(
-        (way / (4.0 / (2.0 * 0.5 * 9.81)) - 1.0).abs() < 0.02,
-        "{way}"
-    );
+    assert!((way / (4.0 / (2.0 * 0.5 * 9.81)) - 1.0).abs() < 0.02, "{way}");
     let works = &run.world.works;
     assert!(works.friction > 0.9 * 0.5 * 2500.0 * 0.0625 * 4.0);
     let residual = run.view().balance().residual_relative();
@@ -294,11 +261,7 @@ fn threads_and_restart_change_no_bit() {
     assert!(bits(&one) == bits(&two), "threads change bits");
     let mut world = world;
     let scratch = Scratch::new(&mut world, Exec::serial());
-    let mut again = Run {
-        world,
-        scratch,
-        dt: 2e-4,
-    };
+    let mut again = Run { world, scratch, dt: 2e-4 };
     again.until(0.1);
     assert!(bits(&one) == bits(&again), "a restart changes bits");
 }
@@ -361,10 +324,7 @@ fn nothing_passes_through_a_floor_in_silence() {
                     "{stiffness:e} Pa/m, {speed} m/s: {back}"
                 );
                 let residual = run.view().balance().residual_relative();
-                assert!(
-                    residual.abs() < 2e-3,
-                    "{stiffness:e} Pa/m, {speed} m/s: {residual:e}"
-                );
+                assert!(residual.abs() < 2e-3, "{stiffness:e} Pa/m, {speed} m/s: {residual:e}");
             }
         }
     }
@@ -389,10 +349,7 @@ fn a_restart_takes_the_same_steps() {
     let mut blocks = Vec::new();
     for k in 0..12_u32 {
         let k = f64::from(k);
-        let mut block = brick(
-            [0.3 * k - 2.0, 0.1 * k - 1.0, 0.02 + 0.4 * k],
-            [0.4, 0.5, 0.3],
-        );
+        let mut block = brick([0.3 * k - 2.0, 0.1 * k - 1.0, 0.02 + 0.4 * k], [0.4, 0.5, 0.3]);
         block.spin = Vec3::new(0.5, -0.1 * k, 1.0);
         block.velocity = Vec3::new(0.1 * k, 0.0, -2.0);
         blocks.push(block);
@@ -403,11 +360,7 @@ fn a_restart_takes_the_same_steps() {
     }
     let mut world = run.world.clone();
     let scratch = Scratch::new(&mut world, Exec::serial());
-    let mut again = Run {
-        world,
-        scratch,
-        dt: 0.0,
-    };
+    let mut again = Run { world, scratch, dt: 0.0 };
     for step in 0..400 {
         run.limited_step(1e-3);
         again.limited_step(1e-3);
@@ -476,23 +429,13 @@ fn an_edge_at_rest_above_the_floor_does_not_fall_into_it() {
     let mut deepest = 0.0_f64;
     while run.world.time < 0.05 {
         run.limited_step(0.02);
-        deepest = run
-            .world
-            .found
-            .pairs
-            .iter()
-            .map(|p| p.depth)
-            .fold(deepest, f64::max);
+        deepest = run.world.found.pairs.iter().map(|p| p.depth).fold(deepest, f64::max);
     }
     // Its energy m g h of 0.3 J goes in by U = kn L d³ / 6 at least.
     assert!(deepest < 5e-4, "{deepest}");
     let balance = run.view().balance();
     let made = balance.works.law_defect + balance.residual();
-    assert!(
-        made.abs() < 0.02 * balance.scale(),
-        "{made} of {}",
-        balance.scale()
-    );
+    assert!(made.abs() < 0.02 * balance.scale(), "{made} of {}", balance.scale());
 }
 
 /// Ten cubes on each other, shifted by up to 0.05 m and twisted by up to 0.1 rad: each contact carries the weight above it, straight below
@@ -505,25 +448,14 @@ fn a_crooked_stack_carries_its_weight() {
         let k = f64::from(k);
         // By the golden angle, so that none is as the one below.
         let (sin, cos) = libm::sincos(2.399_963 * k);
-        let low = [
-            0.04 * cos - 0.5 * side,
-            0.05 * sin - 0.5 * side,
-            1e-4 + (side + 1e-4) * k,
-        ];
-        turned(
-            low,
-            [side; 3],
-            Quat::from_rotation_z(0.1 * libm::sin(1.7 * k)),
-        )
+        let low = [0.04 * cos - 0.5 * side, 0.05 * sin - 0.5 * side, 1e-4 + (side + 1e-4) * k];
+        turned(low, [side; 3], Quat::from_rotation_z(0.1 * libm::sin(1.7 * k)))
     });
     let mut setup = above_floor(blocks.collect(), 0.6, 0.2);
     stiff(&mut setup, 1e10);
     let mut run = Run::new(setup, 1, 5e-5);
     // Contacts hardly damp the swaying of the whole.
-    let damping = Damping {
-        mass: 20.0,
-        ..Damping::default()
-    };
+    let damping = Damping { mass: 20.0, ..Damping::default() };
     while run.world.time < 1.5 {
         step::evaluate(&mut run.world, &mut run.scratch, &damping, run.dt).unwrap();
         step::advance(&mut run.world, &mut run.scratch, run.dt);
@@ -533,10 +465,7 @@ fn a_crooked_stack_carries_its_weight() {
     for k in 0..count as usize {
         let above = count as usize - k;
         let pairs = &run.world.found.pairs;
-        let pair = pairs
-            .iter()
-            .find(|p| p.ends == [k as u32, k as u32 + 1])
-            .unwrap();
+        let pair = pairs.iter().find(|p| p.ends == [k as u32, k as u32 + 1]).unwrap();
         let carried = pair.force / (weight * above as f64);
         worst = worst.max((carried - Vec3::Z).length());
         let centre = (k + 1..=count as usize).map(|b| run.place(b)).sum::<Vec3>() / above as f64;
@@ -553,21 +482,13 @@ fn a_crooked_stack_carries_its_weight() {
 /// Two bricks that have fallen onto the floor, beside each other.
 #[test]
 fn the_state_hash_covers_what_contacts_remember() {
-    let blocks = vec![
-        brick([0.0, 0.0, 1e-3], [1.0, 1.0, 1.0]),
-        brick([1.05, 0.0, 1e-3], [1.0, 1.0, 1.0]),
-    ];
+    let blocks =
+        vec![brick([0.0, 0.0, 1e-3], [1.0, 1.0, 1.0]), brick([1.05, 0.0, 1e-3], [1.0, 1.0, 1.0])];
     let mut run = Run::new(above_floor(blocks, 0.5, 0.1), 1, 1e-4);
     run.until(0.5);
     let pairs = &run.world.found.pairs;
-    let touching = pairs
-        .iter()
-        .position(|p| p.depth > 0.0)
-        .expect("lies on the floor");
-    let apart = pairs
-        .iter()
-        .position(|p| p.depth == 0.0)
-        .expect("are neighbours");
+    let touching = pairs.iter().position(|p| p.depth > 0.0).expect("lies on the floor");
+    let apart = pairs.iter().position(|p| p.depth == 0.0).expect("are neighbours");
     let whole = run.world.hash();
     let change = |what: &str, f: &dyn Fn(&mut World)| {
         let mut other = run.world.clone();

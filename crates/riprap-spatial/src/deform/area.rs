@@ -15,12 +15,7 @@ impl Area {
     pub(crate) fn new(corners: Vec<Vec3>, normal: Vec3) -> Self {
         let low = corners.iter().fold(Vec3::INFINITY, |m, p| m.min(*p));
         let high = corners.iter().fold(Vec3::NEG_INFINITY, |m, p| m.max(*p));
-        Self {
-            corners,
-            normal,
-            low,
-            high,
-        }
+        Self { corners, normal, low, high }
     }
 
     /// Whether a point is on it, its rim included.

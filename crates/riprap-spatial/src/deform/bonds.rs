@@ -38,10 +38,7 @@ impl Divide for Piece<'_> {
         let points = (b[0].first - a[0].first) as usize;
         let sheets = self.sheets.split_at_mut(middle * FACETS);
         let worn = self.worn.split_at_mut(middle * FACETS);
-        let (memory, slots) = (
-            self.memory.split_at_mut(points),
-            self.slots.split_at_mut(points),
-        );
+        let (memory, slots) = (self.memory.split_at_mut(points), self.slots.split_at_mut(points));
         let works = self.works.split_at_mut(middle);
         (
             Self {
@@ -99,9 +96,7 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
         slots: &mut work.slots,
         works: &mut work.bond_works,
     };
-    scratch
-        .exec
-        .divided(piece, count, |_, piece| context.piece(piece));
+    scratch.exec.divided(piece, count, |_, piece| context.piece(piece));
     work.broke = false;
     sums::tree(&mut work.bond_works, |sum, other| {
         sum.works.add(&other.works);
@@ -336,10 +331,7 @@ fn across(facet: &Facet, memory: &Memory, at: [&[f64; 3]; 2], t: [f64; 2]) -> f6
         return 0.0;
     }
     let start = [memory.start[0], 0.0, 0.0];
-    let still = bond::State {
-        slip: [0.0; 2],
-        ..memory.law
-    };
+    let still = bond::State { slip: [0.0; 2], ..memory.law };
     let stored = |at: &[f64; 3]| bond::stored(facet.stiffness, &start, &[at[0], 0.0, 0.0], &still);
     let work = 0.5 * (t[0] + t[1]) * (at[1][0] - at[0][0]);
     work - (stored(at[1]) - stored(at[0]))
@@ -380,13 +372,9 @@ pub fn respond(
 ) -> (bond::Traction, bond::State) {
     match (&law.strength, &law.cohesive) {
         // A notch in an elastic model.
-        (None, _) if memory.law.damage >= 1.0 => bond::contact(
-            springs,
-            &Strength::default(),
-            &memory.start,
-            at,
-            &memory.law,
-        ),
+        (None, _) if memory.law.damage >= 1.0 => {
+            bond::contact(springs, &Strength::default(), &memory.start, at, &memory.law)
+        }
         (None, _) => (bond::connect(springs, &memory.start, at), memory.law),
         (Some(_), Some(cohesive)) => {
             bond::cohesive(springs, cohesive, &memory.start, at, &memory.law)
@@ -414,11 +402,7 @@ fn fails(strength: &Strength, facet: &Facet, points: &[Point], slots: &[[f64; 3]
 
 /// Pushes rigid blocks with the forces of points, in the order of the facets.
 fn push_rigid(world: &World, work: &Workspace, pushes: &mut Account) {
-    let Some(deform) = world
-        .deform
-        .as_deref()
-        .filter(|_| !work.links.on_rigid.is_empty())
-    else {
+    let Some(deform) = world.deform.as_deref().filter(|_| !work.links.on_rigid.is_empty()) else {
         return;
     };
     pushes.need_blocks(world.alive.len());

@@ -31,11 +31,8 @@ pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
     if setup.deform.sets.iter().all(|s| s.blocks.is_empty()) {
         return Ok(None);
     }
-    let mut deform = Deform {
-        slot: vec![RIGID; setup.blocks.len()],
-        breaking: true,
-        ..Deform::default()
-    };
+    let mut deform =
+        Deform { slot: vec![RIGID; setup.blocks.len()], breaking: true, ..Deform::default() };
     let mut known: BTreeMap<[u64; 4], u32> = BTreeMap::new();
     let mut set_of = vec![usize::MAX; setup.blocks.len()];
     for (k, set) in setup.deform.sets.iter().enumerate() {
@@ -87,9 +84,7 @@ pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
             deform.nodes.velocity.push(v.to_array());
         }
         if let Some(in_situ) = &setup.in_situ {
-            deform
-                .start
-                .push(super::in_situ::start(in_situ, &mesh, centre));
+            deform.start.push(super::in_situ::start(in_situ, &mesh, centre));
         }
     }
     Ok(Some(deform))
@@ -100,17 +95,13 @@ fn needs(material: &Material, need: &'static str) -> Result<[f64; 2], BuildError
     let moduli = material.young.zip(material.poisson);
     moduli
         .map(|(young, poisson)| [young, poisson])
-        .ok_or_else(|| BuildError::NoModulus {
-            material: material.name.clone(),
-            need,
-        })
+        .ok_or_else(|| BuildError::NoModulus { material: material.name.clone(), need })
 }
 
 /// Value of a vector field at a place (m, global); a component without formula is zero.
 fn field(formulas: &[Option<Formula>; 3], at: Vec3) -> Vec3 {
     let value = |f: &Option<Formula>| {
-        f.as_ref()
-            .map_or(0.0, |f| f.value(&[("x", at.x), ("y", at.y), ("z", at.z)]))
+        f.as_ref().map_or(0.0, |f| f.value(&[("x", at.x), ("y", at.y), ("z", at.z)]))
     };
     Vec3::from_array(formulas.each_ref().map(value))
 }
@@ -145,10 +136,7 @@ pub fn join(
         let first = deform.points.len() as u32;
         let points = super::overlay::points(world, deform, classes, overlap);
         let starts = super::in_situ::tractions(world, deform, classes, overlap, &points);
-        let memory = |start| Memory {
-            start,
-            ..Memory::default()
-        };
+        let memory = |start| Memory { start, ..Memory::default() };
         deform.worn.push(world.setup.in_situ.is_some());
         deform.memory.extend(starts.into_iter().map(memory));
         deform.facets.push(Facet {
@@ -227,21 +215,16 @@ pub(super) fn stiffness(
     let mut compliance = match law.springs {
         BondSprings::Given(given) if rigid == [false; 2] => return Ok(given),
         BondSprings::Given(given) => given.map(|k| 1.0 / k),
-        BondSprings::Thickness {
-            thickness,
-            moduli: Some([e, g]),
-        } => [thickness / e, thickness / g],
+        BondSprings::Thickness { thickness, moduli: Some([e, g]) } => {
+            [thickness / e, thickness / g]
+        }
         BondSprings::Thickness { moduli: None, .. } => [0.0; 2],
     };
     for side in 0..2 {
         let material = &setup.materials[materials[side]];
         let [young, poisson] = needs(material, "the stiffness of its bonds")?;
         let g = young / (2.0 * (1.0 + poisson));
-        if let BondSprings::Thickness {
-            thickness,
-            moduli: None,
-        } = law.springs
-        {
+        if let BondSprings::Thickness { thickness, moduli: None } = law.springs {
             compliance[0] += 0.5 * thickness / young;
             compliance[1] += 0.5 * thickness / g;
         }
@@ -395,11 +378,7 @@ fn covered(deform: &Deform) -> BTreeMap<(u32, [i64; 3]), f64> {
     let mut sums = BTreeMap::new();
     for facet in &deform.facets {
         for side in (0..2).filter(|s| !facet.rigid[*s]) {
-            let normal = if side == 0 {
-                facet.frame[0]
-            } else {
-                -facet.frame[0]
-            };
+            let normal = if side == 0 { facet.frame[0] } else { -facet.frame[0] };
             for point in &deform.points[facet.points()] {
                 let anchor = &point.anchors[side];
                 for (node, weight) in anchor.nodes() {
@@ -417,14 +396,10 @@ fn covered(deform: &Deform) -> BTreeMap<(u32, [i64; 3]), f64> {
 fn on_surface(hold: &mut Hold, kind: &BoundaryKind, normal: Vec3, account: Option<u16>) {
     let mut add = |direction: Vec3, velocity| hold.add(direction, velocity, account);
     match kind {
-        BoundaryKind::Held {
-            normal: true,
-            shear: true,
-        } => Vec3::AXES.into_iter().for_each(|axis| add(axis, None)),
-        BoundaryKind::Held {
-            normal: across,
-            shear,
-        } => {
+        BoundaryKind::Held { normal: true, shear: true } => {
+            Vec3::AXES.into_iter().for_each(|axis| add(axis, None))
+        }
+        BoundaryKind::Held { normal: across, shear } => {
             if *across {
                 add(normal, None);
             }
@@ -460,9 +435,7 @@ fn supports(world: &World, deform: &Deform, holds: &mut Holds) {
         };
         // The last support of a block alone acts on it.
         let supports = &world.setup.supports;
-        let number = supports
-            .iter()
-            .rposition(|s| s.blocks.binary_search(&body.block).is_ok());
+        let number = supports.iter().rposition(|s| s.blocks.binary_search(&body.block).is_ok());
         let account = number.and_then(|k| account(world, Holder::Support(k as u16)));
         for node in body.nodes() {
             drive(hold_of(holds, node as u32), &velocity, account);

@@ -125,9 +125,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
 /// would have another mass.
 #[must_use]
 pub fn crooked(view: &View<'_>) -> usize {
-    let cutting = view
-        .deformables()
-        .and_then(|(deform, _)| deform.cutting.as_ref());
+    let cutting = view.deformables().and_then(|(deform, _)| deform.cutting.as_ref());
     cutting.map_or(0, |cutting| select::crooked(view, &cutting.rules))
 }
 
@@ -146,11 +144,7 @@ pub fn one(
         return Ok(Vec::new());
     };
     deform.given.get_or_insert(blocks);
-    let note = Note {
-        normal,
-        mode: FractureMode::Tension,
-        excess: 0.0,
-    };
+    let note = Note { normal, mode: FractureMode::Tension, excess: 0.0 };
     let view = View { world, scratch };
     let Some((deform, work)) = view.deformables() else {
         return Ok(Vec::new());
@@ -205,11 +199,7 @@ fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result
         (known, frequencies) = stable::alone::each(deform, work, known, &scratch.exec);
         work.alone = known;
     }
-    work.effort = Effort {
-        classes: deform.classes.len() - classes,
-        facets: made,
-        frequencies,
-    };
+    work.effort = Effort { classes: deform.classes.len() - classes, facets: made, frequencies };
     Ok(())
 }
 
@@ -240,11 +230,7 @@ fn edit_lists(
     let families: Vec<Family> = cuts
         .iter()
         .map(|cut| {
-            let family = Family {
-                cut,
-                first: next,
-                slot: deform.slot[cut.block as usize],
-            };
+            let family = Family { cut, first: next, slot: deform.slot[cut.block as usize] };
             next += cut.parts.len() as u32;
             family
         })
@@ -272,13 +258,7 @@ fn audit(world: &World, families: &[Family]) -> Result<(), EditError> {
     for family in families {
         let Handed { before, after, .. } = &family.cut.handed;
         let check = |what, before: f64, after: f64, scale: f64| {
-            unchanged(
-                world,
-                family.cut.block,
-                what,
-                [before, after],
-                EXACT * scale,
-            )
+            unchanged(world, family.cut.block, what, [before, after], EXACT * scale)
         };
         check("the mass", before.mass, after.mass, before.mass)?;
         let scale = before.mass * (2.0 * before.kinetic / before.mass).sqrt();

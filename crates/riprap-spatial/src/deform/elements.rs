@@ -21,9 +21,7 @@ pub fn add_forces(
     match (&class.stiffness, strain) {
         (Some(stiffness), Strain::Small) => stiffness.add_forces(u, f),
         (None, Strain::Small) => {
-            class
-                .groups
-                .add_forces(&class.law, strain, &StartStress::none(), u, f);
+            class.groups.add_forces(&class.law, strain, &StartStress::none(), u, f);
         }
         (_, Strain::Large) => class.groups.add_forces(&class.law, strain, start, u, f),
     }

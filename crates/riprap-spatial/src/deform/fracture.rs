@@ -122,9 +122,7 @@ fn due(view: &View<'_>) -> Vec<Due> {
     let mut stresses = Stresses::default();
     let mut found: Vec<Due> = Vec::new();
     for (k, facet) in deform.facets.iter().enumerate() {
-        let law = view.world.setup.interfaces[usize::from(facet.row)]
-            .bond
-            .as_ref();
+        let law = view.world.setup.interfaces[usize::from(facet.row)].bond.as_ref();
         let Some((law, strength)) = law.and_then(|l| Some((l, l.strength?))) else {
             continue;
         };
@@ -180,20 +178,13 @@ fn due(view: &View<'_>) -> Vec<Due> {
 fn push(found: &mut Vec<Due>, k: usize, point: Option<u32>, strength: &Strength, t: &Traction) {
     let (utilisation, mode) = strength.utilisation(t);
     if utilisation > 1.0 {
-        found.push(Due {
-            facet: k as u32,
-            point,
-            utilisation,
-            mode,
-        });
+        found.push(Due { facet: k as u32, point, utilisation, mode });
     }
 }
 
 /// Points of a facet that are not broken.
 fn whole<'a>(deform: &'a Deform, facet: &Facet) -> impl Iterator<Item = usize> + 'a {
-    facet
-        .points()
-        .filter(|p| !deform.memory[*p].state.is_broken())
+    facet.points().filter(|p| !deform.memory[*p].state.is_broken())
 }
 
 /// Traction (n, b, c) of a point, Pa.
@@ -229,9 +220,7 @@ pub fn largest(view: &View<'_>, failure: BondFailure, chosen: impl Fn([u32; 2]) 
 pub fn utilisation(view: &View<'_>, k: usize, failure: BondFailure) -> Option<f64> {
     let (deform, work) = view.deformables()?;
     let facet = &deform.facets[k];
-    let law = view.world.setup.interfaces[usize::from(facet.row)]
-        .bond
-        .as_ref()?;
+    let law = view.world.setup.interfaces[usize::from(facet.row)].bond.as_ref()?;
     let strength = law.strength?;
     match failure {
         BondFailure::Spring => whole(deform, facet)

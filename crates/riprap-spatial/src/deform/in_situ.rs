@@ -27,10 +27,7 @@ pub fn start(in_situ: &InSitu, mesh: &Tetrahedra, centre: Vec3) -> Start {
         let [x, y, z] = [s.x_axis, s.y_axis, s.z_axis];
         [x.x, y.y, z.z, y.z, z.x, x.y]
     };
-    Start {
-        stresses: mesh.tets.iter().map(stress).collect(),
-        energy: 0.0,
-    }
+    Start { stresses: mesh.tets.iter().map(stress).collect(), energy: 0.0 }
 }
 
 /// Places (from the centroid, m) at which a linear field has its mean weighted with the shape function of each node of a
@@ -81,9 +78,7 @@ pub fn tractions(
         if let Some(at) = single.and_then(|(n, _)| levers.get(&(n - body.first))) {
             return centre + at.z;
         }
-        pairs()
-            .map(|(n, w)| w * deform.nodes.place[n as usize].z)
-            .sum()
+        pairs().map(|(n, w)| w * deform.nodes.place[n as usize].z).sum()
     };
     points
         .iter()

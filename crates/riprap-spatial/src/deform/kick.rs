@@ -100,14 +100,8 @@ impl Kick<'_> {
         for (k, (net, change)) in runs.enumerate() {
             let node = first + k * LANES;
             let end = node + net.len();
-            let held = self
-                .holds
-                .get(hold)
-                .is_some_and(|h| (h.node as usize) < end);
-            let drawn = self
-                .dashpots
-                .get(dashpot)
-                .is_some_and(|d| (d.node as usize) < end);
+            let held = self.holds.get(hold).is_some_and(|h| (h.node as usize) < end);
+            let drawn = self.dashpots.get(dashpot).is_some_and(|d| (d.node as usize) < end);
             if let (false, Ok(net), Ok(change)) = (
                 held || drawn,
                 <&mut [[f64; 3]; LANES]>::try_from(&mut *net),
@@ -152,10 +146,8 @@ impl Kick<'_> {
         }
         let fade = kick::fade(alpha, self.span);
         // Factor by factor as `dynamics::kick::change` for a single node: the same bits.
-        let impulse = scaled(
-            Lanes::all(self.span) / Lanes::at(self.inertias, node),
-            &plus(&force, &drag),
-        );
+        let impulse =
+            scaled(Lanes::all(self.span) / Lanes::at(self.inertias, node), &plus(&force, &drag));
         let kept = minus(&impulse, &scaled(Lanes::all(2.0 * fade), &v));
         let dv = kept.map(|x| x / Lanes::all(1.0 + fade));
         write(&force, net);
@@ -203,10 +195,7 @@ impl Kick<'_> {
             let node = first + k;
             let own = self.holds.get(*hold).filter(|h| h.node as usize == node);
             *hold += usize::from(own.is_some());
-            let drag = self
-                .dashpots
-                .get(*dashpot)
-                .filter(|d| d.node as usize == node);
+            let drag = self.dashpots.get(*dashpot).filter(|d| d.node as usize == node);
             *dashpot += usize::from(drag.is_some());
             // The weight is that of the true mass, whatever mass moves the node.
             let weight = self.masses[node] * self.gravity;
@@ -218,14 +207,7 @@ impl Kick<'_> {
             if !net.is_finite() && sums.bad.is_none() {
                 sums.bad = Some(node as u32);
             }
-            let acting = Acting {
-                node,
-                mass: self.inertias[node],
-                weight,
-                load,
-                push,
-                net,
-            };
+            let acting = Acting { node, mass: self.inertias[node], weight, load, push, net };
             *change = self.one(&acting, own, drag, sums).to_array();
         }
     }
@@ -257,10 +239,9 @@ impl Kick<'_> {
         let alpha = self.damping.mass;
         let damping = drag - kick::mass_drag(alpha, node.mass, v, change);
         let absorbed = dashpot.map_or(Vec3::ZERO, |d| d.matrix * (v + 0.5 * change));
-        for (half, v, works) in [
-            (self.half[0], v, &mut sums.arrival),
-            (self.half[1], v + change, &mut sums.departure),
-        ] {
+        for (half, v, works) in
+            [(self.half[0], v, &mut sums.arrival), (self.half[1], v + change, &mut sums.departure)]
+        {
             works.gravity += half * node.weight.dot(v);
             works.loads += half * node.load.dot(v);
             works.damping -= half * damping.dot(v);
@@ -362,10 +343,7 @@ mod tests {
         let masses: Vec<f64> = velocity.iter().map(|r| 1.5 + r[0]).collect();
         let mut hold = Hold::new(12);
         hold.add(Vec3::X, None, None);
-        let dashpot = Dashpot {
-            node: 30,
-            matrix: Mat3::from_diagonal(Vec3::new(0.1, 0.2, 0.3)),
-        };
+        let dashpot = Dashpot { node: 30, matrix: Mat3::from_diagonal(Vec3::new(0.1, 0.2, 0.3)) };
         let kick = Kick {
             gravity: Vec3::new(0.0, 0.5, -9.81),
             damping,

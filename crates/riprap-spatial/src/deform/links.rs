@@ -112,9 +112,7 @@ impl Links {
     pub fn new(deform: &Deform) -> Self {
         let sheet = |f: &Facet| Sheet::new(f, &deform.points[f.points()]);
         let link = |p: &Point| Link {
-            nodes: p
-                .anchors
-                .map(|a| a.nodes().next().map_or(0, |(node, _)| node)),
+            nodes: p.anchors.map(|a| a.nodes().next().map_or(0, |(node, _)| node)),
             area: p.area,
         };
         let facets = deform.facets.iter().enumerate();

@@ -55,10 +55,7 @@ pub fn points(
                     }
                 }
             };
-            Point {
-                anchors: [anchor(0), anchor(1)],
-                area: point.area,
-            }
+            Point { anchors: [anchor(0), anchor(1)], area: point.area }
         })
         .collect()
 }

@@ -31,12 +31,7 @@ impl Relax {
     /// The start of a phase.
     #[must_use]
     pub fn new(tolerance: f64) -> Self {
-        Self {
-            damping: FIRST,
-            tolerance,
-            ratio: f64::INFINITY,
-            ..Self::default()
-        }
+        Self { damping: FIRST, tolerance, ratio: f64::INFINITY, ..Self::default() }
     }
 
     /// Begins anew: loads or bonds have changed.
@@ -93,10 +88,7 @@ impl Relax {
                 self.damping = MOST.min(2.0 * (stiff / heavy).max(0.0).sqrt());
             }
         }
-        self.last = Some(Seen {
-            displacement: nodes.displacement.clone(),
-            net: work.net.clone(),
-        });
+        self.last = Some(Seen { displacement: nodes.displacement.clone(), net: work.net.clone() });
     }
 }
 

@@ -18,10 +18,8 @@ pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
     match shape {
         Shape::Brick { centre, half } => (Polyhedron::brick(Vec3::ZERO, *half), *centre),
         Shape::Polyhedron(solid) => {
-            let mut body = Polyhedron {
-                vertices: solid.vertices.clone(),
-                faces: solid.faces.clone(),
-            };
+            let mut body =
+                Polyhedron { vertices: solid.vertices.clone(), faces: solid.faces.clone() };
             let centroid = body.moments().centroid;
             for v in &mut body.vertices {
                 *v -= centroid;
@@ -32,10 +30,7 @@ pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
         Shape::Glued(parts) => (Solid::all(parts).polyhedron(), Vec3::ZERO),
         Shape::Terrain(surface) => {
             let body = surface.body();
-            let body = Polyhedron {
-                vertices: body.vertices,
-                faces: body.faces,
-            };
+            let body = Polyhedron { vertices: body.vertices, faces: body.faces };
             (body, Vec3::ZERO)
         }
     }

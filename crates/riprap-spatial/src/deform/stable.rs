@@ -31,10 +31,7 @@ pub fn highest(
     if n == 0 {
         return (0.0, None);
     }
-    if deform
-        .given
-        .is_some_and(|given| deform.slot.len() > given as usize)
-    {
+    if deform.given.is_some_and(|given| deform.slot.len() > given as usize) {
         let found;
         let all = if work.alone.len() == deform.bodies.len() {
             &work.alone
@@ -42,9 +39,7 @@ pub fn highest(
             found = alone::each(deform, work, Vec::new(), exec).0;
             &found
         };
-        let worst = (0..all.len())
-            .rev()
-            .max_by(|a, b| all[*a].total_cmp(&all[*b]));
+        let worst = (0..all.len()).rev().max_by(|a, b| all[*a].total_cmp(&all[*b]));
         return worst.map_or((0.0, None), |k| (all[k], Some(deform.bodies[k].block)));
     }
     let roots = roots(deform, work);
@@ -77,9 +72,7 @@ pub fn highest(
             most = k;
         }
     }
-    let body = deform
-        .bodies
-        .partition_point(|b| b.first + b.count <= most as u32);
+    let body = deform.bodies.partition_point(|b| b.first + b.count <= most as u32);
     (MARGIN * square, deform.bodies.get(body).map(|b| b.block))
 }
 
@@ -97,9 +90,7 @@ pub fn on_bonds(world: &World, deform: &Deform) -> f64 {
             }
             let solid = world.solid_of(b);
             let inverse = solid.inverse;
-            let turn = (0..3)
-                .map(|k| inverse.col(k).abs().element_sum())
-                .fold(0.0, f64::max);
+            let turn = (0..3).map(|k| inverse.col(k).abs().element_sum()).fold(0.0, f64::max);
             for point in &deform.points[facet.points()] {
                 let Anchor::Block { arm, .. } = point.anchors[side] else {
                     continue;
@@ -138,10 +129,7 @@ fn times(
     x: &[[f64; 3]],
     y: &mut [[f64; 3]],
 ) {
-    let mut nodes = super::store::Nodes {
-        displacement: x.to_vec(),
-        ..Default::default()
-    };
+    let mut nodes = super::store::Nodes { displacement: x.to_vec(), ..Default::default() };
     for (u, root) in nodes.displacement.iter_mut().zip(roots) {
         *u = u.map(|c| c * root);
     }

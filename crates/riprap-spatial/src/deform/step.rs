@@ -44,19 +44,10 @@ impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
         let (a, b) = self.bodies.split_at(middle * BODIES);
         let nodes = b[0].first as usize - a[0].first as usize;
-        let (net, change) = (
-            self.net.split_at_mut(nodes),
-            self.change.split_at_mut(nodes),
-        );
+        let (net, change) = (self.net.split_at_mut(nodes), self.change.split_at_mut(nodes));
         let partial = self.partial.split_at_mut(middle);
         (
-            Self {
-                bodies: a,
-                first: self.first,
-                net: net.0,
-                change: change.0,
-                partial: partial.0,
-            },
+            Self { bodies: a, first: self.first, net: net.0, change: change.0, partial: partial.0 },
             Self {
                 bodies: b,
                 first: self.first + middle * BODIES,
@@ -97,9 +88,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
         partial: &mut *partial,
     };
     let count = deform.bodies.len().div_ceil(BODIES);
-    scratch
-        .exec
-        .divided(piece, count, |_, piece| context.piece(piece));
+    scratch.exec.divided(piece, count, |_, piece| context.piece(piece));
     let bad = partial.iter().find_map(|p| p.bad);
     sums::tree(partial, |sum, other| {
         sum.arrival.add(&other.arrival);
@@ -135,11 +124,7 @@ pub(crate) fn kick<'a>(
 ) -> Kick<'a> {
     let (masses, dashpots) = ([&work.masses[..], &work.fictitious], &work.dashpots[..]);
     let pushes = &scratch.pushes;
-    let felt = Felt {
-        masses,
-        dashpots,
-        pushes,
-    };
+    let felt = Felt { masses, dashpots, pushes };
     felt.kick(world, deform, (scratch.damping, scratch.width), dt)
 }
 
@@ -183,13 +168,7 @@ impl<'a> Felt<'a> {
 
 impl Context<'_> {
     fn piece(&self, piece: Piece) {
-        let Piece {
-            bodies,
-            first,
-            net,
-            change,
-            partial,
-        } = piece;
+        let Piece { bodies, first, net, change, partial } = piece;
         let base = bodies[0].first as usize;
         self.kick.width.run(
             #[inline(always)]
@@ -277,10 +256,8 @@ impl Divide for Moving<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
         let (a, b) = self.bodies.split_at(middle * BODIES);
         let nodes = b[0].first as usize - a[0].first as usize;
-        let (displacement, velocity) = (
-            self.displacement.split_at_mut(nodes),
-            self.velocity.split_at_mut(nodes),
-        );
+        let (displacement, velocity) =
+            (self.displacement.split_at_mut(nodes), self.velocity.split_at_mut(nodes));
         let change = self.change.split_at(nodes);
         let masses = self.masses.split_at(nodes);
         let speeds = self.speeds.split_at_mut(middle * BODIES);
@@ -324,9 +301,7 @@ pub(crate) fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) -> f64 
         speeds: &mut work.speeds,
     };
     let count = deform.bodies.len().div_ceil(BODIES);
-    scratch
-        .exec
-        .divided(moving, count, |_, piece| piece.go(dt, scratch.width));
+    scratch.exec.divided(moving, count, |_, piece| piece.go(dt, scratch.width));
     scratch.departure.add(&std::mem::take(&mut work.departure));
     match &mut deform.relax {
         Some(relax) => std::mem::take(&mut relax.increment),

@@ -24,15 +24,9 @@ pub(super) fn look(deform: &Deform, work: &mut Workspace, exec: &Exec, width: Wi
         return;
     }
     work.turns.resize(deform.bodies.len(), Mat3::IDENTITY);
-    let piece = Piece {
-        first: 0,
-        turns: &mut work.turns,
-    };
+    let piece = Piece { first: 0, turns: &mut work.turns };
     let count = deform.bodies.len().div_ceil(BODIES);
-    let slopes = Slopes {
-        classes: &work.classes,
-        slopes: &work.slopes,
-    };
+    let slopes = Slopes { classes: &work.classes, slopes: &work.slopes };
     exec.divided(piece, count, |_, piece| {
         let bodies = &deform.bodies[piece.first..piece.first + piece.turns.len()];
         for (turn, body) in piece.turns.iter_mut().zip(bodies) {
@@ -59,13 +53,7 @@ impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
         let (a, b) = self.turns.split_at_mut(middle * BODIES);
         let first = self.first;
-        (
-            Self { first, turns: a },
-            Self {
-                first: first + middle * BODIES,
-                turns: b,
-            },
-        )
+        (Self { first, turns: a }, Self { first: first + middle * BODIES, turns: b })
     }
 }
 
@@ -155,11 +143,7 @@ impl<'a> Turning<'a> {
         turns: &'a [Mat3],
     ) -> Option<Self> {
         let any = !turns.is_empty() || turned.iter().any(Option::is_some);
-        any.then_some(Self {
-            turned,
-            slot,
-            turns,
-        })
+        any.then_some(Self { turned, slot, turns })
     }
 
     /// Rotation of a side of a facet.
@@ -267,9 +251,7 @@ mod tests {
 
     #[test]
     fn the_rotation_of_a_stretched_turn_is_the_turn() {
-        let turn = Mat3::from_quat(riprap_geom::Quat::from_scaled_axis(Vec3::new(
-            0.4, -1.1, 0.7,
-        )));
+        let turn = Mat3::from_quat(riprap_geom::Quat::from_scaled_axis(Vec3::new(0.4, -1.1, 0.7)));
         let stretch = Mat3::from_diagonal(Vec3::new(1.02, 0.99, 1.0));
         let mut found = [turn * stretch, Mat3::ZERO, turn * stretch];
         polar_eight(&mut found);

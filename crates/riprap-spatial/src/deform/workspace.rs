@@ -92,8 +92,7 @@ impl Workspace {
         if deform.start.iter().all(|s| s.stresses.is_empty()) {
             return;
         }
-        self.starts
-            .resize(deform.bodies.len(), StartStress::default());
+        self.starts.resize(deform.bodies.len(), StartStress::default());
         self.start_forces.resize(deform.nodes.len(), [0.0; 3]);
         for (k, (body, start)) in deform.bodies.iter().zip(&deform.start).enumerate() {
             if !body.alive || start.stresses.is_empty() {
@@ -102,10 +101,7 @@ impl Workspace {
             self.starts[k] = StartStress::new(&start.stresses);
             if body.strain == Strain::Small {
                 let groups = &self.classes[body.class as usize].groups;
-                let law = Elastic {
-                    lambda: 0.0,
-                    mu: 0.0,
-                };
+                let law = Elastic { lambda: 0.0, mu: 0.0 };
                 let still = vec![[0.0; 3]; body.count as usize];
                 let on = &mut self.start_forces[body.nodes()];
                 groups.add_forces(&law, Strain::Small, &self.starts[k], &still, on);

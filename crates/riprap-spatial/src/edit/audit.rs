@@ -67,21 +67,11 @@ pub(super) fn splits(world: &World, plan: &Plan) -> Result<(), EditError> {
             unchanged(world, root, what, [before, after], exact * scale)
         };
         check("the mass", before.mass, after.mass, before.mass)?;
-        check(
-            "the energy of motion",
-            before.kinetic,
-            after.kinetic,
-            before.kinetic,
-        )?;
+        check("the energy of motion", before.kinetic, after.kinetic, before.kinetic)?;
         for k in 0..3 {
             check("the momentum", before.momentum[k], after.momentum[k], scale)?;
             let moment = scale * radius;
-            check(
-                "the angular momentum",
-                before.spin[k],
-                after.spin[k],
-                moment,
-            )?;
+            check("the angular momentum", before.spin[k], after.spin[k], moment)?;
         }
     }
     surfaces(world, plan)
@@ -99,12 +89,7 @@ pub(crate) fn unchanged(
         return Ok(());
     }
     let block = world.name(block as usize);
-    Err(EditError::Audit {
-        what,
-        block,
-        before,
-        after,
-    })
+    Err(EditError::Audit { what, block, before, after })
 }
 
 /// Every face of every new block is covered by patches, walls and free faces.

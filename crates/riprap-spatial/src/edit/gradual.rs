@@ -59,20 +59,14 @@ pub fn take_out_gradually(
     let fade = TimeFunction::fade(world.time, span);
     let mut loads = Vec::new();
     let mut push = |block: usize, kind: LoadKind| {
-        loads.push(Load {
-            blocks: vec![block as u32],
-            kind,
-            time: fade.clone(),
-            account: None,
-        });
+        loads.push(Load { blocks: vec![block as u32], kind, time: fade.clone(), account: None });
     };
     let lost = |b: usize| [0, 1].map(|k| before.blocks[b][k] - after.blocks[b][k]);
     let size = |b: usize, [force, moment]: [Vec3; 2]| {
         force.length() + moment.length() / world.solid_of(b).radius
     };
-    let rigid: Vec<usize> = (0..world.alive.len())
-        .filter(|b| world.alive[*b] && !world.deforms(*b))
-        .collect();
+    let rigid: Vec<usize> =
+        (0..world.alive.len()).filter(|b| world.alive[*b] && !world.deforms(*b)).collect();
     let largest = rigid.iter().map(|&b| size(b, lost(b))).fold(0.0, f64::max);
     for b in rigid {
         let [force, moment] = lost(b);
@@ -84,9 +78,8 @@ pub fn take_out_gradually(
     if let Some(deform) = world.deform.as_deref() {
         let lost = |n: usize| before.nodes[n] - after.nodes[n];
         let nodes = deform.bodies.iter().filter(|body| body.alive);
-        let nodes: Vec<(usize, usize)> = nodes
-            .flat_map(|body| body.nodes().map(|n| (body.block as usize, n)))
-            .collect();
+        let nodes: Vec<(usize, usize)> =
+            nodes.flat_map(|body| body.nodes().map(|n| (body.block as usize, n))).collect();
         let all = nodes.iter().map(|(_, n)| lost(*n).length());
         let largest = all.fold(0.0, f64::max);
         for (block, n) in nodes {

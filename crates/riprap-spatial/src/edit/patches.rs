@@ -89,10 +89,8 @@ impl Old {
         let mut new = New::default();
         for q in 0..4 {
             let at = shift + patch::place(&class, q);
-            let at = [
-                at.dot(b) / self.class.half_spacing[0],
-                at.dot(c) / self.class.half_spacing[1],
-            ];
+            let at =
+                [at.dot(b) / self.class.half_spacing[0], at.dot(c) / self.class.half_spacing[1]];
             let nearest = if same { q } else { nearest(at) };
             // A law that is not plain is not linear: points go on from where the nearest one was.
             new.tractions[q] = own(if whole && !same && self.openings.is_none() {
@@ -129,9 +127,7 @@ impl Old {
 /// The point whose quarter holds a place given in units of the half_spacing.
 fn nearest(at: [f64; 2]) -> usize {
     let side = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
-    (0..4)
-        .find(|&q| SIGNS[0][q] == side(at[0]) && SIGNS[1][q] == side(at[1]))
-        .unwrap_or(0)
+    (0..4).find(|&q| SIGNS[0][q] == side(at[0]) && SIGNS[1][q] == side(at[1])).unwrap_or(0)
 }
 
 /// Bilinear field through the four points, at a place in units of the half_spacing.
@@ -162,20 +158,13 @@ impl New {
     /// Stores offsets so that the patch carries the tractions at the present displacements.
     fn put(&self, world: &mut World, p: usize, mut flags: u16) {
         let class = world.classes[world.patches.class[p] as usize];
-        let poses = Poses {
-            bodies: &world.bodies,
-            turned: &world.turned,
-        };
+        let poses = Poses { bodies: &world.bodies, turned: &world.turned };
         let finite = flags & flag::FINITE != 0;
         let at = poses.points(&class, world.patches.ends[p], finite).at;
         let start = patch::start(&class, world.patches.prestress.get(p));
         let [kn, ks] = class.stiffness;
         let (mut slip, mut normal_offset) = ([[0.0; 4]; 2], [0.0; 4]);
-        let size = self
-            .tractions
-            .iter()
-            .flatten()
-            .fold(0.0_f64, |m, t| m.max(t.abs()));
+        let size = self.tractions.iter().flatten().fold(0.0_f64, |m, t| m.max(t.abs()));
         for q in 0..4 {
             let (t, s, u) = (&self.tractions[q], &start[q], &at[q]);
             normal_offset[q] = match self.normal_offset[q] {
@@ -204,11 +193,8 @@ impl New {
             }
         }
         let list = &mut world.patches;
-        let zero = size == 0.0
-            && normal_offset
-                .iter()
-                .chain(slip.iter().flatten())
-                .all(|x| *x == 0.0);
+        let zero =
+            size == 0.0 && normal_offset.iter().chain(slip.iter().flatten()).all(|x| *x == 0.0);
         if !zero {
             flags |= flag::OFFSET;
             list.need_slip();
@@ -231,9 +217,6 @@ pub(super) fn inside(world: &mut World, p: usize, stress: &Mat3, finite: bool) {
     let class = world.classes[world.patches.class[p] as usize];
     let traction = *stress * class.frame[0];
     let t = class.frame.map(|e| e.dot(traction));
-    let new = New {
-        tractions: [t; 4],
-        ..New::default()
-    };
+    let new = New { tractions: [t; 4], ..New::default() };
     new.put(world, p, if finite { flag::FINITE } else { 0 });
 }

@@ -99,8 +99,7 @@ impl<'a> Plan<'a> {
         };
         let olds = self.old.get(&pair).into_iter().flatten();
         // Parts can share their face in the other order than the patch of their parents has it.
-        olds.flat_map(|old| [(old, false), (old, true)])
-            .find(|(old, back)| same(old, *back))
+        olds.flat_map(|old| [(old, false), (old, true)]).find(|(old, back)| same(old, *back))
     }
 }
 
@@ -156,11 +155,7 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
             Some((_, true)) if !inside => world.add_patch(&mut table, &overlap.reversed())?,
             _ => world.add_patch(&mut table, overlap)?,
         }
-        for root in if roots[0] == roots[1] {
-            &roots[..1]
-        } else {
-            &roots[..]
-        } {
+        for root in if roots[0] == roots[1] { &roots[..1] } else { &roots[..] } {
             *after.entry(*root).or_default() += 1;
         }
         if inside {
@@ -222,10 +217,7 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
         world.solids.push(part);
         world.solids.len() - 1
     });
-    let (u, turn) = (
-        world.bodies.displacement(parent),
-        world.bodies.rotation(parent),
-    );
+    let (u, turn) = (world.bodies.displacement(parent), world.bodies.rotation(parent));
     let (v, mut w) = (world.bodies.velocity(parent), world.bodies.spin(parent));
     let (mut moved, mut arm, mut turned) = (turn.cross(start), start, None);
     if let Some(state) = world.turned[parent].as_deref() {
@@ -233,10 +225,8 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
         arm = q * start;
         moved = arm - start;
         w = turned_inertia(&whole.inverse, q) * state.momentum;
-        turned = Some(Box::new(Turned {
-            attitude: q,
-            momentum: turned_inertia(&part.inertia, q) * w,
-        }));
+        turned =
+            Some(Box::new(Turned { attitude: q, momentum: turned_inertia(&part.inertia, q) * w }));
     }
     world.bodies.push([u + moved, turn], [v + w.cross(arm), w]);
     if !world.datum.is_empty() {
@@ -249,9 +239,7 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
     world.turned.push(turned);
     world.alive.push(true);
     world.motion.push(world.motion[parent].clone());
-    world
-        .peak_speed_squared
-        .push(world.peak_speed_squared[parent]);
+    world.peak_speed_squared.push(world.peak_speed_squared[parent]);
 }
 
 /// New blocks, the blocks around them, and the removed blocks behind walls of cavities, with the number of the cavity.
@@ -282,9 +270,8 @@ fn turned_walls(world: &World) -> BTreeMap<(u32, u32), Wall> {
 fn forget(world: &mut World) {
     let list = &world.patches;
     let alive = |b: &u32| world.alive[*b as usize];
-    let keep: Vec<u32> = (0..list.len() as u32)
-        .filter(|&p| list.ends[p as usize].iter().all(alive))
-        .collect();
+    let keep: Vec<u32> =
+        (0..list.len() as u32).filter(|&p| list.ends[p as usize].iter().all(alive)).collect();
     world.patches.keep(&keep);
     for cavity in &mut world.cavities {
         cavity.walls.retain(|w| world.alive[w.block as usize]);
@@ -346,10 +333,7 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
     let far = |f: &Face| {
         let [n, b, c] = f.frame;
         let from = centre - (reference(root) + f.arm);
-        let share = [
-            from.dot(b) / f.half_spacing[0],
-            from.dot(c) / f.half_spacing[1],
-        ];
+        let share = [from.dot(b) / f.half_spacing[0], from.dot(c) / f.half_spacing[1]];
         let along = n.dot(face.frame[0]) > ALIKE;
         along.then(|| share[0].abs().max(share[1].abs()))
     };
@@ -380,9 +364,7 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
         let at = face.place(p);
         let from = reference(face.block) + at - (reference(root) + parent.arm);
         let side = |k: usize| from.dot(parent.frame[k + 1]) >= 0.0;
-        let nearest = (0..4)
-            .find(|&q| (0..2).all(|k| (SIGNS[k][q] > 0.0) == side(k)))
-            .unwrap_or(0);
+        let nearest = (0..4).find(|&q| (0..2).all(|k| (SIGNS[k][q] > 0.0) == side(k))).unwrap_or(0);
         let own = moved(world, face.block, at);
         let theirs = moved(world, root, parent.place(nearest));
         let stretch = theirs - behind.anchor[nearest];

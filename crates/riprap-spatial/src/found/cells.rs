@@ -58,8 +58,7 @@ impl Star {
         self.points.clear();
         for point in &field.points {
             let shares = point.nodes.into_iter().zip(point.weights);
-            self.points
-                .push(shares.map(|(node, w)| w * place(node)).sum());
+            self.points.push(shares.map(|(node, w)| w * place(node)).sum());
         }
         let nodes = field.depths.len() - field.points.len();
         for corners in &field.cells {

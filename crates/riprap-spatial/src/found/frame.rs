@@ -37,11 +37,7 @@ impl<T: Number> Middle<T> {
         let difference = minus(a, b);
         let squared = dot(&difference, &difference);
         let length = squared.root();
-        Self {
-            squared,
-            normal: difference.map(|x| x / length),
-            height: rise / length,
-        }
+        Self { squared, normal: difference.map(|x| x / length), height: rise / length }
     }
 
     /// Two axes in the plane, the first across `axis`.

@@ -54,11 +54,7 @@ impl ContactLaw {
     /// The same with another normal and shear stiffness, Pa/m.
     #[must_use]
     pub fn with_stiffness(self, [normal_stiffness, shear_stiffness]: [f64; 2]) -> Self {
-        Self {
-            normal_stiffness,
-            shear_stiffness,
-            ..self
-        }
+        Self { normal_stiffness, shear_stiffness, ..self }
     }
 
     /// The law of a part of a surface with this share of its area: all parts together have the dashpot of one contact of the whole, spread
@@ -87,11 +83,7 @@ impl ContactLaw {
     /// share of critical damping asked for, to the second order of the step, and takes no longer steps to be stable.
     fn dashpot(&self, stiffness: f64, area: f64, mass: f64, dt: f64) -> f64 {
         let c = 2.0 * self.damping_ratio * (stiffness * area * mass).sqrt();
-        if mass > 0.0 {
-            c / (1.0 + 0.25 * c * dt / mass)
-        } else {
-            c
-        }
+        if mass > 0.0 { c / (1.0 + 0.25 * c * dt / mass) } else { c }
     }
 }
 
@@ -296,13 +288,7 @@ pub fn respond(
             ..Reply::default()
         };
     };
-    let Meeting {
-        contact: c,
-        at,
-        arms,
-        velocity: v,
-        mass,
-    } = meeting;
+    let Meeting { contact: c, at, arms, velocity: v, mass } = meeting;
     let [a, b] = q.motion;
 
     let mut booked = 0.0;
@@ -317,10 +303,7 @@ pub fn respond(
         let here = offset::Here {
             normal: c.normal,
             elastic: c.elastic,
-            pressure: [
-                elastic.force,
-                elastic.moment_b - arms[1].cross(elastic.force),
-            ],
+            pressure: [elastic.force, elastic.moment_b - arms[1].cross(elastic.force)],
             energy: energy(law, q.sums, &c),
             overlap: q.sums.force.length(),
             point: at,
@@ -449,14 +432,7 @@ fn energy(law: &ContactLaw, s: &Sums, c: &Contact) -> f64 {
     let centre = s.area_first / s.area;
     let second = spread(s, centre);
     let eccentricity = c.point - centre;
-    offset::energy(
-        law.normal_stiffness,
-        c.elastic,
-        c.area,
-        eccentricity,
-        &second,
-        c.normal,
-    )
+    offset::energy(law.normal_stiffness, c.elastic, c.area, eccentricity, &second, c.normal)
 }
 
 /// Arms of the contact half a step ago, when the blocks had these velocities. With those of now two blocks that turn together about a point
@@ -471,12 +447,7 @@ fn relative(c: &Contact, [a, b]: [Motion; 2], arms: [Vec3; 2]) -> Relative {
     let velocity = (b.velocity + b.spin.cross(arms[1])) - (a.velocity + a.spin.cross(arms[0]));
     let spin = b.spin - a.spin;
     let (normal, twist) = (velocity.dot(c.normal), spin.dot(c.normal));
-    Relative {
-        normal,
-        along: velocity - normal * c.normal,
-        twist,
-        rock: spin - twist * c.normal,
-    }
+    Relative { normal, along: velocity - normal * c.normal, twist, rock: spin - twist * c.normal }
 }
 
 /// Turns, shrinks and loads the shear springs and lets them slide.
@@ -562,11 +533,7 @@ fn spread(s: &Sums, point: Vec3) -> Mat3 {
 
 fn shorten(v: Vec3, longest: f64) -> Vec3 {
     let length = v.length();
-    if length > longest {
-        v * (longest / length)
-    } else {
-        v
-    }
+    if length > longest { v * (longest / length) } else { v }
 }
 
 #[cfg(test)]

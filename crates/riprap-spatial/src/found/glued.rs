@@ -42,21 +42,13 @@ pub struct Term {
 impl Term {
     fn new(shape: Shape, centre: Vec3, sign: f64) -> Self {
         let faces = (0..shape.faces() as u16).collect();
-        Self {
-            shape,
-            centre,
-            sign,
-            faces,
-        }
+        Self { shape, centre, sign, faces }
     }
 
     /// Where its frame stands, by that of the block.
     #[must_use]
     pub fn pose(&self, block: &Pose) -> Pose {
-        Pose {
-            position: block.place(self.centre),
-            rotation: block.rotation,
-        }
+        Pose { position: block.place(self.centre), rotation: block.rotation }
     }
 }
 
@@ -195,13 +187,7 @@ impl Gluer {
 
     /// Finds what pieces `pieces` of two blocks share and no earlier ones do.
     pub fn find(&mut self, placed: &Placed, pieces: [usize; 2]) -> Touch {
-        let Self {
-            walker,
-            other,
-            normals,
-            first,
-            turns,
-        } = self;
+        let Self { walker, other, normals, first, turns } = self;
         let body = |side: usize, number: usize| -> (Body<'_>, &Term) {
             let term = &placed.blocks[side].terms[number];
             let start = first[side][number];

@@ -45,10 +45,7 @@ pub struct Box3 {
 
 impl Box3 {
     /// The box that holds nothing.
-    pub const EMPTY: Self = Self {
-        low: Vec3::INFINITY,
-        high: Vec3::NEG_INFINITY,
-    };
+    pub const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
 
     /// Whether the two have a point in common.
     #[must_use]
@@ -125,15 +122,11 @@ impl Grid {
             let cell = self.cell(level);
             let centre = 0.5 * boxes[b].low + 0.5 * boxes[b].high;
             let [x, y, z] = (centre / cell).to_array().map(number);
-            self.entries
-                .push((key(roles[b], level, [x, y, z]), b as u32));
+            self.entries.push((key(roles[b], level, [x, y, z]), b as u32));
         }
         self.entries.sort_unstable();
         let mut start = 0;
-        for run in self
-            .entries
-            .chunk_by(|a, b| a.0 >> (3 * CELL_BITS) == b.0 >> (3 * CELL_BITS))
-        {
+        for run in self.entries.chunk_by(|a, b| a.0 >> (3 * CELL_BITS) == b.0 >> (3 * CELL_BITS)) {
             let head = run[0].0;
             let level = (head >> (3 * CELL_BITS)) as u32 & 0x7f;
             let end = start + run.len();
@@ -299,10 +292,7 @@ mod tests {
                 k => boxes[k / 2].low + at(size),
             };
             let shape = at(1.0).abs() + Vec3::splat(0.5);
-            boxes.push(Box3 {
-                low,
-                high: low + size * shape,
-            });
+            boxes.push(Box3 { low, high: low + size * shape });
         }
         boxes
     }
@@ -347,10 +337,7 @@ mod tests {
                 let odd = |i: u32, j: u32| (i + j) % 2 == 1;
                 let pairs = grid.close_pairs(&boxes, &roles, odd, &Exec::serial());
                 assert!(
-                    pairs
-                        .iter()
-                        .copied()
-                        .eq(wanted.iter().copied().filter(|p| !odd(p[0], p[1])))
+                    pairs.iter().copied().eq(wanted.iter().copied().filter(|p| !odd(p[0], p[1])))
                 );
             }
         }
@@ -358,10 +345,7 @@ mod tests {
 
     #[test]
     fn odd_boxes_do_no_harm() {
-        let cube = |at: Vec3, size: f64| Box3 {
-            low: at,
-            high: at + Vec3::splat(size),
-        };
+        let cube = |at: Vec3, size: f64| Box3 { low: at, high: at + Vec3::splat(size) };
         let boxes = [
             cube(Vec3::ZERO, 1.0),
             cube(Vec3::NAN, 1.0),

@@ -70,11 +70,7 @@ impl Free {
     }
 
     fn motion(&self) -> Motion {
-        Motion {
-            velocity: self.velocity,
-            spin: self.spin(),
-            inverse_mass: 1.0 / self.mass,
-        }
+        Motion { velocity: self.velocity, spin: self.spin(), inverse_mass: 1.0 / self.mass }
     }
 
     fn kick(&mut self, force: Vec3, moment: Vec3, dt: f64) {
@@ -217,10 +213,7 @@ fn elastic_loss(kind: Kind, seed: u64, dt: f64) -> f64 {
         let spin = chance.between(0.0, 2.0) * chance.direction();
         let rotation = chance.rotation();
         let block = &mut two.blocks[s];
-        block.pose = Pose {
-            position: sign * away * direction + aside,
-            rotation,
-        };
+        block.pose = Pose { position: sign * away * direction + aside, rotation };
         block.velocity = -2.0 * sign * direction;
         block.set_spin(spin);
     }
@@ -280,10 +273,8 @@ fn impact_of_a_cube_on_its_corner() {
     let fall = |xi: f64, speed: f64| {
         let mut cube = Free::brick(Vec3::ONE, 2500.0);
         let upright = Quat::from_rotation_arc(Vec3::ONE.normalize(), Vec3::Z);
-        cube.pose = Pose {
-            position: Vec3::new(0.0, 0.0, 0.5 + 0.75_f64.sqrt() + 1e-4),
-            rotation: upright,
-        };
+        cube.pose =
+            Pose { position: Vec3::new(0.0, 0.0, 0.5 + 0.75_f64.sqrt() + 1e-4), rotation: upright };
         cube.velocity = Vec3::new(0.0, 0.0, -speed);
         let floor = Free::fixed(Vec3::new(4.0, 4.0, 1.0));
         let mut two = Two::new([floor, cube], law(1e10, 0.0, xi));
@@ -314,11 +305,7 @@ fn aligned_bricks_stay_aligned() {
         assert!(block.velocity.truncate().length() < 1e-12);
         assert!(block.spin().length() < 1e-12);
         // The step meets the jump in stiffness at the touch within half its length.
-        assert!(
-            (block.velocity.z.abs() - 0.5).abs() < 1e-3,
-            "{}",
-            block.velocity
-        );
+        assert!((block.velocity.z.abs() - 0.5).abs() < 1e-3, "{}", block.velocity);
     }
 }
 
@@ -331,10 +318,8 @@ fn brick_on_a_slope() {
             let mut block = brick(Vec3::new(1.0, 0.8, 0.5));
             block.pose.rotation = Quat::from_rotation_z(0.3);
             let floor = Free::fixed(Vec3::new(8.0, 8.0, 1.0));
-            let mut two = Two::new(
-                [floor, block],
-                law(1e10, libm::tan(angle_of_friction.to_radians()), 0.2),
-            );
+            let mut two =
+                Two::new([floor, block], law(1e10, libm::tan(angle_of_friction.to_radians()), 0.2));
             // The slope is turned into the horizontal, gravity out of the vertical.
             let (s, c) = libm::sincos(30_f64.to_radians());
             let down = Vec3::new(libm::cos(azimuth), libm::sin(azimuth), 0.0);
@@ -355,18 +340,11 @@ fn brick_on_a_slope() {
         };
         let (acceleration, down, at) = slide(20.0, 0.3);
         let exact = 10.0 * (0.5 - 30_f64.to_radians().cos() * 20_f64.to_radians().tan());
-        assert!(
-            (acceleration.dot(down) / exact - 1.0).abs() < 1e-5,
-            "{acceleration}"
-        );
+        assert!((acceleration.dot(down) / exact - 1.0).abs() < 1e-5, "{acceleration}");
         assert!(at.dot(Vec3::Z.cross(down)).abs() < 1e-6, "{at}");
         let (_, _, early) = slide(31.0, 0.1);
         let (_, _, late) = slide(31.0, 0.2);
-        assert!(
-            (late - early).truncate().length() < 1e-9,
-            "{}",
-            late - early
-        );
+        assert!((late - early).truncate().length() < 1e-9, "{}", late - early);
     }
 }
 
@@ -453,11 +431,7 @@ fn friction_and_damping_are_what_is_lost() {
         two.step(1e-4, n == 0);
     }
     assert!(two.energy() < 1e-3, "{}", two.energy());
-    assert!(
-        (two.lost / before - 1.0).abs() < 2e-3,
-        "{} of {before}",
-        two.lost
-    );
+    assert!((two.lost / before - 1.0).abs() < 2e-3, "{} of {before}", two.lost);
 }
 
 /// A cube of 1 m that lies 1 mm deep in a fixed plate; the joint that has let go carried `share` of the pressure there, with springs
@@ -490,11 +464,7 @@ fn what_a_joint_did_not_carry_gives_no_energy() {
         two.step(1e-4, n == 0);
     }
     let cube = &two.blocks[1];
-    assert!(
-        (cube.pose.position.z - 0.999).abs() < 1e-9,
-        "{}",
-        cube.pose.position
-    );
+    assert!((cube.pose.position.z - 0.999).abs() < 1e-9, "{}", cube.pose.position);
     assert!((two.energy() / before - 1.0).abs() < 1e-9);
     assert!(two.offset.is_some());
     // Over the edge of the plate, where its overlap ends.

@@ -19,10 +19,8 @@ impl Chance {
     }
 
     pub fn unit(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
@@ -78,9 +76,8 @@ pub fn block(kind: Kind, chance: &mut Chance) -> (Shape, Polyhedron) {
                 }
             }
             Kind::Planes(count) => {
-                let planes: Vec<(Vec3, f64)> = (0..count)
-                    .map(|_| (chance.direction(), chance.between(0.4, 0.6)))
-                    .collect();
+                let planes: Vec<(Vec3, f64)> =
+                    (0..count).map(|_| (chance.direction(), chance.between(0.4, 0.6))).collect();
                 match from_half_spaces(&planes, 2.0) {
                     Ok(solid) => solid,
                     Err(_) => continue,
@@ -109,11 +106,7 @@ impl<'a> Placed<'a> {
         for s in 0..2 {
             turn(shapes[s], poses[s].rotation, &mut normals[s]);
         }
-        Self {
-            shapes,
-            poses,
-            normals,
-        }
+        Self { shapes, poses, normals }
     }
 
     pub fn bodies(&self) -> [Body<'_>; 2] {
@@ -139,12 +132,7 @@ impl<'a> Placed<'a> {
 
     pub fn find(&self, walker: &mut Walker, faces: [&[u16]; 2], hint: Option<[u16; 2]>) -> Found {
         let [a, b] = self.bodies();
-        walker.find(&Pair {
-            bodies: [&a, &b],
-            faces,
-            ties: true,
-            hint,
-        })
+        walker.find(&Pair { bodies: [&a, &b], faces, ties: true, hint })
     }
 
     /// With all faces of both.
@@ -175,14 +163,8 @@ pub fn overlapping(kind: Kind, depth: f64, chance: &mut Chance) -> ([Shape; 2], 
         let sideways = 0.4 * chance.direction();
         let poses = |distance: f64| {
             [
-                Pose {
-                    position: Vec3::ZERO,
-                    rotation: rotations[0],
-                },
-                Pose {
-                    position: sideways + distance * direction,
-                    rotation: rotations[1],
-                },
+                Pose { position: Vec3::ZERO, rotation: rotations[0] },
+                Pose { position: sideways + distance * direction, rotation: rotations[1] },
             ]
         };
         let room =

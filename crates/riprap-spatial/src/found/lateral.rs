@@ -122,13 +122,8 @@ mod tests {
                 let mut worst = 0.0_f64;
                 for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
                     let [before, after] = [-1e-8, 1e-8].map(|way| {
-                        let moved = Pose {
-                            position: poses[1].position + way * axis,
-                            ..poses[1]
-                        };
-                        Placed::new(shapes, [poses[0], moved])
-                            .touch(&mut walker)
-                            .force
+                        let moved = Pose { position: poses[1].position + way * axis, ..poses[1] };
+                        Placed::new(shapes, [poses[0], moved]).touch(&mut walker).force
                     });
                     worst = worst.max(((after - before) / 2e-8 - rate * axis).length());
                 }
@@ -143,13 +138,8 @@ mod tests {
     /// A prism whose edge of the half angle `b` looks along `out` (1 or -1) x, and where the edge is from its centre.
     fn prism(b: f64, out: f64) -> (Shape, Vec3) {
         let (back, side) = (-out, b.tan());
-        let corners = [-0.5, 0.5].map(|y| {
-            [
-                Vec3::new(0.0, y, 0.0),
-                Vec3::new(back, y, side),
-                Vec3::new(back, y, -side),
-            ]
-        });
+        let corners = [-0.5, 0.5]
+            .map(|y| [Vec3::new(0.0, y, 0.0), Vec3::new(back, y, side), Vec3::new(back, y, -side)]);
         let solid = hull(&corners.concat()).unwrap();
         let centre = Vec3::new(0.7 * back, 0.0, 0.0);
         (Shape::new(&solid, centre).unwrap(), -centre)
@@ -157,10 +147,7 @@ mod tests {
 
     /// A body whose place `edge` is at `at`.
     fn with_edge(edge: Vec3, at: Vec3, rotation: Quat) -> Pose {
-        Pose {
-            position: at - rotation * edge,
-            rotation,
-        }
+        Pose { position: at - rotation * edge, rotation }
     }
 
     /// Two equal edges of the length L with the depth d: the overlap is a rhombus with the diagonals d and d tan b, and the second derivative of its
@@ -179,10 +166,7 @@ mod tests {
             ];
             let sums = Placed::new([&first, &second], poses).touch(&mut walker);
             let found = falls(&walker.rate(), sums.force);
-            assert!(
-                (found / (d * b.cos()) - 1.0).abs() < 1e-3,
-                "{degrees} {found}"
-            );
+            assert!((found / (d * b.cos()) - 1.0).abs() < 1e-3, "{degrees} {found}");
             assert!(is_narrow(&sums, b.cos() * b.cos() / b.sin()));
         }
     }
@@ -193,10 +177,7 @@ mod tests {
         let mut walker = Walker::default();
         let ((edge, at), floor) = (prism(0.6, 1.0), Shape::brick(Vec3::splat(2.0)).unwrap());
         let tilt = Quat::from_axis_angle(Vec3::Y, 0.3);
-        let poses = [
-            with_edge(at, Vec3::new(0.001, 0.3, -0.2), tilt),
-            Pose::at(2.0 * Vec3::X),
-        ];
+        let poses = [with_edge(at, Vec3::new(0.001, 0.3, -0.2), tilt), Pose::at(2.0 * Vec3::X)];
         let sums = Placed::new([&edge, &floor], poses).touch(&mut walker);
         assert!(falls(&walker.rate(), sums.force) < 1e-9 * sums.area);
     }

@@ -231,13 +231,7 @@ mod tests {
         let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]];
         let polygon = Polygon::of(corners, [1.0, -3.0, 0.5]);
         let share = [0.7, 0.4];
-        for at in [
-            [1.2, 0.4],
-            [0.0, 0.5],
-            [2.0, 1.0],
-            [-1.5, 3.0],
-            [40.0, -7.0],
-        ] {
+        for at in [[1.2, 0.4], [0.0, 0.5], [2.0, 1.0], [-1.5, 3.0], [40.0, -7.0]] {
             let mut sum = Lever::default();
             let n = 500;
             let side = 1.0 / f64::from(n);

@@ -52,10 +52,7 @@ const fn first_row(corners: usize) -> usize {
 }
 
 const fn rows() -> [Row; 504] {
-    let mut rows = [Row {
-        from: [0; LANES],
-        len: 0,
-    }; 504];
+    let mut rows = [Row { from: [0; LANES], len: 0 }; 504];
     let mut corners = 3;
     while corners <= LANES {
         let mut inside = 0;
@@ -134,10 +131,8 @@ impl Corners {
     #[inline]
     fn cut(&mut self, [a, b, c]: [f64; 3], label: f64) -> Option<bool> {
         let (s, t) = (self.s, self.t);
-        let sum = _mm512_add_pd(
-            _mm512_mul_pd(_mm512_set1_pd(a), s),
-            _mm512_mul_pd(_mm512_set1_pd(b), t),
-        );
+        let sum =
+            _mm512_add_pd(_mm512_mul_pd(_mm512_set1_pd(a), s), _mm512_mul_pd(_mm512_set1_pd(b), t));
         let q = _mm512_sub_pd(sum, _mm512_set1_pd(c));
         let zero = _mm512_setzero_pd();
         let corners = (1_u32 << self.len) - 1;
@@ -202,10 +197,8 @@ pub(super) fn make(
         }
     }
     let slope = |x: f64, of: __m512d| _mm512_mul_pd(_mm512_set1_pd(x), of);
-    let depth = _mm512_sub_pd(
-        _mm512_sub_pd(_mm512_set1_pd(w), slope(u, corners.s)),
-        slope(v, corners.t),
-    );
+    let depth =
+        _mm512_sub_pd(_mm512_sub_pd(_mm512_set1_pd(w), slope(u, corners.s)), slope(v, corners.t));
     let lists = [corners.s, corners.t, depth, corners.label].map(unpack);
     polygon.fill(corners.len, [w, u, v], lists);
     Some(true)
@@ -221,11 +214,7 @@ pub(super) struct Lines {
 
 impl Default for Lines {
     fn default() -> Self {
-        Self {
-            a: [0.0; PLANES],
-            b: [0.0; PLANES],
-            c: [0.0; PLANES],
-        }
+        Self { a: [0.0; PLANES], b: [0.0; PLANES], c: [0.0; PLANES] }
     }
 }
 
@@ -239,11 +228,7 @@ impl Lines {
         let own = [line(planes, frame, f), line(planes, frame, g)];
         let [e, h, o] = [all(frame.axes[0]), all(frame.axes[1]), all(frame.foot)];
         for from in (0..planes.len()).step_by(LANES) {
-            let normal = [
-                load(&planes.x, from),
-                load(&planes.y, from),
-                load(&planes.z, from),
-            ];
+            let normal = [load(&planes.x, from), load(&planes.y, from), load(&planes.z, from)];
             let of_first = planes.split.saturating_sub(from).min(LANES);
             let of_second = !(((1_u32 << of_first) - 1) as u8);
             let w = _mm512_sub_pd(load(&planes.d, from), dot(&normal, &o));
@@ -259,11 +244,7 @@ impl Lines {
 #[target_feature(enable = "avx512f,avx512dq")]
 #[inline]
 fn all(v: Vec3) -> [__m512d; 3] {
-    [
-        _mm512_set1_pd(v.x),
-        _mm512_set1_pd(v.y),
-        _mm512_set1_pd(v.z),
-    ]
+    [_mm512_set1_pd(v.x), _mm512_set1_pd(v.y), _mm512_set1_pd(v.z)]
 }
 
 #[target_feature(enable = "avx512f,avx512dq")]

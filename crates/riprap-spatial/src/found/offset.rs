@@ -165,11 +165,7 @@ impl Offset {
     /// Of parts of blocks that were split.
     #[must_use]
     pub(crate) fn begin(begins: [f64; 2]) -> Self {
-        Self {
-            joint: None,
-            begins: Some(begins),
-            ..Self::new(Carried::default())
-        }
+        Self { joint: None, begins: Some(begins), ..Self::new(Carried::default()) }
     }
 
     /// Goes on to this instant, `dt` (s) later; finds the difference when the contact is found for the first time, and returns what it stores
@@ -188,10 +184,7 @@ impl Offset {
             let rocking = joint.rocking + arm.cross(joint.normal * n);
             self.normal = (joint.normal - here.elastic).max(0.0);
             if joint.normal < here.elastic {
-                self.soften(
-                    joint.normal.max(0.0) / here.elastic,
-                    joint.energy / here.energy,
-                );
+                self.soften(joint.normal.max(0.0) / here.elastic, joint.energy / here.energy);
                 self.hidden *= here.energy;
             }
             self.rocking = rocking - rocking.dot(n) * n;
@@ -212,17 +205,9 @@ impl Offset {
             let across = turned - turned.dot(n) * n;
             let now = across.length();
             // As long as before: only slip and rotation fade it.
-            self.rocking = if now > 0.0 {
-                (length / now) * across
-            } else {
-                across
-            };
+            self.rocking = if now > 0.0 { (length / now) * across } else { across };
         }
-        let closed = if here.overlap < self.overlap {
-            here.overlap / self.overlap
-        } else {
-            1.0
-        };
+        let closed = if here.overlap < self.overlap { here.overlap / self.overlap } else { 1.0 };
         let [share, rocking] =
             [TURNED, self.rocks].map(|turned| closed * self.left(here.area, turned));
         if here.energy < self.hidden {
@@ -304,11 +289,7 @@ pub(super) fn energy(
     );
     let filled = *second + across;
     let e = eccentricity - eccentricity.dot(normal) * normal;
-    let tilt = if filled.determinant() > 0.0 {
-        e.dot(filled.inverse() * e)
-    } else {
-        0.0
-    };
+    let tilt = if filled.determinant() > 0.0 { e.dot(filled.inverse() * e) } else { 0.0 };
     0.5 * force * force / stiffness * (1.0 / area + tilt)
 }
 

@@ -119,11 +119,7 @@ impl Basis {
         let arm = v - self.n[0];
         let [p, q, r] = self.inverse.map(|row| row.dot(arm));
         let coordinates = [1.0 - (p + q + r), p, q, r];
-        if self.ill {
-            self.refined(coordinates, v)
-        } else {
-            coordinates
-        }
+        if self.ill { self.refined(coordinates, v) } else { coordinates }
     }
 
     /// Barycentric coordinates of `v`, refined.
@@ -229,11 +225,7 @@ fn room(planes: &Planes, x: Vec3) -> f64 {
 fn verdict(planes: &Planes, basis: &Basis) -> Peak {
     let weights = basis.barycentric(Vec3::ZERO);
     // Of a basis that round-off determines nothing is believed that does not hold for all planes.
-    let depth = if basis.ill {
-        room(planes, basis.x).min(basis.h)
-    } else {
-        basis.h
-    };
+    let depth = if basis.ill { room(planes, basis.x).min(basis.h) } else { basis.h };
     let proved = weights.iter().all(|weight| *weight > NEGATIVE);
     let shared = depth > 0.0;
     if basis.ill && !shared && !(basis.h <= 0.0 && proved) {
@@ -267,15 +259,9 @@ fn verdict(planes: &Planes, basis: &Basis) -> Peak {
     // For x in A: axis . x <= sum over A of l d; for x in B: axis . x >= -(sum over B of l d); their difference is -h.
     let length = axis.length();
     if exact && length > WEIGHT {
-        Peak::Apart {
-            gap: -basis.h / length,
-            axis: axis / length,
-        }
+        Peak::Apart { gap: -basis.h / length, axis: axis / length }
     } else {
-        Peak::Apart {
-            gap: 0.0,
-            axis: Vec3::ZERO,
-        }
+        Peak::Apart { gap: 0.0, axis: Vec3::ZERO }
     }
 }
 
@@ -306,10 +292,8 @@ mod tests {
     fn bricks_face_to_face_at_any_gap() {
         let shape = Shape::brick(Vec3::new(0.5, 0.4, 0.3)).unwrap();
         for gap in [1e-9, 1e-3, 0.1, 1.0] {
-            let poses = [
-                Pose::at(Vec3::new(7.0, -3.0, 2.0)),
-                Pose::at(Vec3::new(7.0, -2.9, 2.6 + gap)),
-            ];
+            let poses =
+                [Pose::at(Vec3::new(7.0, -3.0, 2.0)), Pose::at(Vec3::new(7.0, -2.9, 2.6 + gap))];
             let (Peak::Apart { gap: found, axis }, ..) = of([&shape, &shape], poses) else {
                 panic!("they are apart")
             };
@@ -321,10 +305,7 @@ mod tests {
     #[test]
     fn overlapping_bricks_hold_a_ball_of_half_the_depth() {
         let shape = Shape::brick(Vec3::new(0.5, 0.4, 0.3)).unwrap();
-        let poses = [
-            Pose::at(Vec3::ZERO),
-            Pose::at(Vec3::new(0.1, 0.1, 0.6 - 0.01)),
-        ];
+        let poses = [Pose::at(Vec3::ZERO), Pose::at(Vec3::new(0.1, 0.1, 0.6 - 0.01))];
         let (Peak::Overlap { depth, start, .. }, lists, _) = of([&shape, &shape], poses) else {
             panic!("they overlap")
         };
@@ -401,78 +382,18 @@ mod tests {
     #[test]
     fn planes_that_are_one_but_for_round_off_hold_no_ball() {
         const PLANES: [[f64; 4]; 12] = [
-            [
-                1.0,
-                6.9953250604037e-15,
-                9.70278279056129e-14,
-                1.6017298096109522,
-            ],
-            [
-                -9.702782790561446e-14,
-                2.2390698151739426e-13,
-                1.0,
-                0.019177490668374597,
-            ],
-            [
-                9.712636729018313e-14,
-                -0.08715574274788115,
-                -0.9961946980917259,
-                1.3816540631548255,
-            ],
-            [
-                -9.699191616155628e-14,
-                0.08715574274788128,
-                0.9961946980917259,
-                -0.01933144483413951,
-            ],
-            [
-                -0.9361168066628484,
-                -0.34071865342163615,
-                -0.0871557427476726,
-                -0.5082819795729836,
-            ],
-            [
-                -0.3368240888334552,
-                0.925416578398282,
-                -0.17364817766717017,
-                0.23245235402503972,
-            ],
-            [
-                0.3368240888334552,
-                -0.925416578398282,
-                0.1736481776671703,
-                1.6223191940943837,
-            ],
-            [
-                -7.798741958017852e-13,
-                1.12301417130574e-11,
-                1.0,
-                0.019177490670480246,
-            ],
-            [
-                7.469969413174206e-13,
-                -0.08715574275884516,
-                -0.9961946980907668,
-                0.01933144483201894,
-            ],
-            [
-                -0.9361168066629071,
-                -0.340718653422268,
-                -0.08715574274457025,
-                0.8279052242720311,
-            ],
-            [
-                0.9361168066629074,
-                0.3407186534222682,
-                0.0871557427445647,
-                0.5082819795729608,
-            ],
-            [
-                -0.33682408883301285,
-                0.9254165783964887,
-                -0.17364817767758461,
-                0.23245235402502556,
-            ],
+            [1.0, 6.9953250604037e-15, 9.70278279056129e-14, 1.6017298096109522],
+            [-9.702782790561446e-14, 2.2390698151739426e-13, 1.0, 0.019177490668374597],
+            [9.712636729018313e-14, -0.08715574274788115, -0.9961946980917259, 1.3816540631548255],
+            [-9.699191616155628e-14, 0.08715574274788128, 0.9961946980917259, -0.01933144483413951],
+            [-0.9361168066628484, -0.34071865342163615, -0.0871557427476726, -0.5082819795729836],
+            [-0.3368240888334552, 0.925416578398282, -0.17364817766717017, 0.23245235402503972],
+            [0.3368240888334552, -0.925416578398282, 0.1736481776671703, 1.6223191940943837],
+            [-7.798741958017852e-13, 1.12301417130574e-11, 1.0, 0.019177490670480246],
+            [7.469969413174206e-13, -0.08715574275884516, -0.9961946980907668, 0.01933144483201894],
+            [-0.9361168066629071, -0.340718653422268, -0.08715574274457025, 0.8279052242720311],
+            [0.9361168066629074, 0.3407186534222682, 0.0871557427445647, 0.5082819795729608],
+            [-0.33682408883301285, 0.9254165783964887, -0.17364817767758461, 0.23245235402502556],
         ];
         let mut planes = Planes::default();
         planes.begin();

@@ -253,12 +253,7 @@ impl Cutter {
         self.v.resize(n, 0.0);
         self.w.resize(n, 0.0);
         let ([e, h], c) = (frame.axes, frame.foot);
-        let (x, y, z, d) = (
-            &planes.x[..n],
-            &planes.y[..n],
-            &planes.z[..n],
-            &planes.d[..n],
-        );
+        let (x, y, z, d) = (&planes.x[..n], &planes.y[..n], &planes.z[..n], &planes.d[..n]);
         let (u, v, w) = (&mut self.u[..n], &mut self.v[..n], &mut self.w[..n]);
         for k in 0..n {
             // Added in the order of the vector form.
@@ -293,11 +288,8 @@ impl Cutter {
         // Every edge can leave two corners at most.
         self.spare.make_room(2 * n);
         let to = &mut self.spare;
-        let (to_s, to_t, to_label) = (
-            &mut to.s[..2 * n],
-            &mut to.t[..2 * n],
-            &mut to.label[..2 * n],
-        );
+        let (to_s, to_t, to_label) =
+            (&mut to.s[..2 * n], &mut to.t[..2 * n], &mut to.label[..2 * n]);
         let mut m = 0;
         for i in 0..n {
             let next = if i + 1 < n { i + 1 } else { 0 };

@@ -62,9 +62,7 @@ mod tests {
     fn left(planes: &[[f64; 3]], slack: f64) -> bool {
         let mut remnant = Remnant::default();
         remnant.begin(planes.len(), 4);
-        for (corner, [x, y]) in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
-            .iter()
-            .enumerate()
+        for (corner, [x, y]) in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].iter().enumerate()
         {
             for (plane, [a, b, c]) in planes.iter().enumerate() {
                 remnant.set(corner, plane, &[a * x + b * y - c]);

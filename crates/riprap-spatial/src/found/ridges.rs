@@ -51,19 +51,12 @@ impl Ridges {
                 if self.first[k] != self.first[other] && self.is_ridge(facets, [k, other]) {
                     let (from, to) = (self.first[k], self.first[other]);
                     let [from, to] = [from.max(to), from.min(to)];
-                    self.first
-                        .iter_mut()
-                        .filter(|f| **f == from)
-                        .for_each(|f| *f = to);
+                    self.first.iter_mut().filter(|f| **f == from).for_each(|f| *f = to);
                 }
             }
         }
         let of = |first: usize| {
-            let members = self
-                .first
-                .iter()
-                .enumerate()
-                .filter(move |(_, f)| **f == first);
+            let members = self.first.iter().enumerate().filter(move |(_, f)| **f == first);
             members.map(|(k, _)| k)
         };
         let sums = |first: usize| {

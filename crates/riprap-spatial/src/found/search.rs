@@ -89,9 +89,7 @@ impl Search {
         self.margin.extend((0..count).map(|b| {
             // One block much larger than all others must not get a margin that takes in many of them.
             let size = blocks.shape(b).radius.min(2.0 * median);
-            (speed(b) * lookahead)
-                .min(FAST_MARGIN * size)
-                .max(MARGIN * size)
+            (speed(b) * lookahead).min(FAST_MARGIN * size).max(MARGIN * size)
         }));
     }
 
@@ -188,29 +186,21 @@ impl Candidates {
             }
         });
         let found = || self.workspaces[..runs].iter();
-        renew(
-            &mut self.pairs,
-            found().map(|workspace| workspace.pairs.len()).sum(),
-        );
-        renew(
-            &mut self.lists,
-            found().map(|workspace| workspace.lists.len()).sum(),
-        );
+        renew(&mut self.pairs, found().map(|workspace| workspace.pairs.len()).sum());
+        renew(&mut self.lists, found().map(|workspace| workspace.lists.len()).sum());
         self.held.clear();
         for workspace in &mut self.workspaces[..runs] {
             self.held.append(&mut workspace.held);
             let start = self.lists.len();
             // What has been taken over is not kept twice until the next time.
             let pairs = std::mem::take(&mut workspace.pairs);
-            self.pairs.extend(pairs.into_iter().map(|pair| Candidate {
-                start: start + pair.start,
-                ..pair
-            }));
+            self.pairs.extend(
+                pairs.into_iter().map(|pair| Candidate { start: start + pair.start, ..pair }),
+            );
             self.lists.append(&mut std::mem::take(&mut workspace.lists));
         }
         self.reach.clear();
-        self.reach
-            .extend((0..blocks.roles.len()).map(|b| blocks.shape(b).inradius));
+        self.reach.extend((0..blocks.roles.len()).map(|b| blocks.shape(b).inradius));
         for pair in &self.pairs {
             let ends = [pair.i, pair.j].map(|b| b as usize);
             let reach = ends.map(|b| blocks.shape(b).inradius);
@@ -316,10 +306,7 @@ fn grown_box(shape: &Shape, pose: &Pose, margin: f64) -> Box3 {
         high = high.max(at);
     }
     let grow = Vec3::splat(margin);
-    Box3 {
-        low: pose.position + (low - grow),
-        high: pose.position + (high + grow),
-    }
+    Box3 { low: pose.position + (low - grow), high: pose.position + (high + grow) }
 }
 
 /// Workspace of a run of pairs, and what it found.
@@ -345,11 +332,7 @@ impl Workspace {
         let shapes = ends.map(|b| blocks.shape(b));
         let turns = [0, 1].map(|s: usize| {
             self.normals[s].clear();
-            turn(
-                shapes[s],
-                search.pose[ends[s]].rotation,
-                &mut self.normals[s],
-            )
+            turn(shapes[s], search.pose[ends[s]].rotation, &mut self.normals[s])
         });
         let bodies = [0, 1].map(|s: usize| Body {
             shape: shapes[s],
@@ -404,14 +387,7 @@ impl Workspace {
         } else {
             within.min(shown(0, of_i, axis)).min(shown(1, of_j, -axis))
         };
-        self.pairs.push(Candidate {
-            i,
-            j,
-            counts,
-            start,
-            ties,
-            area,
-        });
+        self.pairs.push(Candidate { i, j, counts, start, ties, area });
     }
 
     /// Appends the faces of block `side` that no plane of the other block has wholly beyond it by more than `reach`.

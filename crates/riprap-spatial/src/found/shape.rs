@@ -25,10 +25,7 @@ impl Pose {
     /// A pose that is not turned.
     #[must_use]
     pub fn at(position: Vec3) -> Self {
-        Self {
-            position,
-            rotation: Quat::IDENTITY,
-        }
+        Self { position, rotation: Quat::IDENTITY }
     }
 
     /// A point of the body in space, m.
@@ -99,10 +96,7 @@ impl Shape {
             // Faces are flat only within a tolerance: the mean leaves no corner farther out than needed.
             let offset = outline.iter().map(height).sum::<f64>() / outline.len() as f64;
             if offset <= 0.0 {
-                return Err(ShapeError::CentreOutside {
-                    face: group[0],
-                    distance: -offset,
-                });
+                return Err(ShapeError::CentreOutside { face: group[0], distance: -offset });
             }
             shape.normals.push(normal);
             shape.offsets.push(offset);
@@ -128,10 +122,7 @@ impl Shape {
         let mut sharpest = 1.0_f64;
         for f in 0..self.faces() {
             for g in 0..f {
-                let shared = self
-                    .outline(f)
-                    .iter()
-                    .filter(|v| self.outline(g).contains(v));
+                let shared = self.outline(f).iter().filter(|v| self.outline(g).contains(v));
                 if shared.count() >= 2 {
                     let sine = 0.5 * (self.normals[f] + self.normals[g]).length();
                     sharpest = sharpest.max(way(sine));
@@ -140,13 +131,8 @@ impl Shape {
         }
         for vertex in 0..self.vertices.len() as u16 {
             let around = || (0..self.faces()).filter(|f| self.outline(*f).contains(&vertex));
-            let inward = -around()
-                .map(|f| self.normals[f])
-                .sum::<Vec3>()
-                .normalize_or_zero();
-            let sine = around()
-                .map(|f| -inward.dot(self.normals[f]))
-                .fold(1.0, f64::min);
+            let inward = -around().map(|f| self.normals[f]).sum::<Vec3>().normalize_or_zero();
+            let sine = around().map(|f| -inward.dot(self.normals[f])).fold(1.0, f64::min);
             sharpest = sharpest.max(0.5 * way(sine));
         }
         sharpest

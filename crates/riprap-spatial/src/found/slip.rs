@@ -30,11 +30,7 @@ impl Rub {
     pub(crate) fn about(a: [f64; 2], w: f64, sum: &Lever) -> Self {
         let sign = if w < 0.0 { -1.0 } else { 1.0 };
         let centre = [-a[1] / w, a[0] / w];
-        let Lever {
-            value,
-            pull,
-            stiffness,
-        } = sum;
+        let Lever { value, pull, stiffness } = sum;
         let moment = sign * (value + centre[0] * pull[0] + centre[1] * pull[1]);
         let carried = [-sign * pull[1], sign * pull[0], moment];
         // Nothing changes along the slip itself: the derivatives with the turning follow from those with the sliding.
@@ -44,11 +40,7 @@ impl Rub {
         Self {
             work: carried[0] * a[0] + carried[1] * a[1] + carried[2] * w,
             carried,
-            second: [
-                [ss, st, along[0]],
-                [st, tt, along[1]],
-                [along[0], along[1], turning],
-            ],
+            second: [[ss, st, along[0]], [st, tt, along[1]], [along[0], along[1], turning]],
         }
     }
 }
@@ -64,11 +56,7 @@ impl Rub {
         // Speed times its gradient, and half the second derivatives of its square.
         let g = [v[0], v[1], v[0] * lever[0] + v[1] * lever[1] + w * width];
         let turning = lever[0] * lever[0] + lever[1] * lever[1] + width;
-        let square = [
-            [1.0, 0.0, lever[0]],
-            [0.0, 1.0, lever[1]],
-            [lever[0], lever[1], turning],
-        ];
+        let square = [[1.0, 0.0, lever[0]], [0.0, 1.0, lever[1]], [lever[0], lever[1], turning]];
         self.work += share * speed;
         for i in 0..3 {
             self.carried[i] += share * g[i] / speed;
@@ -268,18 +256,10 @@ mod tests {
             let at = slope * x * x / 3.0;
             let corners = [[-x - at, -y], [x - at, -y], [x - at, y], [-x - at, y]];
             let level = 1.0 / (a * b);
-            Flat(Polygon::of(
-                corners,
-                [level * (1.0 + slope * at), -level * slope, 0.0],
-            ))
+            Flat(Polygon::of(corners, [level * (1.0 + slope * at), -level * slope, 0.0]))
         };
         let third = 3.0_f64.sqrt() / 6.0;
-        let triangle = [
-            [-0.5, -third],
-            [0.5, -third],
-            [0.0, 2.0 * third],
-            [0.0, 2.0 * third],
-        ];
+        let triangle = [[-0.5, -third], [0.5, -third], [0.0, 2.0 * third], [0.0, 2.0 * third]];
         vec![
             rectangle(1.0, 1.0, 0.0),
             rectangle(2.0, 1.0, 0.0),
@@ -308,11 +288,7 @@ mod tests {
     fn derivatives_are_those_of_the_work() {
         let mut chance = Chance::new(11);
         let mut all: Vec<Box<dyn Rubs>> = vec![Box::new(Spots)];
-        all.extend(
-            faces()
-                .into_iter()
-                .map(|face| Box::new(face) as Box<dyn Rubs>),
-        );
+        all.extend(faces().into_iter().map(|face| Box::new(face) as Box<dyn Rubs>));
         for face in all {
             for _ in 0..50 {
                 let q = [0, 1, 2].map(|_| 2.0 * chance.unit() - 1.0);
@@ -329,10 +305,7 @@ mod tests {
                     for k in 0..3 {
                         let second = (more.carried[k] - less.carried[k]) / (2.0 * step);
                         let scale = 1e-3 * (1.0 + second.abs());
-                        assert!(
-                            (second - here.second[i][k]).abs() < scale,
-                            "{second} {here:?}"
-                        );
+                        assert!((second - here.second[i][k]).abs() < scale, "{second} {here:?}");
                     }
                 }
             }
@@ -387,10 +360,7 @@ mod tests {
                 slid += 1;
                 let slip = [0, 1, 2].map(|i| (trial[i] - held[i]) / [1.0, 1.0, turn][i]);
                 let rub = face.rub(slip);
-                assert!(
-                    dot(held, slip) > 0.0,
-                    "{trial:?} {held:?} {turn} {motion:?}"
-                );
+                assert!(dot(held, slip) > 0.0, "{trial:?} {held:?} {turn} {motion:?}");
                 // A slip that is off by 1e-6 changes what a strip of 1:100 carries by 1e-4.
                 for i in 0..3 {
                     assert!((held[i] - rub.carried[i]).abs() < 5e-4, "{held:?} {rub:?}");

@@ -7,11 +7,7 @@ use riprap_geom::Vec3;
 #[must_use]
 pub(crate) fn stored(stiffness: f64, shear: Vec3, torsion: f64, [area, polar]: [f64; 2]) -> f64 {
     let share = |squared: f64, amount: f64| {
-        if amount > 0.0 {
-            squared / (2.0 * stiffness * amount)
-        } else {
-            0.0
-        }
+        if amount > 0.0 { squared / (2.0 * stiffness * amount) } else { 0.0 }
     };
     share(shear.length_squared(), area) + share(torsion * torsion, polar)
 }

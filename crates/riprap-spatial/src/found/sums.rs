@@ -110,11 +110,7 @@ impl<T: Number> Addend<T> {
         let [a, b] = i.area_first;
         // (c + e s + h t)(c + e s + h t)ᵀ, column by column of e and h.
         let along_c = along(frame, [i.area, a, b]);
-        let of = [
-            along_c,
-            along(frame, [a, ss, st]),
-            along(frame, [b, st, tt]),
-        ];
+        let of = [along_c, along(frame, [a, ss, st]), along(frame, [b, st, tt])];
         Self {
             force: scaled(weight, m),
             moment: cross(&first, m),
@@ -259,9 +255,7 @@ impl Batch {
         for i in 1..most.max(1) - 1 {
             sum.add([corners[0], corners[i], corners[i + 1]]);
         }
-        let Frames {
-            foot, normal, axes, ..
-        } = &self.frames;
+        let Frames { foot, normal, axes, .. } = &self.frames;
         self.addends = Addend::new(&sum, Lanes(self.share), normal, [foot, &axes[0], &axes[1]]);
     }
 
@@ -292,10 +286,8 @@ mod tests {
     /// Against Gauss points on a fine grid of the unit square: depth 1 + 2 s + 3 t.
     #[test]
     fn integrals_of_a_square() {
-        let polygon = Polygon::of(
-            [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
-            [1.0, -2.0, -3.0],
-        );
+        let polygon =
+            Polygon::of([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], [1.0, -2.0, -3.0]);
         let i = integrate(&polygon);
         let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-14, "{a} {b}");
         near(i.area, 1.0);

@@ -206,10 +206,7 @@ impl Walker {
                 let difference = planes.normal(f) - planes.normal(g);
                 let offset = (planes.d[g] - planes.d[f]) / (TIE_BAND * self.radius);
                 if difference.length_squared() < PARALLEL * PARALLEL && offset.abs() < 1.0 {
-                    self.ties.push(Tie {
-                        faces: [f as u16, (g - planes.split) as u16],
-                        offset,
-                    });
+                    self.ties.push(Tie { faces: [f as u16, (g - planes.split) as u16], offset });
                 }
             }
         }
@@ -336,9 +333,7 @@ impl Walker {
         let share = of_a.map_or(1.0, |t| 0.5 * (1.0 + t.offset))
             * of_b.map_or(1.0, |t| 0.5 * (1.0 - t.offset));
         let tied = |k: usize| twins.contains(&k);
-        let left = self
-            .cutter
-            .make(&self.planes, frame, numbers, self.radius, tied);
+        let left = self.cutter.make(&self.planes, frame, numbers, self.radius, tied);
         if left {
             for number in numbers {
                 self.met[number] = true;
@@ -458,11 +453,7 @@ impl Walker {
             return false;
         }
         // A face that is tied to one of the other block counts on either side of it.
-        let slack = if pair.ties {
-            TIE_BAND * self.radius
-        } else {
-            0.0
-        };
+        let slack = if pair.ties { TIE_BAND * self.radius } else { 0.0 };
         self.remnant.is_left(slack)
     }
 }

@@ -81,12 +81,7 @@ impl Terrain {
                 let [a, b, c] = corners;
                 let normal = (b - a).cross(c - a);
                 let slope = normal * (DEPTH / normal.z);
-                Cell {
-                    corners,
-                    slope,
-                    steepness: slope.length(),
-                    facet: facet[t],
-                }
+                Cell { corners, slope, steepness: slope.length(), facet: facet[t] }
             })
             .collect();
         Self {
@@ -94,10 +89,7 @@ impl Terrain {
             near: Bins::new(&walled),
             bounds: field.bounds(),
             cells,
-            facets: facet[..field.triangles.len()]
-                .iter()
-                .max()
-                .map_or(0, |last| last + 1),
+            facets: facet[..field.triangles.len()].iter().max().map_or(0, |last| last + 1),
             field,
         }
     }
@@ -111,9 +103,7 @@ impl Terrain {
     /// How far a place lies below the surface, m; negative above, `None` beside it.
     #[must_use]
     pub fn depth(&self, at: Vec3) -> Option<f64> {
-        self.field
-            .height(&self.bins, at.x, at.y)
-            .map(|height| height - at.z)
+        self.field.height(&self.bins, at.x, at.y).map(|height| height - at.z)
     }
 }
 
@@ -307,8 +297,7 @@ impl Treader {
     /// Heights of the corners above a plane; the least of them.
     fn heights(&mut self, slope: Vec3, offset: f64) -> f64 {
         self.above.clear();
-        self.above
-            .extend(self.corners.iter().map(|v| slope.dot(*v) - offset));
+        self.above.extend(self.corners.iter().map(|v| slope.dot(*v) - offset));
         self.above.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
@@ -332,10 +321,7 @@ impl Treader {
         let Some(frame) = Frame::between(&self.planes, 0, numbers[1], radius) else {
             return;
         };
-        if !self
-            .cutter
-            .make(&self.planes, &frame, numbers, radius, |_| false)
-        {
+        if !self.cutter.make(&self.planes, &frame, numbers, radius, |_| false) {
             return;
         }
         for k in 0..3 {

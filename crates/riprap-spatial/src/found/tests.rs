@@ -106,9 +106,7 @@ fn blocks_deep_in_each_other_push_alike_wherever_the_walk_begins() {
                 ties: true,
                 hint: Some([f, g]),
             };
-            let Found::Touching(sums) = walker.find(&pair) else {
-                panic!("they overlap")
-            };
+            let Found::Touching(sums) = walker.find(&pair) else { panic!("they overlap") };
             assert!((sums.weight - weight).abs() < 1e-11 * weight, "{f} {g}");
             assert!((sums.force - force).length() < 1e-11 * weight, "{f} {g}");
             assert!((sums.moment - moment).length() < 1e-11 * weight, "{f} {g}");
@@ -151,10 +149,8 @@ fn wide_instructions_find_the_same_bits() {
         let shift = Vec3::new(chance.unit(), 1e-6 * (chance.unit() - 0.5), 0.4 - 1e-3);
         let turned =
             |chance: &mut Chance| Quat::from_axis_angle(chance.direction(), 1e-6 * chance.unit());
-        let poses = [Vec3::ZERO, shift].map(|position| Pose {
-            position,
-            rotation: turned(&mut chance),
-        });
+        let poses =
+            [Vec3::ZERO, shift].map(|position| Pose { position, rotation: turned(&mut chance) });
         pieces += compare(&Placed::new([&shape, &shape], poses));
     }
     assert!(pieces > 3000, "{pieces}");
@@ -167,9 +163,7 @@ fn time_of_a_pair() {
     let mut walker = Walker::default();
     for kind in KINDS {
         let mut chance = Chance::new(7);
-        let scenes: Vec<_> = (0..200)
-            .map(|_| overlapping(kind, 0.001, &mut chance))
-            .collect();
+        let scenes: Vec<_> = (0..200).map(|_| overlapping(kind, 0.001, &mut chance)).collect();
         let (mut tried, mut pieces, mut best) = (0, 0, f64::INFINITY);
         for _ in 0..15 {
             let mut hints = Vec::new();
@@ -219,10 +213,7 @@ fn pressed(a: &Shape, b: &Shape, position: Vec3, rotation: Quat) -> Sums {
 }
 
 fn near(found: f64, exact: f64, relative: f64) {
-    assert!(
-        (found - exact).abs() <= relative * exact.abs(),
-        "{found:e} instead of {exact:e}"
-    );
+    assert!((found - exact).abs() <= relative * exact.abs(), "{found:e} instead of {exact:e}");
 }
 
 const DEPTHS: [f64; 3] = [1e-1, 1e-2, 1e-3];
@@ -249,11 +240,7 @@ fn equal_faces() {
     let block = brick(1.0, 0.7, 1.0);
     for d in DEPTHS {
         let sums = pressed(&block, &block, Vec3::new(0.0, 0.0, 1.0 - d), Quat::IDENTITY);
-        near(
-            2.0 * sums.force.z,
-            0.7 * d - 1.7 * d * d / 2.0 + d * d * d / 3.0,
-            1e-9,
-        );
+        near(2.0 * sums.force.z, 0.7 * d - 1.7 * d * d / 2.0 + d * d * d / 3.0, 1e-9);
         assert!(sums.force.truncate().length() < 1e-14);
     }
 }
@@ -283,16 +270,8 @@ fn corner_of_a_cube_on_a_face() {
     for d in DEPTHS {
         let at = Vec3::new(0.1, 0.2, 0.5 + 0.75_f64.sqrt() - d);
         let sums = pressed(&floor, &brick(1.0, 1.0, 1.0), at, upright);
-        near(
-            2.0 * sums.force.z,
-            (3.0 - 3.0_f64.sqrt()) / 2.0 * d * d * d,
-            1e-9,
-        );
-        near(
-            sums.vector_area.length(),
-            0.75 * 12.0_f64.sqrt() * d * d,
-            1e-9,
-        );
+        near(2.0 * sums.force.z, (3.0 - 3.0_f64.sqrt()) / 2.0 * d * d * d, 1e-9);
+        near(sums.vector_area.length(), 0.75 * 12.0_f64.sqrt() * d * d, 1e-9);
     }
 }
 
@@ -303,14 +282,8 @@ fn crossed_right_angled_edges() {
     let across = Quat::from_rotation_z(std::f64::consts::FRAC_PI_2) * tilt;
     for d in DEPTHS {
         let poses = [
-            Pose {
-                position: Vec3::ZERO,
-                rotation: tilt,
-            },
-            Pose {
-                position: Vec3::new(0.0, 0.0, 8.0_f64.sqrt() - d),
-                rotation: across,
-            },
+            Pose { position: Vec3::ZERO, rotation: tilt },
+            Pose { position: Vec3::new(0.0, 0.0, 8.0_f64.sqrt() - d), rotation: across },
         ];
         let sums = Placed::new([&block, &block], poses).touch(&mut Walker::default());
         near(2.0 * sums.force.z, 2.0_f64.sqrt() / 3.0 * d * d * d, 1e-9);
@@ -355,11 +328,7 @@ fn far_apart_sizes_lose_no_digits() {
         let placed = 0.5 - (at.z - 0.5 * size);
         println!("{size}: {:e}", 2.0 * sums.force.z / exact(placed) - 1.0);
         near(2.0 * sums.force.z, exact(placed), 1e-9);
-        near(
-            2.0 * sums.force.z,
-            exact(d),
-            0.5 * f64::EPSILON * at.z / d + 1e-9,
-        );
+        near(2.0 * sums.force.z, exact(d), 0.5 * f64::EPSILON * at.z / d + 1e-9);
     }
 }
 

@@ -67,11 +67,7 @@ impl Cell {
     pub fn with_depth([a, b, c, d]: [Vec3; 4], slope: Vec3, level: f64) -> Option<Self> {
         let flat = [0.0; 4];
         let cell = Self::new([a, b, c, d], flat).or_else(|| Self::new([a, c, b, d], flat))?;
-        Some(Self {
-            slope,
-            level,
-            ..cell
-        })
+        Some(Self { slope, level, ..cell })
     }
 
     /// The same cell about an origin that lies at `-by` (m).
@@ -253,11 +249,7 @@ impl Workspace {
         self.distances.extend(solid.points.iter().map(|p| {
             let beyond = gradient.dot(*p) + offset;
             let size = gradient.abs().dot(p.abs()) + offset.abs();
-            if beyond.abs() <= FLAT * size {
-                0.0
-            } else {
-                beyond
-            }
+            if beyond.abs() <= FLAT * size { 0.0 } else { beyond }
         }));
         let distances = &self.distances;
         if distances.iter().all(|d| *d >= 0.0) {

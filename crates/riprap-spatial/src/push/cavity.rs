@@ -28,11 +28,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
             None => hold(world, k, pushes),
             Some(at) => {
                 // A push that begins now acts on the part of the kick after the present time only.
-                let share = if at == world.time && dt > 0.0 {
-                    dt / (world.last_dt + dt)
-                } else {
-                    1.0
-                };
+                let share =
+                    if at == world.time && dt > 0.0 { dt / (world.last_dt + dt) } else { 1.0 };
                 expand(world, k, share, pushes);
             }
         }
@@ -108,11 +105,8 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
     let cavity = &world.cavities[k];
     let pressure = share * cavity.pressure * cavity.gas.map_or(1.0, |g| g.factor);
     let freedoms = world.all_freedoms();
-    for Spot {
-        anchor,
-        area,
-        normal,
-    } in walls::on_blocks(cavity).chain(walls::on_nodes(world, cavity.source))
+    for Spot { anchor, area, normal } in
+        walls::on_blocks(cavity).chain(walls::on_nodes(world, cavity.source))
     {
         freedoms.push(pushes, &anchor, -pressure * area * normal);
     }

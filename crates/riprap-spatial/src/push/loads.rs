@@ -49,10 +49,7 @@ pub(crate) fn each(
             let deformable = deformable
                 .and_then(|(deform, work)| Some((deform, deform.body(b as usize)?, work)));
             match deformable {
-                None => put(
-                    load,
-                    Pushed::Block(b, on_rigid(world, &load.kind, factor, b)),
-                ),
+                None => put(load, Pushed::Block(b, on_rigid(world, &load.kind, factor, b))),
                 Some((deform, body, work)) => {
                     let kind = work.class(body);
                     on_nodes(deform, body, kind, &load.kind, factor, |node, force| {
@@ -71,9 +68,7 @@ fn on_rigid(world: &World, load: &LoadKind, factor: f64, b: u32) -> Wrench {
         LoadKind::Point { force, at } => {
             push.force = factor * *force;
             if let Some(at) = at {
-                let arm = world
-                    .all_freedoms()
-                    .arm(b, *at - world.reference[b as usize]);
+                let arm = world.all_freedoms().arm(b, *at - world.reference[b as usize]);
                 push.moment = arm.cross(push.force);
             }
         }
@@ -108,10 +103,7 @@ fn on_nodes(
                 put(node, factor * *m / total * *force);
             }
         }
-        LoadKind::Point {
-            force,
-            at: Some(at),
-        } => {
+        LoadKind::Point { force, at: Some(at) } => {
             let centre = deform.nodes.place[first as usize + kind.mesh.nodes.len() - 1];
             for (node, weight) in holder(kind, *at - centre) {
                 put(first + node, factor * weight * *force);

@@ -104,7 +104,5 @@ fn at_node(world: &World, deform: &Deform, surface: &Surface, k: usize, half: [f
 #[must_use]
 pub(crate) fn total(world: &World, deform: &Deform, surface: &Surface) -> Vec3 {
     let nodes = surface.nodes.iter().enumerate();
-    nodes
-        .map(|(k, (_, area))| *area * at_node(world, deform, surface, k, [0.0; 2]))
-        .sum()
+    nodes.map(|(k, (_, area))| *area * at_node(world, deform, surface, k, [0.0; 2])).sum()
 }

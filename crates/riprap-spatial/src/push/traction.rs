@@ -31,13 +31,7 @@ pub(crate) fn traction(
         (true, None) | (false, _) => Vec3::ZERO,
     };
     match &boundary.kind {
-        BoundaryKind::Traction {
-            traction,
-            pressure,
-            gradient,
-            datum,
-            time: factor,
-        } => {
+        BoundaryKind::Traction { traction, pressure, gradient, datum, time: factor } => {
             let pressure = pressure + gradient * (datum - spot.pressure_at);
             start + factor.in_kick(time, half) * (*traction - pressure * spot.normal)
         }

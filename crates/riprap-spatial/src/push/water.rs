@@ -50,14 +50,7 @@ pub(crate) fn apply(world: &World, scratch: &mut Scratch) {
         loads.need_nodes(deform.nodes.len());
         for body in deform.living() {
             let push = |node, force| loads.on_node(node, force);
-            on_nodes(
-                table,
-                -world.gravity.z,
-                deform,
-                body,
-                work.class(body),
-                push,
-            );
+            on_nodes(table, -world.gravity.z, deform, body, work.class(body), push);
         }
     }
 }
@@ -74,14 +67,9 @@ pub(crate) fn on_block(world: &World, work: Option<&Workspace>, b: usize) -> Vec
         None => on_block_of(world, table, b).0,
         Some((deform, body, work)) => {
             let mut force = Vec3::ZERO;
-            on_nodes(
-                table,
-                -world.gravity.z,
-                deform,
-                body,
-                work.class(body),
-                |_, push| force += push,
-            );
+            on_nodes(table, -world.gravity.z, deform, body, work.class(body), |_, push| {
+                force += push
+            });
             force
         }
     }

@@ -187,9 +187,7 @@ impl View<'_> {
         }
         let mut viscous = None;
         for face in world.faces.iter().filter(|f| world.alive[f.block as usize]) {
-            let Some(boundary) = face
-                .boundary
-                .map(|k| &world.setup.boundaries[usize::from(k)])
+            let Some(boundary) = face.boundary.map(|k| &world.setup.boundaries[usize::from(k)])
             else {
                 continue;
             };
@@ -277,10 +275,7 @@ impl View<'_> {
             position: poses[s].position + moved[s],
         });
         let mut lists = Planes::default();
-        lists.gather_all(
-            [&bodies[0], &bodies[1]],
-            planes::origin(&bodies[0], &bodies[1]),
-        );
+        lists.gather_all([&bodies[0], &bodies[1]], planes::origin(&bodies[0], &bodies[1]));
         match peak(&lists, 4.0 * (shapes[0].radius + shapes[1].radius)) {
             Peak::Overlap { depth, .. } => depth,
             Peak::Apart { .. } | Peak::Unsure => 0.0,
@@ -310,9 +305,7 @@ fn strained(block: u32, at: Vec3, measure: Strain, h: &Gradient) -> Strained {
     let of = principal(&tensor(strain(measure, h)));
     let (low, high) = of
         .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), e| {
-            (low.min(*e), high.max(*e))
-        });
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), e| (low.min(*e), high.max(*e)));
     let shortening = match measure {
         Strain::Small => (-low).max(0.0),
         Strain::Large => 1.0 - (1.0 + 2.0 * low).max(0.0).sqrt(),

@@ -32,11 +32,7 @@ impl Borne {
     /// Shear over normal force; 0 where nothing presses.
     #[must_use]
     pub fn ratio(&self) -> f64 {
-        if self.normal > 0.0 {
-            self.shear.length() / self.normal
-        } else {
-            0.0
-        }
+        if self.normal > 0.0 { self.shear.length() / self.normal } else { 0.0 }
     }
 
     /// Adds a force on the first block across a surface whose unit normal points out of it.

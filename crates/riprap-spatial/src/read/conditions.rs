@@ -62,16 +62,9 @@ fn faces(view: &View<'_>, first: usize) -> Vec<FaceCondition> {
         condition.count += 1;
         condition.blocks.push(face.block);
         let centre = world.reference[face.block as usize] + face.arm;
-        condition
-            .centres
-            .push((centre + world.setup.origin).to_array());
-        if let BoundaryKind::Traction {
-            traction,
-            pressure,
-            gradient,
-            datum,
-            time: _,
-        } = &world.setup.boundaries[usize::from(number)].kind
+        condition.centres.push((centre + world.setup.origin).to_array());
+        if let BoundaryKind::Traction { traction, pressure, gradient, datum, time: _ } =
+            &world.setup.boundaries[usize::from(number)].kind
         {
             let pressure = pressure + gradient * (datum - centre.z);
             let acts = *traction - pressure * face.frame[0];

@@ -30,18 +30,8 @@ pub struct Contact {
 impl Contact {
     /// The same, told from the other block.
     fn turned(self) -> Self {
-        let Self {
-            ends: [i, j],
-            arms: [a, b],
-            ..
-        } = self;
-        Self {
-            ends: [j, i],
-            force: -self.force,
-            arms: [b, a],
-            normal: -self.normal,
-            ..self
-        }
+        let Self { ends: [i, j], arms: [a, b], .. } = self;
+        Self { ends: [j, i], force: -self.force, arms: [b, a], normal: -self.normal, ..self }
     }
 }
 
@@ -69,11 +59,7 @@ impl View<'_> {
                 let ground = grounds[facet.terrain()];
                 let (memory, size) = (&facet.memory, [facet.area, facet.depth]);
                 let on_block = self.contact([ground, b], memory, facet.force, size);
-                if ground < b {
-                    on_block
-                } else {
-                    on_block.turned()
-                }
+                if ground < b { on_block } else { on_block.turned() }
             })
         })
     }
@@ -104,20 +90,8 @@ impl View<'_> {
         [area, depth]: [f64; 2],
     ) -> Contact {
         // A touch without a normal acts where the pressure does; its blocks hardly overlap.
-        let arms = if memory.normal == Vec3::ZERO {
-            self.midway(ends)
-        } else {
-            memory.arms
-        };
-        Contact {
-            ends,
-            force,
-            arms,
-            normal: memory.normal,
-            area,
-            depth,
-            sliding: memory.sliding,
-        }
+        let arms = if memory.normal == Vec3::ZERO { self.midway(ends) } else { memory.arms };
+        Contact { ends, force, arms, normal: memory.normal, area, depth, sliding: memory.sliding }
     }
 
     /// A contact of which one block at least deforms: its point is the centre of the pressure. `centres`: where the tetrahedra of each block
@@ -153,12 +127,11 @@ impl View<'_> {
     /// Found contacts of block `b`, with the force on it, N.
     pub fn contacts_of(&self, b: usize) -> impl Iterator<Item = (Contact, Vec3)> + '_ {
         let b = b as u32;
-        self.contacts()
-            .filter_map(move |contact| match contact.ends {
-                [_, j] if j == b => Some((contact, contact.force)),
-                [i, _] if i == b => Some((contact, -contact.force)),
-                _ => None,
-            })
+        self.contacts().filter_map(move |contact| match contact.ends {
+            [_, j] if j == b => Some((contact, contact.force)),
+            [i, _] if i == b => Some((contact, -contact.force)),
+            _ => None,
+        })
     }
 
     /// The found contact of two blocks, with the force of the second on the first, N. Of several between pieces the one that
@@ -168,11 +141,7 @@ impl View<'_> {
         let found = self.contacts_of(first as usize);
         let found = found.filter(|(contact, _)| contact.ends.contains(&second));
         found.reduce(|(a, force), (b, other)| {
-            let most = if other.length() > force.length() {
-                b
-            } else {
-                a
-            };
+            let most = if other.length() > force.length() { b } else { a };
             let together = Contact {
                 force: a.force + b.force,
                 area: a.area + b.area,

@@ -108,10 +108,7 @@ pub fn offset(view: &View<'_>, at: Vec3, along: Vec3) -> f64 {
         // Along the facet the slope is zero, and nothing is met.
         (s.is_finite() && area.holds(at + s * along, near)).then_some(s)
     });
-    hits.fold(
-        f64::INFINITY,
-        |best, s| if s.abs() < best.abs() { s } else { best },
-    )
+    hits.fold(f64::INFINITY, |best, s| if s.abs() < best.abs() { s } else { best })
 }
 
 /// Facet, blocks, broken area (m²), mode (1 tension, 2 shear, by area), time of the first break (s), mean opening and

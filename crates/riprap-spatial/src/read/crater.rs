@@ -62,10 +62,7 @@ impl View<'_> {
             found.push([across.length(), self.displacement(b).dot(up), height]);
         }
         let rings = rings(&mut found, width);
-        CraterProfile {
-            depth: found.first().map_or(0.0, |f| f[2]),
-            rings,
-        }
+        CraterProfile { depth: found.first().map_or(0.0, |f| f[2]), rings }
     }
 
     /// Centre of the removed blocks of a cavity, weighted by volume, m (local).

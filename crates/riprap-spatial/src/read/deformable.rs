@@ -28,11 +28,7 @@ impl<'a> DeformableView<'a> {
     /// Sum over its nodes of mass (kg) times a function of the node's number.
     fn sum(&self, get: impl Fn(usize) -> Vec3) -> Vec3 {
         let masses = self.kind.masses();
-        self.body
-            .nodes()
-            .zip(masses)
-            .map(|(node, m)| *m * get(node))
-            .sum()
+        self.body.nodes().zip(masses).map(|(node, m)| *m * get(node)).sum()
     }
 
     fn mass(&self) -> f64 {
@@ -108,11 +104,7 @@ impl<'a> DeformableView<'a> {
     #[must_use]
     pub fn angular_momentum(&self, present: bool) -> Vec3 {
         self.sum(|n| {
-            let place = if present {
-                self.place(n)
-            } else {
-                self.deform.nodes.place[n]
-            };
+            let place = if present { self.place(n) } else { self.deform.nodes.place[n] };
             place.cross(self.node_velocity(n))
         })
     }
@@ -186,8 +178,7 @@ impl<'a> View<'a> {
     /// the centroid is read.
     #[must_use]
     pub fn spot(&self, b: u32, at: Vec3) -> u32 {
-        self.deformable(b as usize)
-            .map_or(u32::MAX, |deformable| deformable.nearest(at) as u32)
+        self.deformable(b as usize).map_or(u32::MAX, |deformable| deformable.nearest(at) as u32)
     }
 
     /// Motion of a node: block and the number of [`View::spot`].
@@ -235,22 +226,13 @@ impl<'a> View<'a> {
     pub fn deformable(&self, b: usize) -> Option<DeformableView<'a>> {
         let (deform, work) = self.deformables()?;
         let body = deform.body(b)?;
-        Some(DeformableView {
-            deform,
-            work,
-            body,
-            kind: work.class(body),
-            past: self.past(),
-        })
+        Some(DeformableView { deform, work, body, kind: work.class(body), past: self.past() })
     }
 
     /// The deformable blocks, if there are any.
     #[must_use]
     pub fn deformables(&self) -> Option<(&'a Deform, &'a Workspace)> {
-        self.world
-            .deform
-            .as_deref()
-            .zip(self.scratch.deform.as_deref())
+        self.world.deform.as_deref().zip(self.scratch.deform.as_deref())
     }
 
     /// Force of the bonds of block b on block a, one of them deformable, N.
@@ -343,10 +325,7 @@ impl<'a> View<'a> {
                 let all = bond::stored(facet.stiffness, &memory.start, &at, &state);
                 // Both springs are in one sum: without shear it is the normal part.
                 let across = [at[0], 0.0, 0.0];
-                let still = bond::State {
-                    slip: [0.0; 2],
-                    ..state
-                };
+                let still = bond::State { slip: [0.0; 2], ..state };
                 let start = [memory.start[0], 0.0, 0.0];
                 let normal = bond::stored(facet.stiffness, &start, &across, &still);
                 sum[0] += point.area * normal;
@@ -362,10 +341,6 @@ impl<'a> View<'a> {
     pub fn deformable_unbalanced(&self) -> Option<f64> {
         let (_, work) = self.deformables()?;
         let [net, reactions, external] = work.norms;
-        Some(if net == 0.0 {
-            0.0
-        } else {
-            net / reactions.max(external)
-        })
+        Some(if net == 0.0 { 0.0 } else { net / reactions.max(external) })
     }
 }

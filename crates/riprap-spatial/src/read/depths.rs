@@ -43,9 +43,8 @@ impl View<'_> {
     #[must_use]
     pub fn deepest_contact(&self) -> Option<Deepest> {
         let others = self.deformable_depths().chain(self.terrain_depths());
-        others.fold(self.scratch.desk.deepest, |deepest, other| {
-            Deepest::deeper(deepest, Some(other))
-        })
+        others
+            .fold(self.scratch.desk.deepest, |deepest, other| Deepest::deeper(deepest, Some(other)))
     }
 
     /// The joint, or the face with a condition, that is closed deepest for its blocks.
@@ -88,9 +87,7 @@ impl View<'_> {
                 return None;
             }
             let anchors = deform.points[facet.points()].iter().map(|p| &p.anchors);
-            let depth = anchors
-                .map(|of| -freedoms.jump(of).dot(facet.now[0]))
-                .fold(0.0, larger);
+            let depth = anchors.map(|of| -freedoms.jump(of).dot(facet.now[0])).fold(0.0, larger);
             if depth == 0.0 {
                 return None;
             }
@@ -122,10 +119,7 @@ impl View<'_> {
                 return None;
             }
             let attitude = self.world.turned[b].as_ref().map(|_| poses.attitude(b));
-            let (shift, turn) = (
-                self.world.bodies.displacement(b),
-                self.world.bodies.rotation(b),
-            );
+            let (shift, turn) = (self.world.bodies.displacement(b), self.world.bodies.rotation(b));
             let moved = |arm: Vec3| match attitude {
                 Some(q) => shift + (q * arm - arm),
                 None => shift + turn.cross(arm),
@@ -155,18 +149,11 @@ impl View<'_> {
         let lost = exerted.filter(|(_, of)| of.elastic.force.is_nan());
         let swallowed = lost.filter_map(move |(b, _)| {
             let at = self.world.pose(b).position;
-            let depths = desk
-                .terrain
-                .grounds
-                .iter()
-                .map(move |ground| ground.depth(at));
-            let (k, depth) = (0..)
-                .zip(depths)
-                .find_map(|(k, d)| Some((k, d.filter(|d| *d > 0.0)?)))?;
-            let (ends, reach) = (
-                [desk.terrain.blocks[k], b as u32],
-                desk.inradius(self.world.solid[b]),
-            );
+            let depths = desk.terrain.grounds.iter().map(move |ground| ground.depth(at));
+            let (k, depth) =
+                (0..).zip(depths).find_map(|(k, d)| Some((k, d.filter(|d| *d > 0.0)?)))?;
+            let (ends, reach) =
+                ([desk.terrain.blocks[k], b as u32], desk.inradius(self.world.solid[b]));
             Some(Deepest::new(ends, Pressed::Contact, depth + reach, reach))
         });
         let touching = blocks.flat_map(move |(b, on)| {

@@ -105,27 +105,18 @@ fn free<'a>(v: &'a View<'_>) -> impl Iterator<Item = usize> + 'a {
 /// A number of the cavity of a source; NaN if it has none.
 fn of_cavity(v: &View<'_>, of: &[u32], get: impl Fn(&Cavity) -> f64) -> Vec3 {
     let source = first(of);
-    let cavity = v
-        .world
-        .cavities
-        .iter()
-        .find(|c| c.source as usize == source);
+    let cavity = v.world.cavities.iter().find(|c| c.source as usize == source);
     one(cavity.map_or(f64::NAN, get))
 }
 
 /// Patches between two blocks with the sign that turns "on i" into "on the first".
 fn between<'a>(v: &'a View<'_>, of: &[u32]) -> impl Iterator<Item = (usize, f64)> + 'a {
     let (a, b) = pair(of);
-    v.world
-        .patches
-        .ends
-        .iter()
-        .enumerate()
-        .filter_map(move |(p, e)| match *e {
-            e if e == [a, b] => Some((p, 1.0)),
-            e if e == [b, a] => Some((p, -1.0)),
-            _ => None,
-        })
+    v.world.patches.ends.iter().enumerate().filter_map(move |(p, e)| match *e {
+        e if e == [a, b] => Some((p, 1.0)),
+        e if e == [b, a] => Some((p, -1.0)),
+        _ => None,
+    })
 }
 
 /// Mean over the area of the points of patches and the springs of facets between two blocks of a function of their
@@ -186,9 +177,8 @@ fn broken_points(v: &View<'_>, chosen: impl Fn([u32; 2]) -> bool) -> f64 {
     let patches = &v.world.patches;
     let such = patches.ends.iter().zip(&patches.flags);
     let such = such.filter(|(ends, _)| chosen(**ends));
-    let mut count: u64 = such
-        .map(|(_, flags)| u64::from((flags & flag::BROKEN).count_ones()))
-        .sum();
+    let mut count: u64 =
+        such.map(|(_, flags)| u64::from((flags & flag::BROKEN).count_ones())).sum();
     if let Some((deform, _)) = v.deformables() {
         let facets = deform.facets.iter().filter(|f| chosen(f.blocks));
         count += facets.map(|f| deform.failed_points(f)).sum::<u64>();
@@ -234,8 +224,7 @@ pub fn principal(m: &Mat3) -> [f64; 3] {
 }
 
 fn gradient(v: &View<'_>, of: &[u32]) -> Gradient {
-    v.deformable(first(of))
-        .map_or([[f64::NAN; 3]; 3], |deformable| deformable.gradient())
+    v.deformable(first(of)).map_or([[f64::NAN; 3]; 3], |deformable| deformable.gradient())
 }
 
 fn stress(v: &View<'_>, of: &[u32]) -> Mat3 {
@@ -436,14 +425,7 @@ impl Reading {
         along: Option<Vec3>,
     ) -> Result<Self, FieldError> {
         let (index, part) = place(INFOS, name)?;
-        Ok(Self {
-            index,
-            part,
-            of: of.to_vec(),
-            at,
-            along,
-            held_by: Cell::new(0),
-        })
+        Ok(Self { index, part, of: of.to_vec(), at, along, held_by: Cell::new(0) })
     }
 
     /// Table entry.
@@ -469,9 +451,7 @@ impl Reading {
         if self.info().name == "block.crack_offset" {
             let axis = match self.part {
                 Part::Whole | Part::Magnitude => self.along,
-                part => Vec3::AXES
-                    .into_iter()
-                    .find(|e| part.of(&e.to_array()) == Some(1.0)),
+                part => Vec3::AXES.into_iter().find(|e| part.of(&e.to_array()) == Some(1.0)),
             };
             let both = self.at.zip(axis);
             return both.map_or(f64::NAN, |(at, axis)| cracks::offset(view, at, axis));

@@ -23,22 +23,15 @@ impl View<'_> {
         let list = &world.patches;
         let patches = (0..list.len()).filter_map(|p| {
             let joint = &world.setup.interfaces[self.patch_class(p).row as usize].joint;
-            let holds = joint
-                .strength
-                .as_ref()
-                .is_none_or(|s| s.tension > 0.0 || s.cohesion > 0.0);
+            let holds = joint.strength.as_ref().is_none_or(|s| s.tension > 0.0 || s.cohesion > 0.0);
             let whole = list.flags[p] & flag::BROKEN != flag::BROKEN;
             (holds && whole).then_some(list.ends[p])
         });
         let facets = self.deformables().into_iter().flat_map(|(deform, _)| {
             deform.facets.iter().filter_map(|facet| {
-                let law = world.setup.interfaces[usize::from(facet.row)]
-                    .bond
-                    .as_ref()?;
-                let holds = law
-                    .strength
-                    .as_ref()
-                    .is_none_or(|s| s.tension > 0.0 || s.cohesion > 0.0);
+                let law = world.setup.interfaces[usize::from(facet.row)].bond.as_ref()?;
+                let holds =
+                    law.strength.as_ref().is_none_or(|s| s.tension > 0.0 || s.cohesion > 0.0);
                 let points = &deform.memory[facet.points()];
                 let whole = points.iter().any(|m| !m.state.is_broken());
                 (holds && whole).then_some(facet.blocks)

@@ -29,14 +29,8 @@ struct Stone {
 impl Stone {
     fn bounds(&self) -> Aabb {
         let flat = self.vertices.iter().map(|v| v.truncate());
-        let start = Aabb {
-            min: Vec2::INFINITY,
-            max: Vec2::NEG_INFINITY,
-        };
-        flat.fold(start, |b, p| Aabb {
-            min: b.min.min(p),
-            max: b.max.max(p),
-        })
+        let start = Aabb { min: Vec2::INFINITY, max: Vec2::NEG_INFINITY };
+        flat.fold(start, |b, p| Aabb { min: b.min.min(p), max: b.max.max(p) })
     }
 
     /// Height of its highest point over a place; `None` beside it.
@@ -113,13 +107,8 @@ fn heaps(stones: Vec<Stone>) -> Vec<Vec<Stone>> {
     let boxes: Vec<Aabb> = stones.iter().map(Stone::bounds).collect();
     let widths = boxes.iter().map(|b| (b.max - b.min).max_element());
     let reach = Vec2::splat(0.5 * widths.fold(0.0, f64::max));
-    let wide: Vec<Aabb> = boxes
-        .iter()
-        .map(|b| Aabb {
-            min: b.min - reach,
-            max: b.max + reach,
-        })
-        .collect();
+    let wide: Vec<Aabb> =
+        boxes.iter().map(|b| Aabb { min: b.min - reach, max: b.max + reach }).collect();
     let Some(pairs) = touching_boxes(&wide, MOST_NEIGHBOURS) else {
         return vec![stones];
     };
@@ -168,9 +157,7 @@ fn slope_angle(stones: &[Stone]) -> f64 {
         let angle = std::f64::consts::TAU * (place as f64 + 0.5) / PLACES as f64;
         axis + (k as f64 + 0.5) * width * Vec2::new(libm::cos(angle), libm::sin(angle))
     };
-    let places: Vec<Vec2> = (0..RINGS * PLACES)
-        .map(|k| at(k / PLACES, k % PLACES))
-        .collect();
+    let places: Vec<Vec2> = (0..RINGS * PLACES).map(|k| at(k / PLACES, k % PLACES)).collect();
     let mut tops = vec![0.0_f64; places.len()];
     for stone in stones {
         let Aabb { min, max } = stone.bounds();
@@ -245,12 +232,7 @@ mod tests {
         let centre = at.extend(height);
         let Polyhedron { vertices, faces } =
             Polyhedron::brick(centre, Vec3::new(half, half, height));
-        Stone {
-            mass: height,
-            centroid: centre,
-            vertices,
-            faces,
-        }
+        Stone { mass: height, centroid: centre, vertices, faces }
     }
 
     #[test]

@@ -101,9 +101,8 @@ fn rigid(world: &World) -> Vec<Meets> {
                 (row, constants::law(&world.setup, ends, [inradius; 2]))
             });
             let laws: Vec<_> = laws.collect();
-            let softest = laws
-                .iter()
-                .min_by(|a, b| a.1.normal_stiffness.total_cmp(&b.1.normal_stiffness))?;
+            let softest =
+                laws.iter().min_by(|a, b| a.1.normal_stiffness.total_cmp(&b.1.normal_stiffness))?;
             let face = shape.areas.iter().copied().fold(0.0, f64::max);
             let ease = Ease::of(world, &desk.shapes, b).of_area(face);
             let steps = laws.iter().map(|(_, law)| {
@@ -218,10 +217,7 @@ fn of_joints(law: &JointLaw) -> Vec<&'static str> {
         Weakening::BartonBandis(_) => (false, true),
     };
     let keys = [
-        (
-            "dilation_angle",
-            law.strength.is_some_and(|s| s.dilation > 0.0),
-        ),
+        ("dilation_angle", law.strength.is_some_and(|s| s.dilation > 0.0)),
         ("softening", breaks && softens),
         ("barton_bandis", breaks && rough),
         ("closure", law.behaviour.closure != Closure::default()),
@@ -244,9 +240,5 @@ fn still(world: &World) -> Vec3 {
         mass += of;
         momentum += of * world.bodies.velocity(b);
     }
-    if mass > 0.0 {
-        momentum / mass
-    } else {
-        Vec3::ZERO
-    }
+    if mass > 0.0 { momentum / mass } else { Vec3::ZERO }
 }

@@ -92,11 +92,7 @@ fn ratio(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
             count += 1.0;
         }
     }
-    if count > 0.0 {
-        libm::exp(sum / count)
-    } else {
-        f64::NAN
-    }
+    if count > 0.0 { libm::exp(sum / count) } else { f64::NAN }
 }
 
 #[cfg(test)]

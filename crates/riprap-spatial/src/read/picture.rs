@@ -28,11 +28,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         offsets: vec![0],
         ..Frame::default()
     };
-    let mut solids = Solids {
-        faces: vec![0],
-        ends: vec![0],
-        corners: Vec::new(),
-    };
+    let mut solids = Solids { faces: vec![0], ends: vec![0], corners: Vec::new() };
     let corners = living.iter().map(|&b| match &world.setup.blocks[b].shape {
         Shape::Polyhedron(solid) => solid.vertices.len(),
         // Few are glued, and terrain is rare.
@@ -58,22 +54,16 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
             (pair, Vec3::from_array(*p) - world.setup.origin)
         });
         let rows: Vec<([u32; 2], Vec3)> = rows.collect();
-        let pressures = rows
-            .iter()
-            .map(|(pair, at)| world.pressure_between(*pair, *at));
+        let pressures = rows.iter().map(|(pair, at)| world.pressure_between(*pair, *at));
         let column = Column::scalar("pore_pressure", "Pa", pressures.collect());
         frame.contact_columns.push(column);
         if world.seepage.is_some() {
             let rates = rows.iter().map(|(pair, _)| world.seepage_between(*pair));
-            let flows = rows
-                .iter()
-                .map(|(pair, at)| world.seepage_flow(*pair, *at).to_array());
+            let flows = rows.iter().map(|(pair, at)| world.seepage_flow(*pair, *at).to_array());
             let flows: Vec<[f64; 3]> = flows.collect();
             let rates = Column::scalar("seepage_rate", "m3/s", rates.collect());
             frame.contact_columns.push(rates);
-            frame
-                .contact_columns
-                .push(Column::vector3(SEEPAGE_FLOW, "m2/s", flows));
+            frame.contact_columns.push(Column::vector3(SEEPAGE_FLOW, "m2/s", flows));
         }
     }
     frame.cracks = crate::read::cracks::surfaces(view);
@@ -125,9 +115,7 @@ fn put_block(view: &View<'_>, b: usize, frame: &mut Frame, solids: &mut Solids) 
             let body = Solid::all(parts);
             let arms = body.vertices.iter();
             let arms = arms.map(|corner| attitude * (*corner - world.reference[b]));
-            frame
-                .points
-                .extend(arms.map(|arm| (place + arm).to_array()));
+            frame.points.extend(arms.map(|arm| (place + arm).to_array()));
             put_faces(&body, solids);
         }
         Shape::Terrain(surface) => {
@@ -166,24 +154,14 @@ fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
     let broken = broken_shares(view);
     let mut columns = vec![
         scalar("block", "-", &|b| b as f64),
-        scalar("material", "-", &|b| {
-            f64::from(world.setup.blocks[b].material)
-        }),
+        scalar("material", "-", &|b| f64::from(world.setup.blocks[b].material)),
         scalar("level", "-", &|b| f64::from(world.level(b))),
         vector("displacement", "m", &|b| view.displacement(b)),
         vector("rotation", "rad", &|b| view.rotation(b)),
         vector("velocity", "m/s", &|b| view.velocity(b)),
         scalar("peak_speed", "m/s", &|b| view.peak_speed(b)),
-        Column::scalar(
-            "sigma1_compressive",
-            "Pa",
-            ends.iter().map(|e| -e[2]).collect(),
-        ),
-        Column::scalar(
-            "sigma3_compressive",
-            "Pa",
-            ends.iter().map(|e| -e[0]).collect(),
-        ),
+        Column::scalar("sigma1_compressive", "Pa", ends.iter().map(|e| -e[2]).collect()),
+        Column::scalar("sigma3_compressive", "Pa", ends.iter().map(|e| -e[0]).collect()),
         Column::scalar(
             "pressure",
             "Pa",
@@ -191,9 +169,7 @@ fn block_columns(view: &View<'_>, living: &[usize]) -> Vec<Column> {
         ),
         scalar("broken_share", "-", &|b| broken[b]),
         scalar("surface", "-", &|b| f64::from(u8::from(surface[b]))),
-        scalar("held", "-", &|b| {
-            f64::from(u8::from(world.motion[b].is_some()))
-        }),
+        scalar("held", "-", &|b| f64::from(u8::from(world.motion[b].is_some()))),
     ];
     columns.extend(stress::in_space(&stresses));
     columns
@@ -205,9 +181,10 @@ fn of_each<T: Send + Clone>(
     blocks: &[usize],
     get: impl Fn(usize) -> T + Sync,
 ) -> Vec<T> {
-    let chunks = view.scratch.exec.chunked(blocks.len(), |chunk| {
-        blocks[chunk].iter().map(|&b| get(b)).collect::<Vec<_>>()
-    });
+    let chunks = view
+        .scratch
+        .exec
+        .chunked(blocks.len(), |chunk| blocks[chunk].iter().map(|&b| get(b)).collect::<Vec<_>>());
     chunks.concat()
 }
 
@@ -222,11 +199,7 @@ fn broken_shares(view: &View<'_>) -> Vec<f64> {
             sums[*b as usize][1] += 4.0;
         }
     }
-    for facet in view
-        .deformables()
-        .iter()
-        .flat_map(|(deform, _)| &deform.facets)
-    {
+    for facet in view.deformables().iter().flat_map(|(deform, _)| &deform.facets) {
         let broken = view.broken_points(facet);
         for b in facet.blocks {
             sums[b as usize][0] += f64::from(broken);
@@ -253,16 +226,12 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
         let points = facet.points();
         let force: Vec3 = points.clone().map(|p| Vec3::from(work.slots[p])).sum();
         let [n, b, c] = facet.frame.map(|e| e.dot(force) / facet.area);
-        let lost = points
-            .clone()
-            .filter(|p| deform.memory[*p].state.is_broken());
+        let lost = points.clone().filter(|p| deform.memory[*p].state.is_broken());
         let failed: f64 = lost.map(|p| deform.points[p].area).sum();
         let open = points.clone().filter(|p| {
             deform.memory[*p].state.is_broken() && Vec3::from(work.slots[*p]) == Vec3::ZERO
         });
-        let in_shear = points
-            .clone()
-            .filter(|p| deform.memory[*p].state == State::Sheared);
+        let in_shear = points.clone().filter(|p| deform.memory[*p].state == State::Sheared);
         let sheared: f64 = in_shear.map(|p| deform.points[p].area).sum();
         let mode = match broken {
             0 => 0.0,
@@ -314,11 +283,7 @@ fn put_contacts(view: &View<'_>, frame: &mut Frame) {
         let across = force.dot(normal);
         let along = (force - across * normal).length();
         let over_area = |f: f64| {
-            if contact.area > 0.0 {
-                f / contact.area
-            } else {
-                0.0
-            }
+            if contact.area > 0.0 { f / contact.area } else { 0.0 }
         };
         let [a, b] = contact.ends.map(f64::from);
         let sliding = if contact.sliding { 4.0 } else { 0.0 };
@@ -338,9 +303,8 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
     let list = &view.world.patches;
     let active = flag::BROKEN | flag::OPEN | flag::SLIDING;
     let many = list.len() > MANY_PATCHES;
-    let chosen: Vec<usize> = (0..list.len())
-        .filter(|&p| !many || list.flags[p] & active != 0)
-        .collect();
+    let chosen: Vec<usize> =
+        (0..list.len()).filter(|&p| !many || list.flags[p] & active != 0).collect();
     let mut forces = Vec::with_capacity(chosen.len());
     let mut means = Vec::with_capacity(chosen.len());
     let mut normals = Vec::with_capacity(chosen.len());
@@ -381,8 +345,6 @@ fn put_patches(view: &View<'_>, frame: &mut Frame) {
         column("failure_mode", "-", &|_| 0.0),
         column("softened_points", "-", &|_| 0.0),
         column("softened_area", "m2", &|_| 0.0),
-        column("origin", "-", &|k| {
-            f64::from(list.origin_of(chosen[k]).code())
-        }),
+        column("origin", "-", &|k| f64::from(list.origin_of(chosen[k]).code())),
     ];
 }

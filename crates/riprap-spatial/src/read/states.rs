@@ -13,10 +13,7 @@ impl View<'_> {
     pub fn states(&self) -> Vec<BlockState> {
         let world = self.world;
         let of_scene = |b: &usize| {
-            let own = world
-                .lineage
-                .get(*b)
-                .is_none_or(|o| o.parent == Origin::NONE);
+            let own = world.lineage.get(*b).is_none_or(|o| o.parent == Origin::NONE);
             own && !world.is_terrain(*b)
         };
         let one = |b: usize| {
@@ -33,10 +30,7 @@ impl View<'_> {
             numbers.extend([now.w, now.x, now.y, now.z]);
             numbers.extend(self.velocity(b).to_array());
             numbers.extend(self.spin(b).to_array());
-            BlockState {
-                name: world.name(b),
-                numbers,
-            }
+            BlockState { name: world.name(b), numbers }
         };
         self.living().filter(of_scene).map(one).collect()
     }

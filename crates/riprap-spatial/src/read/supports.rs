@@ -45,11 +45,9 @@ impl View<'_> {
             forces.push((place, force));
         }
         let middle = middle / f64::max(weight, f64::MIN_POSITIVE);
-        forces
-            .iter()
-            .fold([Vec3::ZERO, turning], |[f, m], (at, force)| {
-                [f + *force, m + (*at - middle).cross(*force)]
-            })
+        forces.iter().fold([Vec3::ZERO, turning], |[f, m], (at, force)| {
+            [f + *force, m + (*at - middle).cross(*force)]
+        })
     }
 
     /// Reaction of what holds or drives a rigid block: force and moment about its centroid.
@@ -58,11 +56,7 @@ impl View<'_> {
         let (acting, change) = (scratch.acting(b), scratch.change(world, b));
         let span = scratch.kick_of_nobody(world).span;
         let rate = |change: Vec3| {
-            if span > 0.0 {
-                change / span
-            } else {
-                Vec3::ZERO
-            }
+            if span > 0.0 { change / span } else { Vec3::ZERO }
         };
         let [along, about] = world.freedoms(b).map(|free| Vec3::ONE - free);
         let mass = world.solid_of(b).mass;

@@ -41,10 +41,7 @@ impl View<'_> {
     pub fn present_poses(&self) -> Vec<[Vec3; 2]> {
         let pose = |b: usize| match self.deformable(b) {
             Some(deformable) => [deformable.displacement(), deformable.rotation()],
-            None => [
-                self.world.bodies.displacement(b),
-                self.world.bodies.rotation(b),
-            ],
+            None => [self.world.bodies.displacement(b), self.world.bodies.rotation(b)],
         };
         (0..self.world.bodies.len()).map(pose).collect()
     }
@@ -70,10 +67,7 @@ impl View<'_> {
         for face in &world.faces {
             let free = !face.parted
                 && face.boundary.is_none_or(|k| {
-                    matches!(
-                        world.setup.boundaries[k as usize].kind,
-                        BoundaryKind::Traction { .. }
-                    )
+                    matches!(world.setup.boundaries[k as usize].kind, BoundaryKind::Traction { .. })
                 });
             if free && face.frame[0].dot(up) > UPWARD {
                 surface[face.block as usize] = world.alive[face.block as usize];

@@ -59,12 +59,5 @@ pub(super) fn strain(measure: Strain, h: &Gradient) -> Symmetric {
         };
         0.5 * (h[i][j] + h[j][i] + square)
     };
-    [
-        one(0, 0),
-        one(1, 1),
-        one(2, 2),
-        one(1, 2),
-        one(2, 0),
-        one(0, 1),
-    ]
+    [one(0, 0), one(1, 1), one(2, 2), one(1, 2), one(2, 0), one(0, 1)]
 }

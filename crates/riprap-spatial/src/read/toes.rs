@@ -60,11 +60,8 @@ impl View<'_> {
             })
             .collect();
         let pairs = world.patches.ends.iter().copied();
-        let together = Fragments::new(
-            &members,
-            pairs.filter(|ends| ends.map(free) == [true; 2]),
-            false,
-        );
+        let together =
+            Fragments::new(&members, pairs.filter(|ends| ends.map(free) == [true; 2]), false);
         let mut bases: Vec<Vec<Base>> = together.list.iter().map(|_| Vec::new()).collect();
         for (p, ends) in world.patches.ends.iter().enumerate() {
             let class = self.patch_class(p);
@@ -86,14 +83,10 @@ impl View<'_> {
                 });
             }
         }
-        let toes = together
-            .list
-            .iter()
-            .zip(&bases)
-            .filter_map(|(fragment, bases)| {
-                let centre = Vec3::from_array(fragment.centre);
-                toe(bases, centre, up, fragment.size * gravity.length())
-            });
+        let toes = together.list.iter().zip(&bases).filter_map(|(fragment, bases)| {
+            let centre = Vec3::from_array(fragment.centre);
+            toe(bases, centre, up, fragment.size * gravity.length())
+        });
         toes.max_by(|a, b| a.share.total_cmp(&b.share))
     }
 }
@@ -107,9 +100,7 @@ fn toe(bases: &[Base], centre: Vec3, up: Vec3, weight: f64) -> Option<Toe> {
         let end = |base: &Base| way.dot(base.centre - centre) + base.reach(way);
         let last = bases.iter().max_by(|a, b| end(a).total_cmp(&end(b)))?;
         let (arm, height) = (end(last), up.dot(centre - last.centre));
-        let at_edge = bases
-            .iter()
-            .filter(|base| end(base) > arm - SAME_EDGE * height);
+        let at_edge = bases.iter().filter(|base| end(base) > arm - SAME_EDGE * height);
         let length: f64 = at_edge.map(|base| 2.0 * base.reach(up.cross(way))).sum();
         let share = 3.0 / arm * libm::cbrt(height * weight / (18.0 * last.stiffness * length));
         // What leans over its edge does not stand, and what is wider than high slides before it tilts.

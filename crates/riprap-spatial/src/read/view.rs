@@ -136,9 +136,7 @@ impl View<'_> {
     /// Momentum of all blocks, N s.
     #[must_use]
     pub fn momentum(&self) -> Vec3 {
-        self.living()
-            .map(|b| self.world.solid_of(b).mass * self.velocity(b))
-            .sum()
+        self.living().map(|b| self.world.solid_of(b).mass * self.velocity(b)).sum()
     }
 
     /// Angular momentum of all blocks about the local origin, N m s. With small kinematics it is that about
@@ -153,11 +151,7 @@ impl View<'_> {
                     return deformable.angular_momentum(deformable.body.strain == Strain::Large);
                 }
                 let solid = self.world.solid_of(b);
-                let place = if finite {
-                    self.position(b)
-                } else {
-                    self.world.reference[b]
-                };
+                let place = if finite { self.position(b) } else { self.world.reference[b] };
                 let change = self.scratch.change(self.world, b);
                 let own = self.world.turning(b).momentum + self.past() * change.momentum;
                 place.cross(solid.mass * self.velocity(b)) + own
@@ -303,10 +297,7 @@ impl View<'_> {
     }
 
     pub(crate) fn poses(&self) -> Poses<'_> {
-        Poses {
-            bodies: &self.world.bodies,
-            turned: &self.world.turned,
-        }
+        Poses { bodies: &self.world.bodies, turned: &self.world.turned }
     }
 
     /// Class of patch `p`.
@@ -320,8 +311,7 @@ impl View<'_> {
     pub fn patch_points(&self, p: usize) -> Points {
         let list = &self.world.patches;
         let finite = list.flags[p] & flag::FINITE != 0;
-        self.poses()
-            .points(self.patch_class(p), list.ends[p], finite)
+        self.poses().points(self.patch_class(p), list.ends[p], finite)
     }
 
     /// Tractions on block i at the four points of patch `p` (n, b, c), Pa, without dashpots.
@@ -378,19 +368,14 @@ impl View<'_> {
     #[must_use]
     pub fn boundary_energy(&self) -> f64 {
         let (context, faces) = (boundary::Context::new(self.world), &self.world.faces);
-        self.scratch
-            .exec
-            .sum(faces.len(), |k| context.stored(&faces[k]))
+        self.scratch.exec.sum(faces.len(), |k| context.stored(&faces[k]))
     }
 
     /// The energy ledger at the present time: patches and bonds of deformable blocks as contact springs, boundary springs and
     /// strain energy of blocks as bonds.
     #[must_use]
     pub fn balance(&self) -> Balance {
-        let mut out = Balance {
-            works: self.world.works,
-            ..Balance::default()
-        };
+        let mut out = Balance { works: self.world.works, ..Balance::default() };
         out.kinetic = self.kinetic_energy();
         out.gravity = -self.world.works.gravity;
         let patches = self.world.patches.len();
@@ -460,10 +445,6 @@ impl View<'_> {
     pub fn energy_head(&self, b: usize) -> f64 {
         let weight = self.world.solid_of(b).mass * self.world.gravity.length();
         let height = self.up().dot(self.position(b) + self.world.setup.origin);
-        if weight > 0.0 {
-            height + self.kinetic(b) / weight
-        } else {
-            f64::NAN
-        }
+        if weight > 0.0 { height + self.kinetic(b) / weight } else { f64::NAN }
     }
 }

@@ -36,9 +36,7 @@ pub(crate) fn follow(setup: &mut Setup, lineage: &[Origin], splits: &[u32]) {
             LoadKind::BodyForce { .. } => extend(&mut setup.loads[k].blocks),
             LoadKind::Point { .. } | LoadKind::Moment { .. } => {
                 let made = shares(setup, &setup.loads[k], &first_child);
-                setup.loads[k]
-                    .blocks
-                    .retain(|&b| first_child[b as usize] == 0);
+                setup.loads[k].blocks.retain(|&b| first_child[b as usize] == 0);
                 setup.loads.extend(made);
             }
         }
@@ -57,41 +55,18 @@ fn shares(setup: &Setup, load: &Load, first_child: &[u32]) -> Vec<Load> {
         }
         let all: Vec<u32> = (first..first + 8).collect();
         let (blocks, kind) = match load.kind {
-            LoadKind::Point {
-                force,
-                at: Some(point),
-            } => {
+            LoadKind::Point { force, at: Some(point) } => {
                 let whole = Divisible::of(&setup.blocks[b as usize].shape);
                 let part = whole.map_or(0, |whole| whole.part_of(point));
-                (
-                    vec![first + u32::from(part)],
-                    LoadKind::Point {
-                        force,
-                        at: Some(point),
-                    },
-                )
+                (vec![first + u32::from(part)], LoadKind::Point { force, at: Some(point) })
             }
-            LoadKind::Point { force, at: None } => (
-                all,
-                LoadKind::Point {
-                    force: force / 8.0,
-                    at: None,
-                },
-            ),
-            LoadKind::Moment { moment } => (
-                all,
-                LoadKind::Moment {
-                    moment: moment / 8.0,
-                },
-            ),
+            LoadKind::Point { force, at: None } => {
+                (all, LoadKind::Point { force: force / 8.0, at: None })
+            }
+            LoadKind::Moment { moment } => (all, LoadKind::Moment { moment: moment / 8.0 }),
             LoadKind::BodyForce { .. } => continue,
         };
-        made.push(Load {
-            blocks,
-            kind,
-            time: load.time.clone(),
-            account: load.account,
-        });
+        made.push(Load { blocks, kind, time: load.time.clone(), account: load.account });
     }
     made
 }

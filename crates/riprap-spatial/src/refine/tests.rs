@@ -9,19 +9,13 @@ use crate::setup::{
 
 /// A lattice of unit cubes (times `edge`) from the origin.
 pub(crate) fn lattice(cells: [u32; 3], edge: f64) -> Setup {
-    let mut setup = Setup {
-        names: vec!["rock".into()],
-        ..Setup::default()
-    };
+    let mut setup = Setup { names: vec!["rock".into()], ..Setup::default() };
     for z in 0..cells[2] {
         for y in 0..cells[1] {
             for x in 0..cells[0] {
                 let corner = Vec3::new(f64::from(x), f64::from(y), f64::from(z));
                 setup.blocks.push(BlockSpec {
-                    name: BlockName {
-                        base: 0,
-                        number: setup.blocks.len() as u32 + 1,
-                    },
+                    name: BlockName { base: 0, number: setup.blocks.len() as u32 + 1 },
                     shape: Shape::Brick {
                         centre: edge * (corner + Vec3::splat(0.5)),
                         half: Vec3::splat(0.5 * edge),
@@ -37,11 +31,7 @@ pub(crate) fn lattice(cells: [u32; 3], edge: f64) -> Setup {
 }
 
 fn refine(setup: &mut Setup, around: Region, levels: u8) -> (Vec<Origin>, Forest) {
-    setup.refinements.push(Refinement {
-        around,
-        levels,
-        during: None,
-    });
+    setup.refinements.push(Refinement { around, levels, during: None });
     let lineage = before_run(setup).unwrap();
     let mut alive = vec![true; lineage.len()];
     for origin in &lineage {
@@ -56,10 +46,7 @@ fn refine(setup: &mut Setup, around: Region, levels: u8) -> (Vec<Origin>, Forest
 /// Pairs of blocks that share a face.
 fn contacts(forest: &mut Forest) -> usize {
     let leaves: Vec<u32> = forest.leaves().collect();
-    let sides: usize = leaves
-        .iter()
-        .map(|&b| forest.face_neighbours(b).len())
-        .sum();
+    let sides: usize = leaves.iter().map(|&b| forest.face_neighbours(b).len()).sum();
     sides / 2
 }
 
@@ -78,11 +65,7 @@ fn worst_step(forest: &mut Forest) -> u8 {
 fn volume(setup: &Setup, forest: &Forest) -> f64 {
     forest
         .leaves()
-        .map(|b| {
-            8.0 * Bounds::of(&setup.blocks[b as usize].shape)
-                .half
-                .element_product()
-        })
+        .map(|b| 8.0 * Bounds::of(&setup.blocks[b as usize].shape).half.element_product())
         .sum()
 }
 
@@ -97,11 +80,7 @@ fn meshes_of_the_source_have_their_counts() {
     assert_eq!(volume(&setup, &forest), 4096.0);
     for (levels, count) in [(5, 3480), (3, 3368)] {
         let mut setup = lattice([20, 20, 8], 10.0);
-        let (_, forest) = refine(
-            &mut setup,
-            Region::Point(Vec3::new(100.0, 100.0, 60.0)),
-            levels,
-        );
+        let (_, forest) = refine(&mut setup, Region::Point(Vec3::new(100.0, 100.0, 60.0)), levels);
         assert_eq!(forest.leaves().count(), count);
     }
 }
@@ -123,11 +102,7 @@ fn balance_splits_more_blocks_where_needed() {
         (Region::Plane(Vec3::new(0.0, 0.0, 4.0), Vec3::Z), 2),
         (Region::Ball(Vec3::new(0.2, 4.0, 2.0), 0.5), 3),
     ] {
-        setup.refinements.push(Refinement {
-            around,
-            levels,
-            during: None,
-        });
+        setup.refinements.push(Refinement { around, levels, during: None });
     }
     let line = Region::Line(Vec3::new(6.1, 1.2, 0.0), Vec3::new(6.1, 1.2, 2.0));
     let (lineage, mut forest) = refine(&mut setup, line, 3);
@@ -153,9 +128,7 @@ fn octants_and_names() {
     assert_eq!(name(&setup, &lineage, 1), "rock.2");
     assert_eq!(name(&setup, &lineage, 3 + 6), "rock.2/6");
     let b = 3 + 6;
-    let Shape::Brick { centre, half } = setup.blocks[b].shape else {
-        panic!("no brick")
-    };
+    let Shape::Brick { centre, half } = setup.blocks[b].shape else { panic!("no brick") };
     assert_eq!(centre, Vec3::new(2.5, 1.5, 1.5));
     assert_eq!(half, Vec3::splat(0.5));
     // v + w x r with r = (-0.5, 0.5, 0.5), w = 0.5 z.
@@ -166,42 +139,26 @@ fn octants_and_names() {
 #[test]
 fn lists_follow_the_split() {
     let mut setup = lattice([2, 1, 1], 2.0);
-    setup.groups.push(Group {
-        name: "all".into(),
-        blocks: vec![0, 1],
-    });
+    setup.groups.push(Group { name: "all".into(), blocks: vec![0, 1] });
     setup.boundaries.push(Boundary {
         name: "top".into(),
-        on: FaceSet::Blocks {
-            blocks: vec![0],
-            normal: None,
-        },
-        kind: BoundaryKind::Held {
-            normal: true,
-            shear: true,
-        },
+        on: FaceSet::Blocks { blocks: vec![0], normal: None },
+        kind: BoundaryKind::Held { normal: true, shear: true },
         in_situ: false,
     });
     setup.sources.push(Source {
         name: "hole".into(),
         place: Place::Blocks { blocks: vec![1] },
         delay: 0.0,
-        push: CavityPressure::Pressure {
-            time: TimeFunction::Constant(1.0),
-        },
+        push: CavityPressure::Pressure { time: TimeFunction::Constant(1.0) },
     });
     let force = Vec3::new(8.0, 0.0, 0.0);
     let point = Vec3::new(0.1, 1.9, 1.6);
     for kind in [
-        LoadKind::Point {
-            force,
-            at: Some(point),
-        },
+        LoadKind::Point { force, at: Some(point) },
         LoadKind::Point { force, at: None },
         LoadKind::Moment { moment: force },
-        LoadKind::BodyForce {
-            acceleration: force,
-        },
+        LoadKind::BodyForce { acceleration: force },
     ] {
         setup.loads.push(Load {
             blocks: vec![0, 1],
@@ -243,18 +200,11 @@ fn what_cannot_be_split_is_an_error() {
         vertices: vec![Vec3::X, 2.0 * Vec3::X, Vec3::X + Vec3::Y, Vec3::X + Vec3::Z],
         faces: Vec::new(),
     }));
-    let mut refinement = Refinement {
-        around: Region::All,
-        levels: 1,
-        during: None,
-    };
+    let mut refinement = Refinement { around: Region::All, levels: 1, during: None };
     setup.refinements.push(refinement.clone());
     let error = before_run(&mut setup).unwrap_err().to_string();
     assert!(error.contains("rock.2"), "{error}");
     refinement.levels = 17;
     setup.refinements = vec![refinement];
-    assert_eq!(
-        before_run(&mut setup),
-        Err(RefineError::TooDeep { levels: 17 })
-    );
+    assert_eq!(before_run(&mut setup), Err(RefineError::TooDeep { levels: 17 }));
 }

@@ -91,10 +91,7 @@ mod tests {
             radius: 0.5_f64.sqrt(),
             corners: square.map(|(y, z)| Vec3::new(4.0, y, z)).to_vec(),
         };
-        let other = Ended {
-            at: Vec3::new(3.0, 0.0, 2.0),
-            ..disk.clone()
-        };
+        let other = Ended { at: Vec3::new(3.0, 0.0, 2.0), ..disk.clone() };
         let bridges = Bridges::new(1, vec![disk, polygon, other]);
         let hold = |x: f64, y: f64, z: f64, normal: Vec3| bridges.hold(Vec3::new(x, y, z), normal);
         for normal in [Vec3::Z, -Vec3::Z] {

@@ -14,8 +14,7 @@ impl Solid {
             let first = all.vertices.len() as u32;
             all.vertices.extend_from_slice(&part.vertices);
             let faces = part.faces.iter();
-            all.faces
-                .extend(faces.map(|face| face.iter().map(|v| first + v).collect()));
+            all.faces.extend(faces.map(|face| face.iter().map(|v| first + v).collect()));
         }
         all
     }
@@ -23,9 +22,6 @@ impl Solid {
     /// The solid as geometry knows it.
     #[must_use]
     pub fn polyhedron(&self) -> Polyhedron {
-        Polyhedron {
-            vertices: self.vertices.clone(),
-            faces: self.faces.clone(),
-        }
+        Polyhedron { vertices: self.vertices.clone(), faces: self.faces.clone() }
     }
 }

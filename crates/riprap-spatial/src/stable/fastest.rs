@@ -114,11 +114,8 @@ fn best(among: Products, images: Products) -> (f64, [Vec3; 2]) {
     let pp = (1.0 - xp * xp).sqrt();
     let rp = (pr - xp * xr) / pp;
     let rr = (1.0 - xr * xr - rp * rp).sqrt();
-    let factor = Mat3::from_cols(
-        Vec3::new(1.0, xp, xr),
-        Vec3::new(0.0, pp, rp),
-        Vec3::new(0.0, 0.0, rr),
-    );
+    let factor =
+        Mat3::from_cols(Vec3::new(1.0, xp, xr), Vec3::new(0.0, pp, rp), Vec3::new(0.0, 0.0, rr));
     let frame = factor.inverse();
     let inside = frame * matrix(images, scale) * frame.transpose();
     let ([value, ..], [x, ..]) = principal_axes(&inside);
@@ -176,11 +173,7 @@ impl<'a> Fastest<'a> {
         }
         if squares > 0.0 {
             let scale = 1.0 / squares.sqrt();
-            for x in new
-                .rows
-                .iter_mut()
-                .flat_map(|rows| rows.x.as_flattened_mut())
-            {
+            for x in new.rows.iter_mut().flat_map(|rows| rows.x.as_flattened_mut()) {
                 *x *= scale;
             }
         }
@@ -205,12 +198,7 @@ impl<'a> Fastest<'a> {
         self.pass(
             self.value,
             #[inline(always)]
-            |e| Entry {
-                p: Lanes::default(),
-                ax: e.image,
-                ap: Lanes::default(),
-                ..e
-            },
+            |e| Entry { p: Lanes::default(), ax: e.image, ap: Lanes::default(), ..e },
         );
     }
 
@@ -259,17 +247,16 @@ impl<'a> Fastest<'a> {
         let (root, image, width) = (&self.springs.root, &self.image, self.width);
         let value = Lanes::all(value);
         let work = Groups(&mut self.rows, &mut self.at);
-        self.exec
-            .divided(work, self.springs.pieces(), |number, Groups(rows, at)| {
-                let base = number * PIECE / GROUP;
-                let given = image[base..].iter().zip(&root[base..]);
-                for ((rows, at), (image, root)) in rows.iter_mut().zip(at).zip(given) {
-                    width.run(
-                        #[inline(always)]
-                        || group(rows, at, (image, root), value, &change),
-                    );
-                }
-            });
+        self.exec.divided(work, self.springs.pieces(), |number, Groups(rows, at)| {
+            let base = number * PIECE / GROUP;
+            let given = image[base..].iter().zip(&root[base..]);
+            for ((rows, at), (image, root)) in rows.iter_mut().zip(at).zip(given) {
+                width.run(
+                    #[inline(always)]
+                    || group(rows, at, (image, root), value, &change),
+                );
+            }
+        });
         let mut sums: Vec<Sums> = self.rows.iter().map(|rows| rows.sums).collect();
         tree(&mut sums, Sums::add);
         self.sum = sums.first().copied().unwrap_or_default();
@@ -294,13 +281,9 @@ impl<'a> Fastest<'a> {
             width: self.width,
         };
         let work = Groups(&mut self.image, &mut self.products);
-        self.exec.divided(
-            work,
-            self.springs.pieces(),
-            |number, Groups(image, sums)| {
-                step.piece(number, image, sums);
-            },
-        );
+        self.exec.divided(work, self.springs.pieces(), |number, Groups(image, sums)| {
+            step.piece(number, image, sums);
+        });
         tree(&mut self.products, |a, b| *a += b);
         self.products.first().copied().unwrap_or_default()
     }
@@ -350,10 +333,7 @@ fn group(
             images[4] = images[4] + e.ap * r;
         }
     }
-    rows.sums = Sums {
-        among: among.map(Lanes::sum),
-        images: images.map(Lanes::sum),
-    };
+    rows.sums = Sums { among: among.map(Lanes::sum), images: images.map(Lanes::sum) };
 }
 
 /// Parts of a list of motions.

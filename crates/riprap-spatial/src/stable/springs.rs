@@ -47,18 +47,10 @@ pub(super) struct Weights {
 }
 
 impl Weights {
-    pub(super) const SPRINGS: Self = Self {
-        spring: 1.0,
-        dashpot: 0.0,
-        ck: 0.0,
-    };
+    pub(super) const SPRINGS: Self = Self { spring: 1.0, dashpot: 0.0, ck: 0.0 };
 
     pub(super) fn dashpots(ck: f64) -> Self {
-        Self {
-            spring: 0.0,
-            dashpot: 1.0,
-            ck,
-        }
+        Self { spring: 0.0, dashpot: 1.0, ck }
     }
 
     pub(super) fn step(dt: f64, ck: f64) -> Self {
@@ -105,10 +97,7 @@ impl Springs {
             // Principal axes near the axes of space: the diagonal bounds nothing off it for bricks.
             let inverse = solid.inverse;
             let diagonal = [0, 1, 2].map(|k| inverse.col(k).abs().element_sum().sqrt());
-            let roots = [
-                move_free / solid.mass.sqrt(),
-                turn_free * Vec3::from_array(diagonal),
-            ];
+            let roots = [move_free / solid.mass.sqrt(), turn_free * Vec3::from_array(diagonal)];
             add(&mut root, b as u32, roots);
         }
         let boundaries = &world.setup.boundaries;
@@ -143,11 +132,7 @@ impl Springs {
             })
             .collect();
         let pieces = pieces(world, &faces);
-        Self {
-            root,
-            faces,
-            pieces,
-        }
+        Self { root, faces, pieces }
     }
 
     /// Smallest and largest ratio of dashpots to springs of patches, s; from 0 to infinity where boundaries have dashpots alone.
@@ -224,11 +209,7 @@ impl Step<'_> {
                 [0, 1].map(|k| weights.spring * s.stiffness[k] + weights.dashpot * s.impedance[k]);
             let springs = springs(s.area, s.half_spacing, stiffness);
             let (f, m) = pull(&s.frame, &springs, d, a[1]);
-            add(
-                sum,
-                s.block - (base * GROUP) as u32,
-                [f, s.arm.cross(f) + m],
-            );
+            add(sum, s.block - (base * GROUP) as u32, [f, s.arm.cross(f) + m]);
         }
         if let Some(bolted) = self.bolted.get(base..) {
             for (y, f) in each(sum).zip(each_of(bolted)) {
@@ -331,16 +312,8 @@ impl Side {
             let first = self.blocks[0] as usize;
             let (part, k) = (&at[first / GROUP], first % GROUP);
             return [
-                [
-                    Lanes::at(&part[0], k),
-                    Lanes::at(&part[1], k),
-                    Lanes::at(&part[2], k),
-                ],
-                [
-                    Lanes::at(&part[3], k),
-                    Lanes::at(&part[4], k),
-                    Lanes::at(&part[5], k),
-                ],
+                [Lanes::at(&part[0], k), Lanes::at(&part[1], k), Lanes::at(&part[2], k)],
+                [Lanes::at(&part[3], k), Lanes::at(&part[4], k), Lanes::at(&part[5], k)],
             ];
         }
         let mut all = [Vectors::default(); 2];
@@ -372,11 +345,7 @@ impl Side {
             for c in 0..3 {
                 for (to, push) in [(c, force[c]), (3 + c, moment[c])] {
                     let before = Lanes::at(&part[to], k);
-                    let after = if OPPOSITE {
-                        before - push
-                    } else {
-                        before + push
-                    };
+                    let after = if OPPOSITE { before - push } else { before + push };
                     part[to][k..k + LANES].copy_from_slice(&after.0);
                 }
             }
@@ -417,19 +386,13 @@ fn one(class: &PatchClass, stiffness: [f64; 2], [a, b]: [[Vec3; 2]; 2]) -> (Vec3
 /// As [`one`] for eight patches of a class, with the same operations in the same order: force, moments.
 #[inline(always)]
 fn eight(class: &PatchClass, stiffness: [f64; 2], [a, b]: &[[Vectors; 2]; 2]) -> [Vectors; 3] {
-    let arms = [
-        same(&class.arms[0].to_array()),
-        same(&class.arms[1].to_array()),
-    ];
+    let arms = [same(&class.arms[0].to_array()), same(&class.arms[1].to_array())];
     let frame = [
         same(&class.frame[0].to_array()),
         same(&class.frame[1].to_array()),
         same(&class.frame[2].to_array()),
     ];
-    let d = minus(
-        &plus(&minus(&b[0], &a[0]), &cross(&b[1], &arms[1])),
-        &cross(&a[1], &arms[0]),
-    );
+    let d = minus(&plus(&minus(&b[0], &a[0]), &cross(&b[1], &arms[1])), &cross(&a[1], &arms[0]));
     let w = minus(&b[1], &a[1]);
     let [along, about] = springs(class.area, class.half_spacing, stiffness);
     let f = pulled(&frame, along, &d);
@@ -515,10 +478,7 @@ mod tests {
                         let of_lane = |v: &Vectors| [0, 1, 2].map(|k| v[k].0[lane]);
                         let (f, m) = one(&class, class.stiffness, ends.map(|b| of(&at, b)));
                         assert_eq!(of_lane(&all[0]), f.to_array());
-                        assert_eq!(
-                            [of_lane(&all[1]), of_lane(&all[2])],
-                            m.map(|m| m.to_array())
-                        );
+                        assert_eq!([of_lane(&all[1]), of_lane(&all[2])], m.map(|m| m.to_array()));
                     }
                 }
             }

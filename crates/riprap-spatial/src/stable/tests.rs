@@ -58,9 +58,7 @@ fn limit(world: &World, weights: Weights, sweeps: usize) -> f64 {
         };
         let mut y = parts(world.alive.len());
         let mut products = vec![0.0; y.len()];
-        let pieces = y
-            .chunks_mut(PIECE / GROUP)
-            .zip(products.chunks_mut(PIECE / GROUP));
+        let pieces = y.chunks_mut(PIECE / GROUP).zip(products.chunks_mut(PIECE / GROUP));
         for (number, (y, products)) in pieces.enumerate() {
             step.piece(number, y, products);
         }
@@ -95,10 +93,7 @@ fn joint(stiffness: Stiffness, damping: f64) -> JointLaw {
 
 fn rock(shapes: Vec<Shape>, damping: f64) -> Setup {
     let spec = |(k, shape)| BlockSpec {
-        name: BlockName {
-            base: 0,
-            number: k as u32 + 1,
-        },
+        name: BlockName { base: 0, number: k as u32 + 1 },
         shape,
         material: 0,
         velocity: Vec3::ZERO,
@@ -131,10 +126,7 @@ fn bricks(planes: [&[f64]; 3]) -> Vec<Shape> {
         for y in planes[1].windows(2) {
             for x in planes[0].windows(2) {
                 let [low, high] = [0, 1].map(|k| Vec3::new(x[k], y[k], z[k]));
-                shapes.push(Shape::Brick {
-                    centre: 0.5 * (low + high),
-                    half: 0.5 * (high - low),
-                });
+                shapes.push(Shape::Brick { centre: 0.5 * (low + high), half: 0.5 * (high - low) });
             }
         }
     }
@@ -182,10 +174,7 @@ fn uneven(damping: f64) -> Setup {
 fn cells(damping: f64) -> Setup {
     let cells = voronoi(Vec3::ZERO, Vec3::splat(8.0), 1.0, 5, 0).unwrap();
     let solid = |cell: riprap_geom::polyhedron::Polyhedron| {
-        Shape::Polyhedron(Box::new(Solid {
-            vertices: cell.vertices,
-            faces: cell.faces,
-        }))
+        Shape::Polyhedron(Box::new(Solid { vertices: cell.vertices, faces: cell.faces }))
     };
     rock(cells.into_iter().map(solid).collect(), damping)
 }
@@ -226,10 +215,7 @@ fn build(setup: Setup, threads: usize) -> (World, Scratch) {
 
 /// Models, with the sweeps that a power iteration takes to 0.1 %, and stiffness-proportional damping (s).
 fn models() -> Vec<(&'static str, Setup, usize, f64)> {
-    let held = BoundaryKind::Held {
-        normal: true,
-        shear: true,
-    };
+    let held = BoundaryKind::Held { normal: true, shear: true };
     let viscous = |half_cell| BoundaryKind::Viscous { half_cell };
     let with = |mut setup: Setup, sides: Vec<Boundary>| {
         setup.boundaries = sides;
@@ -246,21 +232,13 @@ fn models() -> Vec<(&'static str, Setup, usize, f64)> {
     let fringe = [0.0, 1.0, 2.0, 3.0, 4.0, 4.05];
     let thin = with(
         rock(bricks([&fringe, &fringe, &fringe]), 0.05),
-        vec![
-            on(Vec3::X, 4.05, viscous(false)),
-            on(-Vec3::Z, 0.0, held.clone()),
-        ],
+        vec![on(Vec3::X, 4.05, viscous(false)), on(-Vec3::Z, 0.0, held.clone())],
     );
     vec![
         ("lattice", rock(lattice(16), 0.0), 500, 0.0),
         ("lattice with dashpots", rock(lattice(12), 0.3), 500, 0.0),
         ("damped lattice", rock(lattice(12), 0.0), 500, 1e-4),
-        (
-            "held lattice",
-            with(rock(lattice(12), 0.0), vec![on(-Vec3::Z, 0.0, held)]),
-            500,
-            0.0,
-        ),
+        ("held lattice", with(rock(lattice(12), 0.0), vec![on(-Vec3::Z, 0.0, held)]), 500, 0.0),
         ("viscous sides", dashed, 500, 0.0),
         ("thin viscous fringe", thin, 1000, 0.0),
         ("wall with a splinter", wall(0.0), 600, 0.0),

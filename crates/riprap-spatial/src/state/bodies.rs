@@ -18,10 +18,7 @@ impl Bodies {
     #[must_use]
     pub fn at_rest(n: usize) -> Self {
         let zeros = || std::array::from_fn(|_| vec![0.0; n]);
-        Self {
-            displacement: zeros(),
-            velocity: zeros(),
-        }
+        Self { displacement: zeros(), velocity: zeros() }
     }
 
     /// Number of blocks.

@@ -85,9 +85,7 @@ impl Bolt {
 
     /// All points of the rock that it holds on to, those of its dowels last.
     pub fn points(&self) -> impl Iterator<Item = &Pin> {
-        self.pins
-            .iter()
-            .chain(self.dowels.iter().flat_map(|d| &d.sides))
+        self.pins.iter().chain(self.dowels.iter().flat_map(|d| &d.sides))
     }
 
     /// Blocks that it holds on to, with repeats.

@@ -315,10 +315,7 @@ impl Deform {
                 continue;
             }
             let range = facet.points();
-            facets.push(Facet {
-                first: points.len() as u32,
-                ..*facet
-            });
+            facets.push(Facet { first: points.len() as u32, ..*facet });
             worn.push(*was_worn);
             points.extend_from_slice(&self.points[range.clone()]);
             memory.extend_from_slice(&self.memory[range]);

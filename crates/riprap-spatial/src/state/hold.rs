@@ -35,11 +35,7 @@ impl Hold {
     /// A node that is still free.
     #[must_use]
     pub fn new(node: u32) -> Self {
-        Self {
-            node,
-            free: Mat3::IDENTITY,
-            along: Vec::new(),
-        }
+        Self { node, free: Mat3::IDENTITY, along: Vec::new() }
     }
 
     /// Prescribes the velocity along a unit direction for the condition on an account; an earlier one along the same line is
@@ -64,12 +60,7 @@ impl Hold {
         }
         let basis = rest.normalize();
         self.free -= Mat3::from_cols(basis.x * basis, basis.y * basis, basis.z * basis);
-        self.along.push(Along {
-            direction,
-            velocity,
-            account,
-            basis,
-        });
+        self.along.push(Along { direction, velocity, account, basis });
     }
 
     /// Whether nothing is prescribed.
@@ -112,10 +103,7 @@ impl Hold {
     pub fn velocity(&self, t: f64, place: Vec3) -> Vec3 {
         let mut v = Vec3::ZERO;
         for a in &self.along {
-            let wanted = a
-                .velocity
-                .as_ref()
-                .map_or(0.0, |f| f.at_place(t, place.to_array()));
+            let wanted = a.velocity.as_ref().map_or(0.0, |f| f.at_place(t, place.to_array()));
             v += (wanted - a.direction.dot(v)) / a.direction.dot(a.basis) * a.basis;
         }
         v

@@ -17,9 +17,5 @@ impl Origin {
     /// No parent.
     pub const NONE: u32 = u32::MAX;
     /// Origin of a block as given.
-    pub const GIVEN: Self = Self {
-        parent: Self::NONE,
-        octant: 0,
-        level: 0,
-    };
+    pub const GIVEN: Self = Self { parent: Self::NONE, octant: 0, level: 0 };
 }

@@ -191,15 +191,9 @@ mod tests {
             normal_offset: (0..10).map(|k| [f64::from(k); 4]).collect(),
             ..Patches::default()
         };
-        for gone in [
-            &[][..],
-            &[0],
-            &[9],
-            &[0, 1, 2],
-            &[3, 4, 8],
-            &[0, 9],
-            &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9],
-        ] {
+        for gone in
+            [&[][..], &[0], &[9], &[0, 1, 2], &[3, 4, 8], &[0, 9], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9]]
+        {
             let (mut short, mut picked) = (all.clone(), all.clone());
             short.drop_some(gone);
             let keep: Vec<u32> = (0..10).filter(|k| !gone.contains(&(*k as usize))).collect();

@@ -27,16 +27,8 @@ impl World {
         ] {
             one_each(what, length, blocks)?;
         }
-        below(
-            "class of solids",
-            self.solid.iter().copied(),
-            self.solids.len(),
-        )?;
-        below(
-            "water table",
-            self.water.map(u32::from),
-            self.setup.water.len(),
-        )?;
+        below("class of solids", self.solid.iter().copied(), self.solids.len())?;
+        below("water table", self.water.map(u32::from), self.setup.water.len())?;
         self.setup_is_sound()?;
         self.patches_are_sound(blocks)?;
         let faces = self.faces.iter().map(|face| face.block);
@@ -51,11 +43,7 @@ impl World {
         let sources = cavities.map(|cavity| u32::from(cavity.source));
         below("source", sources, self.setup.sources.len())?;
         let boundaries = self.faces.iter().filter_map(|face| face.boundary);
-        below(
-            "boundary",
-            boundaries.map(u32::from),
-            self.setup.boundaries.len(),
-        )?;
+        below("boundary", boundaries.map(u32::from), self.setup.boundaries.len())?;
         for bolt in &self.bolts {
             let sides = bolt.dowels.iter().flat_map(|dowel| &dowel.sides);
             let pins = bolt.pins.iter().chain(sides).map(|pin| pin.block);
@@ -77,22 +65,14 @@ impl World {
         below("material", of_blocks, materials)?;
         let names = setup.blocks.iter().map(|block| u32::from(block.name.base));
         below("name", names, setup.names.len())?;
-        one_each(
-            "pairs of materials",
-            setup.pair_table.len(),
-            materials * materials,
-        )?;
+        one_each("pairs of materials", setup.pair_table.len(), materials * materials)?;
         let rows = setup.pair_table.iter().map(|row| u32::from(*row));
         let bridges = setup.bridges.iter().map(|bridges| u32::from(bridges.row));
         below("interface", rows.chain(bridges), setup.interfaces.len())?;
         let supports = setup.supports.iter().flat_map(|support| &support.blocks);
         let loads = setup.loads.iter().flat_map(|load| &load.blocks);
         let groups = setup.groups.iter().flat_map(|group| &group.blocks);
-        let holds = setup
-            .deform
-            .holds
-            .iter()
-            .filter_map(|hold| hold.blocks.as_ref());
+        let holds = setup.deform.holds.iter().filter_map(|hold| hold.blocks.as_ref());
         let all = supports.chain(loads).chain(groups).chain(holds.flatten());
         below("block", all.copied(), blocks)?;
         let accounts = setup.loads.iter().filter_map(|load| load.account);
@@ -104,11 +84,7 @@ impl World {
         below("block", patches.ends.iter().flatten().copied(), blocks)?;
         one_each("classes of patches", patches.class.len(), count)?;
         one_each("states of patches", patches.flags.len(), count)?;
-        below(
-            "class of patches",
-            patches.class.iter().copied(),
-            self.classes.len(),
-        )?;
+        below("class of patches", patches.class.iter().copied(), self.classes.len())?;
         // Lists of which a model without what they hold has none.
         for (what, length) in [
             ("tractions at rest", patches.prestress.len()),
@@ -123,20 +99,12 @@ impl World {
         let rows = self.classes.iter().map(|class| u32::from(class.row));
         below("interface", rows, self.setup.interfaces.len())?;
         let materials = self.classes.iter().flat_map(|class| class.materials);
-        below(
-            "material",
-            materials.map(u32::from),
-            self.setup.materials.len(),
-        )
+        below("material", materials.map(u32::from), self.setup.materials.len())
     }
 
     fn deform_is_sound(&self, deform: &Deform, blocks: usize) -> Result<(), String> {
         let nodes = deform.nodes.place.len();
-        one_each(
-            "displacements of nodes",
-            deform.nodes.displacement.len(),
-            nodes,
-        )?;
+        one_each("displacements of nodes", deform.nodes.displacement.len(), nodes)?;
         one_each("velocities of nodes", deform.nodes.velocity.len(), nodes)?;
         let bodies = deform.bodies.iter().map(|body| body.block);
         let facets = deform.facets.iter().flat_map(|facet| facet.blocks);
@@ -154,14 +122,8 @@ impl World {
             return Err(format!("point {last} of {points} is not there"));
         }
         let surfaces = deform.surfaces.iter();
-        below(
-            "body",
-            surfaces.clone().map(|surface| surface.body),
-            deform.bodies.len(),
-        )?;
-        let of_surfaces = surfaces
-            .flat_map(|surface| &surface.nodes)
-            .map(|(node, _)| *node);
+        below("body", surfaces.clone().map(|surface| surface.body), deform.bodies.len())?;
+        let of_surfaces = surfaces.flat_map(|surface| &surface.nodes).map(|(node, _)| *node);
         let held = deform.holds.iter().map(|hold| hold.node);
         below("node", of_surfaces.chain(held), nodes)?;
         let rows = deform.facets.iter().map(|facet| u32::from(facet.row));

@@ -15,9 +15,7 @@ impl Sums {
     /// `n` zeros.
     #[must_use]
     pub fn zeros(n: usize) -> Self {
-        Self {
-            lists: std::array::from_fn(|_| vec![0.0; n]),
-        }
+        Self { lists: std::array::from_fn(|_| vec![0.0; n]) }
     }
 
     /// Whether it has no entries.

@@ -108,10 +108,7 @@ impl Workspace {
     /// What displacements of nodes are multiplied with in mean displacement gradients.
     #[must_use]
     pub fn slopes(&self) -> Slopes<'_> {
-        Slopes {
-            classes: &self.classes,
-            slopes: &self.slopes,
-        }
+        Slopes { classes: &self.classes, slopes: &self.slopes }
     }
 
     /// BlockClass of a body.

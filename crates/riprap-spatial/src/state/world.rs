@@ -163,10 +163,7 @@ impl World {
         match body {
             // The last node is the centroid.
             Some(body) => Anchor::node(body.first + body.count - 1),
-            None => Anchor::Block {
-                block,
-                arm: Vec3::ZERO,
-            },
+            None => Anchor::Block { block, arm: Vec3::ZERO },
         }
     }
 }

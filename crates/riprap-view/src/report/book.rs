@@ -84,11 +84,7 @@ impl Book {
         let mut told = summary(run);
         let sound = self.motion(run, limits)?;
         self.same_shapes();
-        let room = Room {
-            run,
-            frames: &sound,
-            bytes: limits.bytes,
-        };
+        let room = Room { run, frames: &sound, bytes: limits.bytes };
         let columns: Vec<(String, u64)> = told["fields"]
             .as_array()
             .into_iter()
@@ -100,23 +96,14 @@ impl Book {
         let mut fields: Vec<&str> = Vec::new();
         for (name, _) in &main {
             // The first one is wanted whatever it takes.
-            let room = Room {
-                bytes: if fields.is_empty() {
-                    usize::MAX
-                } else {
-                    room.bytes
-                },
-                ..room
-            };
+            let room =
+                Room { bytes: if fields.is_empty() { usize::MAX } else { room.bytes }, ..room };
             if self.field(&room, name)? {
                 fields.push(name);
             }
         }
         let mut vectors: Vec<&str> = Vec::new();
-        for (name, _) in columns
-            .iter()
-            .filter(|c| ARROWS.contains(&c.0.as_str()) && c.1 > 1)
-        {
+        for (name, _) in columns.iter().filter(|c| ARROWS.contains(&c.0.as_str()) && c.1 > 1) {
             if self.add(&room, "vectors", Some(name)) {
                 vectors.push(name);
             }
@@ -139,10 +126,7 @@ impl Book {
         }
         // What a damaged file would have held is not drawn; the viewer tells of it.
         let conditions = run.conditions().ok().flatten();
-        self.put(
-            "conditions".to_owned(),
-            json!(conditions).to_string().as_bytes(),
-        );
+        self.put("conditions".to_owned(), json!(conditions).to_string().as_bytes());
         let names = json!(run.names()).to_string();
         self.put("names".to_owned(), names.as_bytes());
         for key in ["times", "steps", "phases"] {
@@ -205,9 +189,7 @@ impl Book {
                 .and_then(|()| self.ask(run, &format!("shape/{k}"), None, &format!("shape/{n}")));
             match done {
                 Ok(()) => sound.push(k),
-                Err(problem) => self
-                    .notes
-                    .push(format!("frame {} is left out: {problem}", k + 1)),
+                Err(problem) => self.notes.push(format!("frame {} is left out: {problem}", k + 1)),
             }
             if self.bytes > limits.bytes {
                 break;
@@ -220,12 +202,7 @@ impl Book {
     fn add(&mut self, room: &Room<'_>, what: &str, name: Option<&str>) -> bool {
         let mut part = Book::default();
         for (n, k) in room.frames.iter().enumerate() {
-            let _ = part.ask(
-                room.run,
-                &format!("{what}/{k}"),
-                name,
-                &format!("{what}/{n}"),
-            );
+            let _ = part.ask(room.run, &format!("{what}/{k}"), name, &format!("{what}/{n}"));
             if self.bytes.saturating_add(part.bytes) > room.bytes {
                 return false;
             }
@@ -262,20 +239,15 @@ impl Book {
     /// A shape that several frames share is kept once: the page asks for the shape of the first of them.
     fn same_shapes(&mut self) {
         let mut seen: Vec<Value> = Vec::new();
-        let shapes: Vec<String> = self
-            .answers
-            .keys()
-            .filter(|k| k.starts_with("shape/"))
-            .cloned()
-            .collect();
+        let shapes: Vec<String> =
+            self.answers.keys().filter(|k| k.starts_with("shape/")).cloned().collect();
         let mut shapes = shapes;
         shapes.sort_by_key(|s| s[6..].parse::<usize>().unwrap_or(0));
         for question in shapes {
             let text = self.answers[&question].clone();
             if let Some(first) = seen.iter().find(|s| s["text"] == text) {
                 self.bytes -= text.as_str().map_or(0, str::len);
-                self.answers
-                    .insert(question, json!({ "as": first["question"] }));
+                self.answers.insert(question, json!({ "as": first["question"] }));
             } else {
                 seen.push(json!({ "question": question, "text": text }));
             }
@@ -313,10 +285,8 @@ fn thinned(run: &Run, name: &str) -> Vec<u8> {
         let values: Vec<f64> = kept.iter().map(|r| column.values[*r]).collect();
         wire = wire.f64(&i.to_string(), &values);
     }
-    let heads: Vec<Value> = columns
-        .iter()
-        .map(|c| json!({ "name": c.name, "unit": c.unit }))
-        .collect();
+    let heads: Vec<Value> =
+        columns.iter().map(|c| json!({ "name": c.name, "unit": c.unit })).collect();
     wire.finish(&json!({ "columns": heads, "cut": false }))
 }
 
@@ -335,10 +305,7 @@ mod tests {
             if let Some(k) = damaged {
                 std::fs::write(path.join(riprap_record::folder::block_file(k)), "no").unwrap();
             }
-            let limits = Limits {
-                frames: 2,
-                bytes: 1,
-            };
+            let limits = Limits { frames: 2, bytes: 1 };
             let mut book = Book::default();
             assert_eq!(book.fill(&Run::new(&path), limits).unwrap(), 1);
             let told = book.notes.iter().any(|n| n.contains("shows no motion"));

@@ -6,10 +6,7 @@ use std::fmt::Write as _;
 /// Text for HTML.
 pub(super) fn escape(text: &str) -> String {
     // First, or it would escape what the others put in.
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('>', "&gt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 pub(super) fn table<'a>(
@@ -20,12 +17,7 @@ pub(super) fn table<'a>(
     let _ = writeln!(out, "<table class=\"{class}\">");
     for (name, value) in rows {
         if !value.is_empty() {
-            let _ = writeln!(
-                out,
-                "<tr><th>{}</th><td>{}</td></tr>",
-                escape(name),
-                escape(&value)
-            );
+            let _ = writeln!(out, "<tr><th>{}</th><td>{}</td></tr>", escape(name), escape(&value));
         }
     }
     out.push_str("</table>\n");
@@ -55,11 +47,7 @@ pub(super) fn rounded(v: f64, largest: f64) -> String {
         return format!("{v:.3e}");
     }
     let unit = 10_f64.powf(power - 3.0);
-    let text = format!(
-        "{:.*}",
-        (3.0 - power).max(0.0) as usize,
-        (v / unit).round() * unit
-    );
+    let text = format!("{:.*}", (3.0 - power).max(0.0) as usize, (v / unit).round() * unit);
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
@@ -82,29 +70,11 @@ mod tests {
 
     #[test]
     fn energies_have_four_digits() {
-        let all = [
-            12345.678901,
-            -0.0123456,
-            123456.7,
-            2.0,
-            9999.9,
-            5e-10,
-            4e9,
-            1e-20,
-        ];
+        let all = [12345.678901, -0.0123456, 123456.7, 2.0, 9999.9, 5e-10, 4e9, 1e-20];
         let said: Vec<String> = all.iter().map(|v| rounded(*v, 1e-4)).collect();
         assert_eq!(
             said,
-            [
-                "12350",
-                "-0.01235",
-                "123500",
-                "2",
-                "10000",
-                "5.000e-10",
-                "4.000e9",
-                "0"
-            ]
+            ["12350", "-0.01235", "123500", "2", "10000", "5.000e-10", "4.000e9", "0"]
         );
         assert_eq!(rounded(1e-3, 1e10), "0");
         assert_eq!(rounded(f64::NAN, 1.0), "NaN");
@@ -112,9 +82,6 @@ mod tests {
 
     #[test]
     fn text_of_a_run_cannot_become_html() {
-        assert_eq!(
-            escape("<b>\"&\"</b>"),
-            "&lt;b&gt;&quot;&amp;&quot;&lt;/b&gt;"
-        );
+        assert_eq!(escape("<b>\"&\"</b>"), "&lt;b&gt;&quot;&amp;&quot;&lt;/b&gt;");
     }
 }

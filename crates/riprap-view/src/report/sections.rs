@@ -24,10 +24,7 @@ pub(super) fn groups(out: &mut String, names: &Names) {
             .map(|[a, b]| 1 + u64::from(b.saturating_sub(*a)))
             .sum();
         let name = |number: Option<u32>| number.and_then(|n| names.block(n)).unwrap_or_default();
-        let ends = [
-            group.blocks.first().map(|b| b[0]),
-            group.blocks.last().map(|b| b[1]),
-        ];
+        let ends = [group.blocks.first().map(|b| b[0]), group.blocks.last().map(|b| b[1])];
         let _ = writeln!(
             out,
             "<tr><td>{}</td><td>{count}</td><td>{}</td><td>{}</td></tr>",
@@ -113,11 +110,8 @@ pub(super) fn checks(out: &mut String, run: &Run) {
     for line in &lines {
         let status = text_of(line, "status");
         let note = text_of(line, "note");
-        let note = if note.is_empty() {
-            note
-        } else {
-            format!("<br><small>{}</small>", escape(&note))
-        };
+        let note =
+            if note.is_empty() { note } else { format!("<br><small>{}</small>", escape(&note)) };
         let _ = writeln!(
             out,
             "<tr class=\"{0}\"><td>{0}</td><td>{1}{note}</td><td>{2}</td></tr>",
@@ -209,9 +203,7 @@ pub(super) fn events(out: &mut String, run: &Run) {
     let mut counts: std::collections::BTreeMap<String, (usize, f64, f64)> = Default::default();
     let read = run.each_line("events.jsonl", &mut |line| {
         let time = line["time"].as_f64().unwrap_or(f64::NAN);
-        let entry = counts
-            .entry(text_of(&line, "event"))
-            .or_insert((0, time, time));
+        let entry = counts.entry(text_of(&line, "event")).or_insert((0, time, time));
         entry.0 += 1;
         entry.2 = time;
         true

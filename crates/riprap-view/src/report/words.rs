@@ -24,14 +24,10 @@ pub(super) fn scene(run: &Run) -> Table {
 
 /// The tables of materials and interfaces of a scene.
 pub(super) fn materials(out: &mut String, scene: &Table) {
-    let tables = [
-        ("Materials", "material", "materials"),
-        ("Interfaces", "between", "interfaces"),
-    ];
+    let tables = [("Materials", "material", "materials"), ("Interfaces", "between", "interfaces")];
     for (title, head, key) in tables {
-        let Some(Value::Table(all)) = scene
-            .get(key)
-            .filter(|t| t.as_table().is_some_and(|t| !t.is_empty()))
+        let Some(Value::Table(all)) =
+            scene.get(key).filter(|t| t.as_table().is_some_and(|t| !t.is_empty()))
         else {
             continue;
         };
@@ -58,11 +54,7 @@ pub(super) fn materials(out: &mut String, scene: &Table) {
 /// Which materials an interface lies between.
 fn between(name: &str, value: &Value) -> String {
     let pair = value.get("between").and_then(Value::as_array);
-    let names: Vec<&str> = pair
-        .into_iter()
-        .flatten()
-        .filter_map(Value::as_str)
-        .collect();
+    let names: Vec<&str> = pair.into_iter().flatten().filter_map(Value::as_str).collect();
     match names[..] {
         [a, b] => format!("{a} and {b} ({name})"),
         _ if name == "default" => "all other pairs".to_owned(),
@@ -92,10 +84,7 @@ fn spoken(key: &str) -> String {
 
 fn text(value: &Value) -> String {
     match value {
-        Value::String(text) => text
-            .replace("m3", "m³")
-            .replace("m2", "m²")
-            .replace("s2", "s²"),
+        Value::String(text) => text.replace("m3", "m³").replace("m2", "m²").replace("s2", "s²"),
         Value::Array(all) => all.iter().map(text).collect::<Vec<_>>().join(", "),
         Value::Table(_) => properties(value),
         other => other.to_string(),

@@ -56,10 +56,7 @@ impl Builder<'_> {
     /// The limit as a field: in the unit of the interval that is searched, read once it is found.
     fn limit_use(&mut self, said: &language::Check) -> Option<(FieldUse, String)> {
         let Some(bisect) = &self.parsed.scenario.bisect else {
-            let message = format!(
-                "check `{}` reads `{LIMIT}` and there is no [bisect]",
-                said.name
-            );
+            let message = format!("check `{}` reads `{LIMIT}` and there is no [bisect]", said.name);
             let help = "add a [bisect] table; `riprap explain bisect` says what to write";
             self.error_at("field.bisect", &said.field, message, help);
             return None;
@@ -84,14 +81,7 @@ impl Builder<'_> {
             suffixes: &[""],
         };
         let unit = searched_unit(bisect);
-        Some((
-            used,
-            if unit.is_empty() {
-                "-".to_owned()
-            } else {
-                unit
-            },
-        ))
+        Some((used, if unit.is_empty() { "-".to_owned() } else { unit }))
     }
 
     fn check(&mut self, said: &language::Check) -> Option<Check> {
@@ -120,17 +110,9 @@ impl Builder<'_> {
         let window = match (&said.at, &said.over, reduce) {
             (_, Some([from, to]), Some(reduce)) => {
                 self.in_run(from.si(), from.span.clone(), &said.name);
-                Window::Over {
-                    from: from.si(),
-                    to: to.si(),
-                    reduce,
-                }
+                Window::Over { from: from.si(), to: to.si(), reduce }
             }
-            (None, None, Some(reduce)) => Window::Over {
-                from: 0.0,
-                to: f64::INFINITY,
-                reduce,
-            },
+            (None, None, Some(reduce)) => Window::Over { from: 0.0, to: f64::INFINITY, reduce },
             (Some(moment), _, _) => match moment.read() {
                 When::Time(time) => {
                     self.in_run(time, moment.span.clone(), &said.name);
@@ -199,12 +181,7 @@ impl Builder<'_> {
             Some(threshold) => b.in_unit(threshold, unit, "`threshold`"),
             None => {
                 let message = format!("check `{name}` needs a `threshold`");
-                b.error_at(
-                    "key.missing",
-                    name,
-                    message,
-                    "write for example threshold = \"0.1 m\"",
-                );
+                b.error_at("key.missing", name, message, "write for example threshold = \"0.1 m\"");
                 None
             }
         };
@@ -236,10 +213,7 @@ impl Builder<'_> {
             Window::End | Window::At(_) | Window::Phase { .. } => Part::End,
             Window::Over { reduce, .. } => Part::Whole(reduce),
         };
-        Some(Window::Phase {
-            phase: phase as u32,
-            part,
-        })
+        Some(Window::Phase { phase: phase as u32, part })
     }
 
     /// A moment after the end of the run is never reached.
@@ -251,8 +225,7 @@ impl Builder<'_> {
             let message =
                 format!("check `{name}` reads at {time} s, but the phases last {total} s in all");
             let error = Diagnostic::error("check.late", message).at(span);
-            self.found
-                .push(error.help("choose an earlier moment, or a longer phase"));
+            self.found.push(error.help("choose an earlier moment, or a longer phase"));
         }
     }
 
@@ -261,21 +234,15 @@ impl Builder<'_> {
             return self.in_unit(value, unit, "the field").map(Expected::Value);
         }
         if let Some([low, high]) = &said.between {
-            let ends = (
-                self.in_unit(low, unit, "the field"),
-                self.in_unit(high, unit, "the field"),
-            );
+            let ends =
+                (self.in_unit(low, unit, "the field"), self.in_unit(high, unit, "the field"));
             let (Some(low), Some(high_value)) = ends else {
                 return None;
             };
             if low > high_value {
                 let error =
                     Diagnostic::error("value.order", "the lower bound is above the upper one");
-                self.found.push(
-                    error
-                        .at(high.span.clone())
-                        .help("between = [lowest, highest]"),
-                );
+                self.found.push(error.at(high.span.clone()).help("between = [lowest, highest]"));
             }
             return Some(Expected::Between(low, high_value));
         }
@@ -329,11 +296,7 @@ impl Builder<'_> {
         let window = match criterion.reduce {
             Some(reduce) => {
                 let reduce = self.reduce(reduce, None, used.unit, &criterion.field)?;
-                Window::Over {
-                    from: 0.0,
-                    to: f64::INFINITY,
-                    reduce,
-                }
+                Window::Over { from: 0.0, to: f64::INFINITY, reduce }
             }
             None => Window::End,
         };
@@ -371,15 +334,11 @@ impl Builder<'_> {
 fn shown<'a>(said: impl Iterator<Item = &'a Quantity<Any>>) -> Option<Shown> {
     let mut units = said.filter_map(Quantity::unit);
     let (unit, one) = units.next()?;
-    Some(Shown {
-        unit: unit.to_owned(),
-        one,
-    })
+    Some(Shown { unit: unit.to_owned(), one })
 }
 
 /// SI unit of the searched interval; empty for plain numbers.
 fn searched_unit(bisect: &language::Bisect) -> String {
     let dim = bisect.low.read().ok().and_then(|(_, dim)| dim);
-    dim.filter(|d| *d != units::Dim::NONE)
-        .map_or_else(String::new, |d| d.to_string())
+    dim.filter(|d| *d != units::Dim::NONE).map_or_else(String::new, |d| d.to_string())
 }

@@ -19,11 +19,7 @@ impl Builder<'_> {
             let opening = read.opening_or(slip, Provenance::Default, "`slip`");
             // Looked at with the rules of the language.
             let curve = softening.curve.as_ref().and_then(|c| curve(c).ok());
-            let softening = Softening {
-                slip,
-                opening,
-                curve,
-            };
+            let softening = Softening { slip, opening, curve };
             behaviour.weakening = Weakening::Softening(softening);
         }
         if let Some(rough) = &said.barton_bandis {
@@ -42,19 +38,13 @@ impl Builder<'_> {
                 }
                 None => read.peak_slip(),
             };
-            behaviour.weakening = Weakening::BartonBandis(BartonBandis {
-                jrc,
-                jcs,
-                peak_slip,
-                share: 1.0,
-            });
+            behaviour.weakening =
+                Weakening::BartonBandis(BartonBandis { jrc, jcs, peak_slip, share: 1.0 });
         }
         if let Some(closure) = &said.closure {
             let mut read = self.reading(format!("interfaces.{name}.closure"), closure);
-            behaviour.closure = Closure::Hyperbolic {
-                limit: read.limit(),
-                stiffest: read.stiffest(),
-            };
+            behaviour.closure =
+                Closure::Hyperbolic { limit: read.limit(), stiffest: read.stiffest() };
         }
         behaviour
     }
@@ -63,11 +53,7 @@ impl Builder<'_> {
 /// The strength with the dilation of an interface.
 pub(super) fn dilates(strength: Strength, read: &mut Read<'_, Interface>) -> Strength {
     Strength {
-        dilation: read
-            .said()
-            .dilation_angle
-            .as_ref()
-            .map_or(0.0, Quantity::tangent),
+        dilation: read.said().dilation_angle.as_ref().map_or(0.0, Quantity::tangent),
         dilation_end: read.dilation_end().unwrap_or(0.0),
         ..strength
     }

@@ -66,8 +66,7 @@ impl Builder<'_> {
             Geometry::Polygon(Polygon::Points(points)) => {
                 let outline: Vec<Vec2> = points.iter().map(|p| self.point(p)).collect();
                 let spans = |k: usize| points.get(k).map(|[x, y]| x.span.start..y.span.end);
-                self.outline(block, outline, &spans)
-                    .map(Generated::single)?
+                self.outline(block, outline, &spans).map(Generated::single)?
             }
             Geometry::Polygon(Polygon::Csv(file)) => {
                 let table = self.table(file, &CORNER)?;
@@ -92,8 +91,7 @@ impl Builder<'_> {
                     running: w.bond.unwrap_or_default() == WallBond::Running,
                     half_blocks: w.half_blocks,
                 };
-                self.made(block, shapes::wall(&wall))
-                    .map(Generated::several)?
+                self.made(block, shapes::wall(&wall)).map(Generated::several)?
             }
             Geometry::Arch(a) => {
                 let arch = Arch {
@@ -103,8 +101,7 @@ impl Builder<'_> {
                     half_angle: a.half_angle.si(),
                     voussoirs: a.voussoirs as usize,
                 };
-                self.made(block, shapes::arch(&arch))
-                    .map(Generated::several)?
+                self.made(block, shapes::arch(&arch)).map(Generated::several)?
             }
             Geometry::Cut(c) => self.cut(block, c)?,
             // Refused by the language: shapes of the other space.
@@ -128,16 +125,12 @@ impl Builder<'_> {
                     vertices: (few as usize, many as usize),
                     seed,
                 };
-                self.made(block, pack::pour(&pour))
-                    .map(Generated::several)?
+                self.made(block, pack::pour(&pour)).map(Generated::several)?
             }
         };
         self.place(block, &mut made.outlines);
         self.copy(block, &mut made);
-        let wrong = made
-            .outlines
-            .iter()
-            .find_map(|o| polygon::validate(o).err());
+        let wrong = made.outlines.iter().find_map(|o| polygon::validate(o).err());
         if let Some(error) = wrong {
             // A shape of ours that is no polygon: sizes or places beyond the range of numbers.
             self.geometry_error(block, &error, None);
@@ -159,10 +152,10 @@ impl Builder<'_> {
     /// Turns and moves.
     fn place(&self, block: &Block, outlines: &mut [Vec<Vec2>]) {
         if let Some(rotate) = &block.rotate {
-            let about = rotate.about.as_ref().map_or_else(
-                || common_centroid(outlines),
-                |p| Vec2::from(p.xy()) - self.origin,
-            );
+            let about = rotate
+                .about
+                .as_ref()
+                .map_or_else(|| common_centroid(outlines), |p| Vec2::from(p.xy()) - self.origin);
             let angle = rotate.angle.as_ref().map_or(0.0, Quantity::si);
             let (sin, cos) = (libm::sin(angle), libm::cos(angle));
             for v in outlines.iter_mut().flatten() {
@@ -236,10 +229,7 @@ impl Builder<'_> {
             self.found.push(note.at(block.name.span.clone()));
         };
         if changes.reversed {
-            note(format!(
-                "the corners of `{}` run clockwise: they were turned round",
-                block.name
-            ));
+            note(format!("the corners of `{}` run clockwise: they were turned round", block.name));
         }
         if changes.repeated > 0 {
             let count = changes.repeated;
@@ -254,11 +244,7 @@ impl Builder<'_> {
     /// Corners of a region to be divided.
     fn region(&mut self, block: &Block, points: &[Point]) -> Option<Vec<Vec2>> {
         let spans = |k: usize| points.get(k).map(|[x, y]| x.span.start..y.span.end);
-        self.outline(
-            block,
-            points.iter().map(|p| self.point(p)).collect(),
-            &spans,
-        )
+        self.outline(block, points.iter().map(|p| self.point(p)).collect(), &spans)
     }
 
     fn cut(&mut self, block: &Block, cut: &Cut) -> Option<Generated> {
@@ -353,30 +339,25 @@ impl Builder<'_> {
 
     fn geometry_error(&mut self, block: &Block, error: &GeomError, at: Option<Span>) {
         let (code, help): (&'static str, &str) = match error {
-            GeomError::TooFewVertices { .. } => (
-                "polygon.corners",
-                "a polygon has at least three different corners",
-            ),
-            GeomError::TooManyVertices { .. } => (
-                "polygon.corners",
-                "leave out corners that do not matter, or divide the block",
-            ),
+            GeomError::TooFewVertices { .. } => {
+                ("polygon.corners", "a polygon has at least three different corners")
+            }
+            GeomError::TooManyVertices { .. } => {
+                ("polygon.corners", "leave out corners that do not matter, or divide the block")
+            }
             GeomError::NonFinite { .. } => ("polygon.number", "give finite coordinates in metres"),
             GeomError::ZeroArea { .. } => ("polygon.area", "check the coordinates and their units"),
-            GeomError::SelfIntersecting { .. } => (
-                "polygon.crossing",
-                "give the corners in order along the boundary",
-            ),
+            GeomError::SelfIntersecting { .. } => {
+                ("polygon.crossing", "give the corners in order along the boundary")
+            }
             GeomError::Spike { .. } => ("polygon.spike", "leave out the corner at the tip"),
             GeomError::BadNumber { .. } => ("value.range", "change the value"),
-            GeomError::TooMany { .. } => (
-                "geometry.count",
-                "make the spacing or size larger, or the region smaller",
-            ),
-            GeomError::DoesNotFit { .. } => (
-                "geometry.fit",
-                "make the region larger, or `count` or `size` smaller",
-            ),
+            GeomError::TooMany { .. } => {
+                ("geometry.count", "make the spacing or size larger, or the region smaller")
+            }
+            GeomError::DoesNotFit { .. } => {
+                ("geometry.fit", "make the region larger, or `count` or `size` smaller")
+            }
             GeomError::ShortEdges { .. } => SHORT_EDGES,
             GeomError::Arrangement { .. } => ("geometry.joints", "change the seed or a spacing"),
         };
@@ -397,8 +378,7 @@ impl Builder<'_> {
         }
         let message = format!("block `{}`: {error}", block.name);
         let span = at.unwrap_or_else(|| block.name.span.clone());
-        self.found
-            .push(Diagnostic::error(code, message).at(span).help(help));
+        self.found.push(Diagnostic::error(code, message).at(span).help(help));
     }
 }
 
@@ -412,9 +392,5 @@ fn common_centroid(outlines: &[Vec<Vec2>]) -> Vec2 {
         area += m.area;
         first += m.area * (m.centroid - start);
     }
-    if area == 0.0 {
-        start
-    } else {
-        start + first / area
-    }
+    if area == 0.0 { start } else { start + first / area }
 }

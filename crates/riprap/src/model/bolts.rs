@@ -52,11 +52,8 @@ impl Builder<'_> {
             }
             let many = lines.len() > 1 || said.csv.is_some();
             for (number, line) in (1..).zip(lines) {
-                let name = if many {
-                    format!("{}.{number}", said.name)
-                } else {
-                    said.name.text.clone()
-                };
+                let name =
+                    if many { format!("{}.{number}", said.name) } else { said.name.text.clone() };
                 self.bolt_in_rock(said, &name, &line, &design);
                 self.directory.bolts.push(name.clone());
                 let [head, toe] = [line.head, line.toe].map(|end| self.near(end));
@@ -68,12 +65,9 @@ impl Builder<'_> {
                         design,
                         spacing,
                     }),
-                    InSpace::Spatial => self.spatial.bolts.push(spatial::setup::Bolt {
-                        name,
-                        head,
-                        toe,
-                        design,
-                    }),
+                    InSpace::Spatial => {
+                        self.spatial.bolts.push(spatial::setup::Bolt { name, head, toe, design })
+                    }
                 }
             }
         }
@@ -93,15 +87,9 @@ impl Builder<'_> {
                 said.name, MOST_PIECES[0]
             )
         } else {
-            format!(
-                "the bolts `{}` would have {all:.1e} pieces in all",
-                said.name
-            )
+            format!("the bolts `{}` would have {all:.1e} pieces in all", said.name)
         };
-        let at = said
-            .piece
-            .as_ref()
-            .map_or(&said.name.span, |piece| &piece.span);
+        let at = said.piece.as_ref().map_or(&said.name.span, |piece| &piece.span);
         let error = Diagnostic::error("bolt.pieces", message).at(at.clone());
         self.found.push(error.help(
             "give a longer `piece`: a tenth of the length over which the grout hands over the force (`sqrt(E A / k)`) is enough",
@@ -230,11 +218,7 @@ impl Builder<'_> {
                 self.error_at("file.csv", csv, message, "head and toe must differ");
                 return None;
             }
-            lines.push(Line {
-                head,
-                toe,
-                span: csv.span.clone(),
-            });
+            lines.push(Line { head, toe, span: csv.span.clone() });
         }
         Some(lines)
     }
@@ -250,10 +234,7 @@ impl Builder<'_> {
             for b in names.unwrap_or_default() {
                 gone[b as usize] = true;
             }
-            let here = said
-                .phase
-                .as_ref()
-                .map_or(k == 0, |p| p.as_str() == phase.name.as_str());
+            let here = said.phase.as_ref().map_or(k == 0, |p| p.as_str() == phase.name.as_str());
             // After the blocks of this phase: it takes them out before it installs.
             if here {
                 break;

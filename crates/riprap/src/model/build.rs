@@ -40,10 +40,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         setup: Setup::default(),
         spatial: spatial::Setup::default(),
         fitted_levels: BTreeMap::new(),
-        plan: Plan {
-            title: parsed.scenario.title.clone(),
-            ..Plan::default()
-        },
+        plan: Plan { title: parsed.scenario.title.clone(), ..Plan::default() },
         directory: Directory::default(),
         drawn: BTreeMap::new(),
         surfaces: BTreeMap::new(),
@@ -147,15 +144,8 @@ impl Builder<'_> {
         for block in &self.parsed.scenario.blocks {
             let shift = block.shift.as_ref().map_or(Vec2::ZERO, |s| s.xy().into());
             let drawn = self.drawn.get(block.name.as_str());
-            let drawn = drawn
-                .iter()
-                .flat_map(|d| d.outlines.iter().flatten().copied());
-            points.extend(
-                super::blocks::places(block)
-                    .into_iter()
-                    .chain(drawn)
-                    .map(|p| p + shift),
-            );
+            let drawn = drawn.iter().flat_map(|d| d.outlines.iter().flatten().copied());
+            points.extend(super::blocks::places(block).into_iter().chain(drawn).map(|p| p + shift));
         }
         let bounds = riprap_geom::polygon::Aabb::of(&points);
         let far = bounds.min.abs().max(bounds.max.abs()).max_element();
@@ -172,22 +162,15 @@ impl Builder<'_> {
             "the model lies far from the origin: it is calculated relative to ({x} m, {y} m)"
         );
         let note = Diagnostic::warning("geometry.far", message);
-        self.found
-            .push(note.help("nothing to do: outputs are in the coordinates of the file"));
-        self.explain(
-            "origin",
-            format!("[{x} m, {y} m]"),
-            Provenance::Derived,
-            "far coordinates",
-        );
+        self.found.push(note.help("nothing to do: outputs are in the coordinates of the file"));
+        self.explain("origin", format!("[{x} m, {y} m]"), Provenance::Derived, "far coordinates");
     }
 
     fn blocks(&mut self) {
         let scenario = &self.parsed.scenario;
         self.setup.materials = scenario.materials.names().map(str::to_owned).collect();
         for (name, material) in scenario.materials.iter() {
-            self.reading(format!("materials.{name}"), material)
-                .density();
+            self.reading(format!("materials.{name}"), material).density();
         }
         for block in &scenario.blocks {
             let Some(generated) = self.generate(block) else {
@@ -204,14 +187,8 @@ impl Builder<'_> {
     /// Adds the blocks of one table to the setup.
     fn enter(&mut self, block: &Block, generated: Generated) {
         let scenario = &self.parsed.scenario;
-        let material = scenario
-            .materials
-            .names()
-            .position(|name| name == block.material.as_str());
-        let density = scenario
-            .materials
-            .get(block.material.as_str())
-            .map(|m| m.density.si());
+        let material = scenario.materials.names().position(|name| name == block.material.as_str());
+        let density = scenario.materials.get(block.material.as_str()).map(|m| m.density.si());
         let (Some(material), Some(density)) = (material, density) else {
             let message = format!("there is no material `{}`", block.material);
             let mut error = Diagnostic::error("name.unknown", message);
@@ -232,10 +209,7 @@ impl Builder<'_> {
             let members = members.into_iter().map(|k| first + k).collect();
             self.directory.extend(&name, members);
         }
-        let velocity = block
-            .velocity
-            .as_ref()
-            .map_or(Vec2::ZERO, |v| v.xy().into());
+        let velocity = block.velocity.as_ref().map_or(Vec2::ZERO, |v| v.xy().into());
         let spin = block.spin.as_ref().and_then(Axial::single).unwrap_or(0.0);
         if let Some(mass) = &block.mass {
             self.explain(
@@ -254,10 +228,7 @@ impl Builder<'_> {
             let moments = polygon::mass_properties(&vertices);
             let centroid = moments.centroid;
             let swing = about.map_or(Vec2::ZERO, |about| spin * (centroid - about).perp());
-            let density = block
-                .mass
-                .as_ref()
-                .map_or(density, |m| m.si() / moments.area);
+            let density = block.mass.as_ref().map_or(density, |m| m.si() / moments.area);
             if let Some(inertia) = block.inertia.as_ref().and_then(Moments::single) {
                 self.setup.inertias.push((number, inertia));
             }

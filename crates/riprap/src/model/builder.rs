@@ -45,10 +45,7 @@ pub(super) struct Builder<'a> {
 
 impl Builder<'_> {
     pub(super) fn errors(&self) -> usize {
-        self.found
-            .iter()
-            .filter(|d| d.severity == Severity::Error)
-            .count()
+        self.found.iter().filter(|d| d.severity == Severity::Error).count()
     }
 
     /// Keeps the value, or the reasons why there is none.
@@ -155,8 +152,7 @@ impl Builder<'_> {
                     let error =
                         Diagnostic::error("target.empty", "no block has its centroid in this box");
                     let help = "check the box and its units";
-                    self.found
-                        .push(error.at(region.min.span.clone()).help(help));
+                    self.found.push(error.at(region.min.span.clone()).help(help));
                     return None;
                 }
                 return Some(blocks);
@@ -192,11 +188,7 @@ impl Builder<'_> {
         message: String,
         help: &str,
     ) {
-        self.found.push(
-            Diagnostic::error(code, message)
-                .at(name.span.clone())
-                .help(help),
-        );
+        self.found.push(Diagnostic::error(code, message).at(name.span.clone()).help(help));
     }
 }
 

@@ -20,16 +20,8 @@ use crate::scenario::{Diagnostic, Name, Quantity};
 
 /// Columns of the ends of traces.
 const ENDS: [Column; 4] = [
-    Column::needed(
-        &["x1", "x_1", "x_start", "start_x", "from_x"],
-        Dim::LENGTH,
-        "m",
-    ),
-    Column::needed(
-        &["y1", "y_1", "y_start", "start_y", "from_y"],
-        Dim::LENGTH,
-        "m",
-    ),
+    Column::needed(&["x1", "x_1", "x_start", "start_x", "from_x"], Dim::LENGTH, "m"),
+    Column::needed(&["y1", "y_1", "y_start", "start_y", "from_y"], Dim::LENGTH, "m"),
     Column::needed(&["x2", "x_2", "x_end", "end_x", "to_x"], Dim::LENGTH, "m"),
     Column::needed(&["y2", "y_2", "y_end", "end_y", "to_y"], Dim::LENGTH, "m"),
 ];
@@ -66,9 +58,7 @@ impl Builder<'_> {
         if let Some(file) = &said.tess {
             let cells =
                 self.foreign_file(file, parse_tess, "use `mesh.tess` in [space.spatial]")?;
-            let unit = self
-                .reading(key, said)
-                .unit_or(1.0, Provenance::Default, "");
+            let unit = self.reading(key, said).unit_or(1.0, Provenance::Default, "");
             let Cells::Plane(cells) = cells else {
                 let message = format!("`{file}` has cells in three dimensions");
                 let help =
@@ -93,9 +83,7 @@ impl Builder<'_> {
             sagitta: said.sagitta.as_ref(),
         };
         let (own, drawing) = self.drawing(&wanted)?;
-        let unit = self
-            .reading(key, said)
-            .unit_or(own.value, own.from, own.why);
+        let unit = self.reading(key, said).unit_or(own.value, own.from, own.why);
         let outlines = drawing.outlines();
         self.note_import(file, &outlines_text(&drawing, &outlines, unit));
         let mut drawn = Drawn::default();
@@ -127,16 +115,12 @@ impl Builder<'_> {
         let sagitta = wanted.sagitta.map(Quantity::si);
         let first = self.foreign_file(file, |bytes| parse_dxf(bytes, None), help)?;
         let own = match first.unit {
-            Some(value) => OwnUnit {
-                value,
-                from: Provenance::Derived,
-                why: "$INSUNITS of the drawing",
-            },
-            None => OwnUnit {
-                value: 1.0,
-                from: Provenance::Default,
-                why: "the drawing names no unit",
-            },
+            Some(value) => {
+                OwnUnit { value, from: Provenance::Derived, why: "$INSUNITS of the drawing" }
+            }
+            None => {
+                OwnUnit { value: 1.0, from: Provenance::Default, why: "the drawing names no unit" }
+            }
         };
         let unit = given.unwrap_or(own.value);
         let mut drawing = match sagitta {
@@ -235,12 +219,7 @@ impl Builder<'_> {
             return self.traces_of_csv(csv);
         }
         let file = mapped.dxf.as_ref()?;
-        let Traces {
-            unit,
-            layers,
-            sagitta,
-            ..
-        } = mapped;
+        let Traces { unit, layers, sagitta, .. } = mapped;
         let wanted = Wanted {
             file,
             unit: unit.as_ref(),
@@ -249,18 +228,14 @@ impl Builder<'_> {
         };
         let (own, drawing) = self.drawing(&wanted)?;
         let key = format!("blocks.{}.cut.traces", block.name);
-        let unit = self
-            .reading(key, mapped)
-            .unit_or(own.value, own.from, own.why);
+        let unit = self.reading(key, mapped).unit_or(own.value, own.from, own.why);
         let open: Vec<_> = drawing.lines.iter().filter(|line| !line.closed).collect();
         let closed = drawing.lines.len() - open.len();
         self.note_import(file, &traces_text(&drawing, open.len(), closed));
         let pieces = open.iter().flat_map(|line| line.points.windows(2));
         let place = |p: [f64; 2]| unit * Vec2::from(p) - self.origin;
-        let traces: Vec<[Vec2; 2]> = pieces
-            .map(|pair| [place(pair[0]), place(pair[1])])
-            .filter(|[a, b]| a != b)
-            .collect();
+        let traces: Vec<[Vec2; 2]> =
+            pieces.map(|pair| [place(pair[0]), place(pair[1])]).filter(|[a, b]| a != b).collect();
         if traces.is_empty() {
             let message = format!("`{file}` has no lines or open polylines there");
             let help = "closed polylines are outlines: use `polygons.dxf` for them";
@@ -293,15 +268,11 @@ impl Builder<'_> {
 fn left_out_text<'a>(all: impl Iterator<Item = (&'a (String, Why), &'a usize)>) -> String {
     let mut reasons: BTreeMap<Why, Vec<String>> = BTreeMap::new();
     for ((kind, why), count) in all {
-        reasons
-            .entry(why)
-            .or_default()
-            .push(format!("{count} {kind}"));
+        reasons.entry(why).or_default().push(format!("{count} {kind}"));
     }
     let reasons = reasons.into_iter();
-    let reasons: Vec<String> = reasons
-        .map(|(why, kinds)| format!("{} ({why})", kinds.join(", ")))
-        .collect();
+    let reasons: Vec<String> =
+        reasons.map(|(why, kinds)| format!("{} ({why})", kinds.join(", "))).collect();
     match reasons.is_empty() {
         true => "nothing".to_owned(),
         false => reasons.join("; "),
@@ -312,30 +283,21 @@ fn left_out_text<'a>(all: impl Iterator<Item = (&'a (String, Why), &'a usize)>) 
 fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
     let left = || outlines.left_out.iter().chain(&drawing.left_out);
     let all = outlines.used + left().map(|(_, count)| count).sum::<usize>();
-    let mut words = format!(
-        "read {} of {all} entities as {} outlines",
-        outlines.used,
-        outlines.closed.len()
-    );
+    let mut words =
+        format!("read {} of {all} entities as {} outlines", outlines.used, outlines.closed.len());
     let [chains, lines] = outlines.joined;
     if chains > 0 {
         words.push_str(&format!("; {chains} outlines are chains of {lines} lines"));
     }
     if outlines.over_gaps > 0 {
-        words.push_str(&format!(
-            "; {} open polylines were closed",
-            outlines.over_gaps
-        ));
+        words.push_str(&format!("; {} open polylines were closed", outlines.over_gaps));
     }
     if outlines.largest_gap > 0.0 {
         let gap = with_unit(unit * outlines.largest_gap, "m");
         words.push_str(&format!("; ends up to {gap} apart were joined"));
     }
     if drawing.inserted > 0 {
-        words.push_str(&format!(
-            "; {} blocks of the drawing inserted",
-            drawing.inserted
-        ));
+        words.push_str(&format!("; {} blocks of the drawing inserted", drawing.inserted));
     }
     let round = outlines.closed.iter().filter(|line| line.kind == "CIRCLE");
     let corners: BTreeSet<usize> = round.clone().map(|line| line.points.len()).collect();
@@ -344,16 +306,11 @@ fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
             true => least.to_string(),
             false => format!("{least} to {most}"),
         };
-        words.push_str(&format!(
-            "; {} circles are polygons of {many} corners",
-            round.count()
-        ));
+        words.push_str(&format!("; {} circles are polygons of {many} corners", round.count()));
     }
     if outlines.healed > 0 {
         let healed = outlines.healed;
-        words.push_str(&format!(
-            "; {healed} edges no longer than round-off became corners"
-        ));
+        words.push_str(&format!("; {healed} edges no longer than round-off became corners"));
     }
     if left().next().is_some() {
         words.push_str(&format!("; left out {}", left_out_text(left())));

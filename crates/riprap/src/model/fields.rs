@@ -39,12 +39,7 @@ impl FieldUse {
 
     /// What is read.
     pub(super) fn gauge(self) -> Gauge {
-        Gauge {
-            field: self.field,
-            of: self.of,
-            at: self.at,
-            along: self.along,
-        }
+        Gauge { field: self.field, of: self.of, at: self.at, along: self.along }
     }
 }
 
@@ -65,10 +60,9 @@ impl Builder<'_> {
                         format!("`{field}` lies in the plane"),
                         format!("write `{field}.x`, `.y` or `.magnitude`"),
                     ),
-                    FieldError::NoComponents { field, .. } => (
-                        format!("`{field}` is a single number"),
-                        format!("write `{field}`"),
-                    ),
+                    FieldError::NoComponents { field, .. } => {
+                        (format!("`{field}` is a single number"), format!("write `{field}`"))
+                    }
                 };
                 let help = format!("{help}; `riprap fields` lists all");
                 self.error_at("field.unknown", name, message, &help);
@@ -116,9 +110,7 @@ impl Builder<'_> {
         point: &Vector<Length>,
     ) -> Option<(Vec<u32>, Option<[f64; 3]>)> {
         let error = |code: &'static str, message: &str, help: &str| {
-            Diagnostic::error(code, message)
-                .at(point.span.clone())
-                .help(help)
+            Diagnostic::error(code, message).at(point.span.clone()).help(help)
         };
         if site != Site::Block {
             let message = format!("`{name}` is not read at a point");
@@ -189,11 +181,8 @@ impl Builder<'_> {
                 1 => format!("`{name}` needs one block"),
                 _ => format!("`{name}` needs two blocks"),
             };
-            let help = if need == 0 {
-                "leave out `of`".to_owned()
-            } else {
-                format!("write {example}")
-            };
+            let help =
+                if need == 0 { "leave out `of`".to_owned() } else { format!("write {example}") };
             let place = names.first().unwrap_or(name);
             self.error_at("field.of", place, message, &help);
             return None;
@@ -205,12 +194,7 @@ impl Builder<'_> {
                 let message = format!("`{one}` is {count} blocks, and `{name}` needs single ones");
                 let first = blocks.first().map(|&b| self.directory.name(b));
                 let first = first.unwrap_or_default();
-                self.error_at(
-                    "field.of",
-                    one,
-                    message,
-                    &format!("write for example `{first}`"),
-                );
+                self.error_at("field.of", one, message, &format!("write for example `{first}`"));
                 return None;
             }
             all.extend(blocks);
@@ -220,12 +204,7 @@ impl Builder<'_> {
             all.dedup();
         } else if all.len() == 2 && all[0] == all[1] {
             let message = "these are the same block".to_owned();
-            self.error_at(
-                "field.of",
-                names.last().unwrap_or(name),
-                message,
-                "name two blocks",
-            );
+            self.error_at("field.of", names.last().unwrap_or(name), message, "name two blocks");
             return None;
         }
         Some(all)
@@ -263,10 +242,7 @@ impl Builder<'_> {
             if found.is_empty() {
                 let message = format!("there is no bolt `{one}`");
                 let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
-                error.help = suggest(
-                    one.as_str(),
-                    self.directory.bolts.iter().map(String::as_str),
-                );
+                error.help = suggest(one.as_str(), self.directory.bolts.iter().map(String::as_str));
                 self.found.push(error);
                 return None;
             }
@@ -296,16 +272,9 @@ impl Builder<'_> {
             let what = dim.unwrap_or(Dim::NONE).describe();
             Diagnostic::error("unit.dimension", format!("\"{raw}\" is {what}"))
         };
-        let unit = if unit == "-" {
-            "a number without unit".to_owned()
-        } else {
-            format!("in {unit}")
-        };
-        self.found.push(
-            error
-                .at(quantity.span.clone())
-                .help(format!("{of} is {unit}")),
-        );
+        let unit =
+            if unit == "-" { "a number without unit".to_owned() } else { format!("in {unit}") };
+        self.found.push(error.at(quantity.span.clone()).help(format!("{of} is {unit}")));
         None
     }
 }

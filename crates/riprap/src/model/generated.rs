@@ -19,21 +19,11 @@ pub(super) struct Generated {
 
 impl Generated {
     pub(super) fn single(outline: Vec<Vec2>) -> Self {
-        Generated {
-            outlines: vec![outline],
-            numbered: false,
-            region: None,
-            groups: Vec::new(),
-        }
+        Generated { outlines: vec![outline], numbered: false, region: None, groups: Vec::new() }
     }
 
     pub(super) fn several(outlines: Vec<Vec<Vec2>>) -> Self {
-        Generated {
-            outlines,
-            numbered: true,
-            region: None,
-            groups: Vec::new(),
-        }
+        Generated { outlines, numbered: true, region: None, groups: Vec::new() }
     }
 }
 

@@ -132,11 +132,7 @@ impl Builder<'_> {
         let sideways = read.k0() * vertical;
         let mut gradient = [sideways, sideways, sideways, 0.0, 0.0, 0.0];
         gradient[up] = vertical;
-        Some(InSitu {
-            stress: [0.0; 6],
-            gradient: self.flat(gradient),
-            datum,
-        })
+        Some(InSitu { stress: [0.0; 6], gradient: self.flat(gradient), datum })
     }
 
     /// A stress without what lies out of the plane.

@@ -37,14 +37,10 @@ pub(super) fn inspect(b: &mut Builder<'_>) {
 
 fn sizes(b: &mut Builder<'_>) {
     let blocks = &b.setup.blocks;
-    let areas = blocks
-        .iter()
-        .map(|block| polygon::signed_area(&block.vertices));
+    let areas = blocks.iter().map(|block| polygon::signed_area(&block.vertices));
     let mut size: Vec<f64> = areas.clone().map(f64::sqrt).collect();
     size.sort_by(f64::total_cmp);
-    let all = blocks
-        .iter()
-        .flat_map(|block| block.vertices.iter().copied());
+    let all = blocks.iter().flat_map(|block| block.vertices.iter().copied());
     let bounds = Aabb::of(&all.collect::<Vec<Vec2>>());
     let mut shortest = (f64::INFINITY, String::new());
     for block in blocks {
@@ -56,17 +52,13 @@ fn sizes(b: &mut Builder<'_>) {
     }
     let mut supported = vec![false; blocks.len()];
     for support in &b.setup.supports {
-        support
-            .blocks
-            .iter()
-            .for_each(|&block| supported[block as usize] = true);
+        support.blocks.iter().for_each(|&block| supported[block as usize] = true);
     }
     // What is held stands for the rock around.
     let held = supported.iter();
     let free = blocks.iter().zip(held).filter(|(_, held)| !**held);
-    let mut free: Vec<f64> = free
-        .map(|(block, _)| polygon::signed_area(&block.vertices).sqrt())
-        .collect();
+    let mut free: Vec<f64> =
+        free.map(|(block, _)| polygon::signed_area(&block.vertices).sqrt()).collect();
     free.sort_by(f64::total_cmp);
     let s = &mut b.summary;
     s.passing = passing(&free, 2);
@@ -77,15 +69,8 @@ fn sizes(b: &mut Builder<'_>) {
     s.interfaces = b.setup.interfaces.len();
     s.phases = b.plan.phases.len();
     s.origin = b.setup.origin;
-    s.bounds = [
-        (bounds.min + b.origin).into(),
-        (bounds.max + b.origin).into(),
-    ];
-    s.mass = blocks
-        .iter()
-        .zip(areas)
-        .map(|(block, area)| block.density * area)
-        .sum();
+    s.bounds = [(bounds.min + b.origin).into(), (bounds.max + b.origin).into()];
+    s.mass = blocks.iter().zip(areas).map(|(block, area)| block.density * area).sum();
     s.size = [size[0], size[size.len() / 2], size[size.len() - 1]];
     s.shortest_edge = shortest;
 }
@@ -106,34 +91,16 @@ fn allowance(b: &Builder<'_>, i: usize, j: usize, size: f64) -> f64 {
         b.setup.pair_table[a.material as usize * b.setup.materials.len() + c.material as usize];
     let stiffness = b.setup.interfaces[row as usize].contact.normal_stiffness;
     let extent = Vec2::from(b.summary.bounds[1]) - Vec2::from(b.summary.bounds[0]);
-    let density = b
-        .setup
-        .blocks
-        .iter()
-        .map(|block| block.density)
-        .fold(0.0, f64::max);
+    let density = b.setup.blocks.iter().map(|block| block.density).fold(0.0, f64::max);
     let gravity = Vec2::from(b.setup.gravity).abs();
     let pressed = 2.0 * density * gravity.dot(extent) / stiffness;
-    let settles = b
-        .plan
-        .phases
-        .first()
-        .is_some_and(|p| p.kind == PhaseKind::Static);
-    let excused = if settles {
-        EXCUSED * size
-    } else {
-        pressed.min(EXCUSED * size)
-    };
+    let settles = b.plan.phases.first().is_some_and(|p| p.kind == PhaseKind::Static);
+    let excused = if settles { EXCUSED * size } else { pressed.min(EXCUSED * size) };
     excused.max(ACCEPTED * size).max(said)
 }
 
 fn overlaps(b: &mut Builder<'_>) {
-    let boxes: Vec<Aabb> = b
-        .setup
-        .blocks
-        .iter()
-        .map(|block| Aabb::of(&block.vertices))
-        .collect();
+    let boxes: Vec<Aabb> = b.setup.blocks.iter().map(|block| Aabb::of(&block.vertices)).collect();
     let Some(pairs) = touching_boxes(&boxes, MOST_NEAR * boxes.len() + 1_000_000) else {
         let message = "many blocks lie on top of each other at the start";
         let help = "check `copies.step`, and the places of blocks that are given twice";
@@ -186,11 +153,7 @@ fn overlaps(b: &mut Builder<'_>) {
     }
     if bad.len() > NAMED {
         let more = bad.len() - NAMED;
-        let least = if bad.len() == MOST_BAD {
-            "at least "
-        } else {
-            ""
-        };
+        let least = if bad.len() == MOST_BAD { "at least " } else { "" };
         let message = format!("{least}{more} more pairs of blocks overlap at the start");
         b.found.push(Diagnostic::error("geometry.overlap", message));
     }
@@ -208,32 +171,15 @@ fn is_fixed(b: &Builder<'_>, block: usize) -> bool {
 /// Place of the table that made a block.
 fn entry_span(b: &Builder<'_>, block: usize) -> crate::scenario::Span {
     let name = b.setup.blocks[block].name.as_str();
-    let exact = b
-        .parsed
-        .scenario
-        .blocks
-        .iter()
-        .find(|said| said.name.as_str() == name);
+    let exact = b.parsed.scenario.blocks.iter().find(|said| said.name.as_str() == name);
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    let made = || {
-        b.parsed
-            .scenario
-            .blocks
-            .iter()
-            .find(|said| said.name.as_str() == stem)
-    };
-    exact
-        .or_else(made)
-        .map_or(0..0, |said| said.name.span.clone())
+    let made = || b.parsed.scenario.blocks.iter().find(|said| said.name.as_str() == stem);
+    exact.or_else(made).map_or(0..0, |said| said.name.span.clone())
 }
 
 fn slivers(b: &mut Builder<'_>) {
-    let outlines: Vec<Vec<Vec2>> = b
-        .setup
-        .blocks
-        .iter()
-        .map(|block| block.vertices.clone())
-        .collect();
+    let outlines: Vec<Vec<Vec2>> =
+        b.setup.blocks.iter().map(|block| block.vertices.clone()).collect();
     let mut found = measure::slivers(&outlines, SLIVER);
     for report in &found {
         let name = &b.setup.blocks[report.block].name;
@@ -267,7 +213,6 @@ fn motion(b: &mut Builder<'_>) {
     let released = b.plan.phases.iter().any(|p| !p.release.is_empty());
     if all_fixed && !released {
         let message = "all blocks are fixed: nothing can move";
-        b.found
-            .push(Diagnostic::warning("model.fixed", message).help("check [[supports]]"));
+        b.found.push(Diagnostic::warning("model.fixed", message).help("check [[supports]]"));
     }
 }

@@ -32,11 +32,7 @@ impl Builder<'_> {
                     law
                 });
                 let name = name.text.clone();
-                self.setup.interfaces.push(setup::Interface {
-                    name,
-                    contact: law,
-                    bond,
-                });
+                self.setup.interfaces.push(setup::Interface { name, contact: law, bond });
             }
         }
     }
@@ -179,8 +175,7 @@ impl Builder<'_> {
                 "write for example normal_stiffness = \"10 GPa/m\", or give materials.{material} \
                  `young` and `poisson`, from which it is estimated"
             );
-            self.found
-                .push(Diagnostic::error("key.missing", message).help(help));
+            self.found.push(Diagnostic::error("key.missing", message).help(help));
             return None;
         }
         let (modulus, material) = softest.unwrap_or((1e9, ""));
@@ -195,12 +190,7 @@ impl Builder<'_> {
     /// Whether the model has blocks of a material, and others that they meet through this row.
     fn meets_in_row(&self, number: usize, row: usize) -> bool {
         let (n, blocks) = (self.setup.materials.len(), &self.setup.blocks);
-        let count = |k: usize| {
-            blocks
-                .iter()
-                .filter(|b| usize::from(b.material) == k)
-                .count()
-        };
+        let count = |k: usize| blocks.iter().filter(|b| usize::from(b.material) == k).count();
         count(number) > 0
             && (0..n).any(|other| {
                 let least = if other == number { 1 } else { 0 };
@@ -218,10 +208,7 @@ impl Builder<'_> {
                 Motion::Fixed { x, y, rotation } => x && y && rotation,
                 Motion::Velocity { .. } | Motion::Acceleration { .. } => false,
             };
-            support
-                .blocks
-                .iter()
-                .for_each(|&b| held[b as usize] |= whole);
+            support.blocks.iter().for_each(|&b| held[b as usize] |= whole);
         }
         let all_held = held.iter().all(|&h| h);
         let size = |v: &[riprap_geom::Vec2]| polygon::signed_area(v).abs().sqrt();
@@ -275,10 +262,7 @@ pub(super) fn changed_friction(change: &InterfaceChange) -> Option<f64> {
 
 /// Damping ratio of changed contacts, if it changes.
 pub(super) fn changed_damping(change: &InterfaceChange) -> Option<f64> {
-    let restitution = change
-        .restitution
-        .as_ref()
-        .map(|wanted| ratio_of(wanted.si()));
+    let restitution = change.restitution.as_ref().map(|wanted| ratio_of(wanted.si()));
     restitution.or(change.damping_ratio.as_ref().map(Quantity::si))
 }
 

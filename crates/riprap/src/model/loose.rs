@@ -80,19 +80,13 @@ impl Builder<'_> {
             return;
         }
         let down = self.down();
-        let around: Vec<Around> = candidates
-            .iter()
-            .map(|&block| self.around(block, &extents, down))
-            .collect();
+        let around: Vec<Around> =
+            candidates.iter().map(|&block| self.around(block, &extents, down)).collect();
         let touched = around.iter().filter(|a| a.touched).count();
         // Blocks of generators touch each other: they too say that this is a model of blocks that touch.
         let touched = touched + self.side_by_side();
         let apart: Vec<&Around> = around.iter().filter(|a| !a.touched).collect();
-        let settles = self
-            .plan
-            .phases
-            .first()
-            .filter(|p| p.kind == PhaseKind::Static);
+        let settles = self.plan.phases.first().filter(|p| p.kind == PhaseKind::Static);
         let settles = settles.map(|phase| phase.name.clone());
         if let (Some(phase), true) = (&settles, down.is_some() && self.falls_freely()) {
             let falls = |a: &&&Around| !a.below && !self.on_boundary(a.block, &extents);
@@ -104,8 +98,7 @@ impl Builder<'_> {
                     if lost.len() == 1 { "has" } else { "have" }
                 );
                 let note = Diagnostic::warning("model.falls", message).at(self.table_span(*first));
-                self.found
-                    .push(note.help("hold it by [[supports]], or put something under it"));
+                self.found.push(note.help("hold it by [[supports]], or put something under it"));
             }
         }
         let near: Vec<&&Around> = apart.iter().filter(|a| a.near.is_some()).collect();
@@ -186,9 +179,7 @@ impl Builder<'_> {
         let single = self.single();
         let tables = self.directory.tables();
         let many = tables.filter(|(table, _)| !single.contains(table));
-        many.filter(|(_, blocks)| blocks.len() > 1)
-            .map(|(_, blocks)| blocks.len())
-            .sum()
+        many.filter(|(_, blocks)| blocks.len() > 1).map(|(_, blocks)| blocks.len()).sum()
     }
 
     fn extents(&self) -> Vec<Extent> {
@@ -243,25 +234,19 @@ impl Builder<'_> {
     fn on_boundary(&self, block: u32, extents: &[Extent]) -> bool {
         let own = &extents[block as usize];
         let half = 0.5 * (own.max - own.min);
-        self.spatial
-            .boundaries
-            .iter()
-            .any(|boundary| match &boundary.on {
-                FaceSet::Plane { normal, offset } => {
-                    let middle = normal.dot(0.5 * (own.min + own.max)) - offset;
-                    middle.abs() <= normal.abs().dot(half) + TOUCHING * own.width()
-                }
-                FaceSet::Blocks { blocks, .. } | FaceSet::Surface { blocks, .. } => {
-                    blocks.contains(&block)
-                }
-                FaceSet::Box { min, max, .. } => {
-                    let there = Extent {
-                        min: *min,
-                        max: *max,
-                    };
-                    own.gaps(&there).max_element() <= TOUCHING * own.width()
-                }
-            })
+        self.spatial.boundaries.iter().any(|boundary| match &boundary.on {
+            FaceSet::Plane { normal, offset } => {
+                let middle = normal.dot(0.5 * (own.min + own.max)) - offset;
+                middle.abs() <= normal.abs().dot(half) + TOUCHING * own.width()
+            }
+            FaceSet::Blocks { blocks, .. } | FaceSet::Surface { blocks, .. } => {
+                blocks.contains(&block)
+            }
+            FaceSet::Box { min, max, .. } => {
+                let there = Extent { min: *min, max: *max };
+                own.gaps(&there).max_element() <= TOUCHING * own.width()
+            }
+        })
     }
 
     /// Whether bolts or water can carry a block.
@@ -273,12 +258,7 @@ impl Builder<'_> {
 
     fn around(&self, block: u32, extents: &[Extent], down: Option<(usize, f64)>) -> Around {
         let own = extents[block as usize];
-        let mut around = Around {
-            block,
-            touched: false,
-            below: down.is_none(),
-            near: None,
-        };
+        let mut around = Around { block, touched: false, below: down.is_none(), near: None };
         for (other, extent) in (0u32..).zip(extents).filter(|(other, _)| *other != block) {
             let width = own.width().min(extent.width());
             let gap = own.gaps(extent).max_element();
@@ -302,9 +282,7 @@ impl Builder<'_> {
             InSpace::Planar => {
                 let [p, q] = [i, j].map(|b| &self.setup.blocks[b].vertices[..]);
                 let to = |corners: &[Vec2], outline: &[Vec2]| {
-                    let gaps = corners
-                        .iter()
-                        .map(|c| polygon::distance_to_boundary(outline, *c));
+                    let gaps = corners.iter().map(|c| polygon::distance_to_boundary(outline, *c));
                     gaps.fold(f64::INFINITY, f64::min)
                 };
                 // Outlines that are apart are nearest at a corner of one of them, of whichever.
@@ -329,11 +307,8 @@ impl Builder<'_> {
 
     /// `block x touches` or `3 blocks touch`, the latter with names.
     fn named(&self, blocks: &[u32]) -> (String, &'static str) {
-        let names: Vec<String> = blocks
-            .iter()
-            .take(NAMED)
-            .map(|b| format!("`{}`", self.directory.name(*b)))
-            .collect();
+        let names: Vec<String> =
+            blocks.iter().take(NAMED).map(|b| format!("`{}`", self.directory.name(*b))).collect();
         let names = names.join(", ");
         match blocks.len() {
             1 => (format!("block {names}"), "touches"),

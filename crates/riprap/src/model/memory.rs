@@ -70,11 +70,7 @@ pub(crate) fn expected(parts: &Parts) -> f64 {
     let n = |count: usize| count as f64;
     let rigid = parts.bricks + parts.solids + parts.flat;
     // Those of bricks are in `BRICK`, and joints are not counted by what they join: the more frequent shape decides.
-    let of_others = if parts.solids > parts.bricks {
-        JOINT
-    } else {
-        0.0
-    };
+    let of_others = if parts.solids > parts.bricks { JOINT } else { 0.0 };
     let written = WRITTEN[0] * n(rigid) + WRITTEN[1] * n(parts.deformable);
     PROGRAM
         + written.min(WRITTEN_MOST)
@@ -141,14 +137,9 @@ fn available() -> Option<f64> {
     let read = |path: &str| std::fs::read_to_string(path).unwrap_or_default();
     let machine = free_of(&read("/proc/meminfo"));
     let limit = limit_of(&read("/proc/self/limits"));
-    let group = group_of(
-        &read("/sys/fs/cgroup/memory.max"),
-        &read("/sys/fs/cgroup/memory.current"),
-    );
-    [machine, limit, group]
-        .into_iter()
-        .flatten()
-        .reduce(f64::min)
+    let group =
+        group_of(&read("/sys/fs/cgroup/memory.max"), &read("/sys/fs/cgroup/memory.current"));
+    [machine, limit, group].into_iter().flatten().reduce(f64::min)
 }
 
 /// `MemAvailable` of `/proc/meminfo`.
@@ -160,9 +151,7 @@ fn free_of(text: &str) -> Option<f64> {
 
 /// The limit of the address space of `/proc/self/limits` (`ulimit -v`).
 fn limit_of(text: &str) -> Option<f64> {
-    let line = text
-        .lines()
-        .find_map(|l| l.strip_prefix("Max address space"))?;
+    let line = text.lines().find_map(|l| l.strip_prefix("Max address space"))?;
     line.split_whitespace().next()?.parse().ok()
 }
 
@@ -179,11 +168,7 @@ mod tests {
     /// Within -10 % and +30 % of what runs have taken (MB, see [`expected`]).
     #[test]
     fn memory_is_told_as_it_was_measured() {
-        let bricks = |bricks, joints| Parts {
-            bricks,
-            joints,
-            ..Parts::default()
-        };
+        let bricks = |bricks, joints| Parts { bricks, joints, ..Parts::default() };
         let solids = |solids, corners, joints, meeting, near| Parts {
             solids,
             corners,
@@ -192,26 +177,15 @@ mod tests {
             near,
             ..Parts::default()
         };
-        let deformable = |deformable, bonds| Parts {
-            deformable,
-            bonds,
-            ..Parts::default()
-        };
+        let deformable = |deformable, bonds| Parts { deformable, bonds, ..Parts::default() };
         let flat = |flat, flat_corners, flat_near| Parts {
             flat,
             flat_corners,
             flat_near,
             ..Parts::default()
         };
-        let wall = Parts {
-            meeting: 4800,
-            near: 29_908,
-            ..bricks(4801, 0)
-        };
-        let bolted = Parts {
-            bolt_pieces: 1e6,
-            ..bricks(1, 0)
-        };
+        let wall = Parts { meeting: 4800, near: 29_908, ..bricks(4801, 0) };
+        let bolted = Parts { bolt_pieces: 1e6, ..bricks(1, 0) };
         for (parts, measured) in [
             (bricks(8000, 22_800), 38.2),
             (bricks(64_000, 187_200), 124.0),
@@ -258,10 +232,7 @@ mod tests {
         assert_eq!(free_of(text), Some(1_024_000.0));
         let text = "Limit  Soft Limit  Hard Limit  Units\nMax address space   4096000000   unlimited   bytes\n";
         assert_eq!(limit_of(text), Some(4.096e9));
-        assert_eq!(
-            limit_of("Max address space   unlimited   unlimited   bytes"),
-            None
-        );
+        assert_eq!(limit_of("Max address space   unlimited   unlimited   bytes"), None);
         assert_eq!(group_of("max\n", "5\n"), None);
         assert_eq!(group_of("2000\n", "500\n"), Some(1500.0));
     }

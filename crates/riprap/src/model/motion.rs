@@ -118,9 +118,8 @@ impl Builder<'_> {
         blocks: &[u32],
         on: &Target,
     ) {
-        let twice: Vec<u32> = (blocks.iter().copied())
-            .filter(|block| !supported.insert(*block))
-            .collect();
+        let twice: Vec<u32> =
+            (blocks.iter().copied()).filter(|block| !supported.insert(*block)).collect();
         let Some(first) = twice.first().map(|block| self.directory.name(*block)) else {
             return;
         };
@@ -239,12 +238,7 @@ impl Builder<'_> {
                 table.lines[k],
                 table.lines[k + 1]
             );
-            self.error_at(
-                "file.csv",
-                &csv.time,
-                message,
-                "sort the lines by time, each time once",
-            );
+            self.error_at("file.csv", &csv.time, message, "sort the lines by time, each time once");
             return None;
         }
         let scale = csv.scale.si_or(1.0);
@@ -278,10 +272,7 @@ impl Builder<'_> {
         }
         let count = record.values.len();
         let last = with_unit(record.dt * (count - 1) as f64, "s");
-        self.note_import(
-            &said.file,
-            &format!("read {count} of {count} values, 0 to {last}"),
-        );
+        self.note_import(&said.file, &format!("read {count} of {count} values, 0 to {last}"));
         let scale = said.scale.si_or(1.0);
         let times = (0..count).map(|k| k as f64 * record.dt);
         let values = record.values.into_iter().map(|v| v * scale);
@@ -293,11 +284,8 @@ impl Builder<'_> {
         match csv_columns::unit(said.as_str(), dim) {
             Ok(factor) => Some(factor),
             Err(message) => {
-                let help = format!(
-                    "{} is expected, for example \"{}\"",
-                    dim.describe(),
-                    dim.unit()
-                );
+                let help =
+                    format!("{} is expected, for example \"{}\"", dim.describe(), dim.unit());
                 let help = match dim {
                     Dim::NONE => "the values are plain numbers here: write \"1\"".to_owned(),
                     _ => help,
@@ -329,24 +317,16 @@ impl Builder<'_> {
                     self.point_in_blocks(&blocks, at, &said.span);
                 }
                 let force = point.force.xy().into();
-                kinds.push(LoadKind::Point {
-                    force,
-                    at,
-                    follows: point.follows,
-                });
+                kinds.push(LoadKind::Point { force, at, follows: point.follows });
             }
             if let Some(edge) = &load.edge {
                 kinds.extend(self.edge_load(edge, &blocks));
             }
             if let Some(moment) = &load.moment {
-                kinds.push(LoadKind::Moment {
-                    moment: moment.single().unwrap_or(0.0),
-                });
+                kinds.push(LoadKind::Moment { moment: moment.single().unwrap_or(0.0) });
             }
             if let Some(body) = &load.body {
-                kinds.push(LoadKind::BodyForce {
-                    acceleration: body.acceleration.xy().into(),
-                });
+                kinds.push(LoadKind::BodyForce { acceleration: body.acceleration.xy().into() });
             }
             let name = condition_name(load.name.as_ref(), &load.on, number);
             // One for all kinds: they come from one table of the scene, and it is named there.
@@ -381,11 +361,7 @@ impl Builder<'_> {
         let span = span_of(&edge.from).start..span_of(&edge.to).end;
         if from == to {
             let error = Diagnostic::error("load.edge", "`from` and `to` are the same point");
-            self.found.push(
-                error
-                    .at(span)
-                    .help("give two points of one edge of the block"),
-            );
+            self.found.push(error.at(span).help("give two points of one edge of the block"));
             return None;
         }
         for &b in blocks {
@@ -393,14 +369,11 @@ impl Builder<'_> {
             let slack = ON_BOUNDARY * polygon::Aabb::of(&block.vertices).size();
             let on = |p: Vec2, (a, b): (Vec2, Vec2)| polygon::distance_to_segment(p, a, b) <= slack;
             if !polygon::edges(&block.vertices).any(|side| on(from, side) && on(to, side)) {
-                let message = format!(
-                    "these two points do not lie on one edge of `{}`",
-                    block.name
-                );
+                let message =
+                    format!("these two points do not lie on one edge of `{}`", block.name);
                 let help =
                     "give two points of the same straight edge, in the place it has at the start";
-                self.found
-                    .push(Diagnostic::error("load.edge", message).at(span).help(help));
+                self.found.push(Diagnostic::error("load.edge", message).at(span).help(help));
                 return None;
             }
         }

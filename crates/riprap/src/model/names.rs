@@ -37,10 +37,7 @@ impl Directory {
         let numbers = || entry.first..entry.first + entry.count;
         let own = entry.numbered.then_some(entry.name.as_str());
         for group in groups.iter().map(Name::as_str).chain(own) {
-            self.groups
-                .entry(group.to_owned())
-                .or_default()
-                .extend(numbers());
+            self.groups.entry(group.to_owned()).or_default().extend(numbers());
         }
         self.places.insert(entry.name.clone(), self.entries.len());
         self.entries.push(entry);
@@ -48,10 +45,7 @@ impl Directory {
 
     /// Adds blocks to a group, which need not exist yet.
     pub(super) fn extend(&mut self, group: &str, blocks: Vec<u32>) {
-        self.groups
-            .entry(group.to_owned())
-            .or_default()
-            .extend(blocks);
+        self.groups.entry(group.to_owned()).or_default().extend(blocks);
     }
 
     /// Numbers of the bolts of a name: one, or all of a pattern.
@@ -77,17 +71,13 @@ impl Directory {
 
     /// Name and blocks of each table.
     pub(super) fn tables(&self) -> impl Iterator<Item = (&str, std::ops::Range<u32>)> {
-        self.entries
-            .iter()
-            .map(|e| (e.name.as_str(), e.first..e.first + e.count))
+        self.entries.iter().map(|e| (e.name.as_str(), e.first..e.first + e.count))
     }
 
     /// Name of the table that made a block.
     pub(super) fn table(&self, block: u32) -> &str {
         let k = self.entries.partition_point(|e| e.first <= block);
-        k.checked_sub(1)
-            .and_then(|k| self.entries.get(k))
-            .map_or("", |entry| entry.name.as_str())
+        k.checked_sub(1).and_then(|k| self.entries.get(k)).map_or("", |entry| entry.name.as_str())
     }
 
     /// Groups by name, their blocks ascending.
@@ -131,17 +121,12 @@ impl Directory {
     /// Blocks whose centroid lies in a box, bounds included; ascending.
     pub(super) fn inside(&self, min: [f64; 3], max: [f64; 3]) -> Vec<u32> {
         let inside = |c: &[f64; 3]| (0..3).all(|k| min[k] <= c[k] && c[k] <= max[k]);
-        (0u32..)
-            .zip(&self.centroids)
-            .filter(|(_, c)| inside(c))
-            .map(|(block, _)| block)
-            .collect()
+        (0u32..).zip(&self.centroids).filter(|(_, c)| inside(c)).map(|(block, _)| block).collect()
     }
 
     /// Blocks of a block, generator or group name.
     pub(super) fn blocks(&self, name: &Name) -> Result<Vec<u32>, Box<Diagnostic>> {
-        self.lookup(name.as_str())
-            .ok_or_else(|| Box::new(self.unknown(name, "block or group")))
+        self.lookup(name.as_str()).ok_or_else(|| Box::new(self.unknown(name, "block or group")))
     }
 
     /// Blocks of several names, ascending.
@@ -155,11 +140,7 @@ impl Directory {
         }
         blocks.sort_unstable();
         blocks.dedup();
-        if wrong.is_empty() {
-            Ok(blocks)
-        } else {
-            Err(wrong)
-        }
+        if wrong.is_empty() { Ok(blocks) } else { Err(wrong) }
     }
 
     fn unknown(&self, name: &Name, what: &str) -> Diagnostic {
@@ -171,9 +152,7 @@ impl Directory {
         });
         if let Some(entry) = numbered {
             let (name, count) = (&entry.name, entry.count);
-            return error.help(format!(
-                "`{name}` has the blocks {name}.1 to {name}.{count}"
-            ));
+            return error.help(format!("`{name}` has the blocks {name}.1 to {name}.{count}"));
         }
         let known: Vec<&str> = self
             .entries

@@ -114,11 +114,7 @@ impl Builder<'_> {
             release,
             install: Vec::new(),
             gravity: said.gravity.as_ref().map(|g| self.gravity(g)),
-            gravity_ramp: said
-                .gravity_ramp
-                .as_ref()
-                .map(Quantity::si)
-                .filter(|&t| t > 0.0),
+            gravity_ramp: said.gravity_ramp.as_ref().map(Quantity::si).filter(|&t| t > 0.0),
             water: self.table_of(said),
             contacts,
             joints,
@@ -136,10 +132,7 @@ impl Builder<'_> {
         let deforms = !self.spatial.deform.sets.is_empty() && self.all_free_deform(said);
         let relaxes = deforms && said.kind == Some(PhaseKind::Static);
         if relaxes && said.until.time.is_none() {
-            let message = format!(
-                "no time passes in phase `{}`: nothing would fade",
-                said.name
-            );
+            let message = format!("no time passes in phase `{}`: nothing would fade", said.name);
             let error = Diagnostic::error("key.missing", message).at(ramp.span.clone());
             let help = "give `until.time`, as long as `removal_ramp`, and `load_steps`";
             self.found.push(error.help(help));
@@ -162,16 +155,8 @@ impl Builder<'_> {
             iterations: read.iterations(),
             relaxation: said.relaxation.as_ref().map_or(Relaxation::default(), way),
         });
-        let cut = said
-            .cut
-            .as_ref()
-            .map(|cut| self.cutting(&said.name.text, cut));
-        Some(Deforming {
-            breaking,
-            strain: said.strain,
-            relax,
-            cut,
-        })
+        let cut = said.cut.as_ref().map(|cut| self.cutting(&said.name.text, cut));
+        Some(Deforming { breaking, strain: said.strain, relax, cut })
     }
 
     /// Rules of cutting with their defaults.
@@ -180,10 +165,7 @@ impl Builder<'_> {
         Cutting {
             planes: read.planes() as u32,
             generations: read.generations() as u8,
-            margins: Margins {
-                tension: read.margin_tension(),
-                shear: read.margin_shear(),
-            },
+            margins: Margins { tension: read.margin_tension(), shear: read.margin_shear() },
             criterion: read.criterion(),
             smallest: read.smallest().unwrap_or(0.0),
             anchor: read.anchor(),
@@ -262,26 +244,19 @@ impl Builder<'_> {
                 let run = phases.map(|p| p.until.time).sum::<Option<f64>>();
                 // A rhythm as long as the run writes at its end, and the sum of the phases is rounded.
                 let longer = run.filter(|run| rhythm > *run * (1.0 + 1e-9));
-                (
-                    with_unit(rhythm, "s"),
-                    longer.map(|run| with_unit(run, "s")),
-                )
+                (with_unit(rhythm, "s"), longer.map(|run| with_unit(run, "s")))
             }
             Every::Steps(rhythm) => {
                 let run = phases.map(|p| p.until.steps).sum::<Option<u64>>();
                 let longer = run.filter(|run| rhythm > *run);
-                (
-                    format!("{rhythm} steps"),
-                    longer.map(|run| format!("{run} steps")),
-                )
+                (format!("{rhythm} steps"), longer.map(|run| format!("{run} steps")))
             }
             Every::Phase | Every::Never => return,
         };
         if let Some(run) = run {
             let message = format!("{what}: `every`, {rhythm}, is longer than the run, {run}");
             let note = Diagnostic::warning("output.rare", message).at(span.clone());
-            self.found
-                .push(note.help("write every = \"phase\" if that is meant"));
+            self.found.push(note.help("write every = \"phase\" if that is meant"));
         }
     }
 
@@ -309,10 +284,7 @@ impl Builder<'_> {
         for part in suffixes {
             self.plan.histories.push(History {
                 name: format!("{}{part}", said.name),
-                gauge: Gauge {
-                    field: format!("{}{part}", gauge.field),
-                    ..gauge.clone()
-                },
+                gauge: Gauge { field: format!("{}{part}", gauge.field), ..gauge.clone() },
                 every,
             });
         }

@@ -212,9 +212,8 @@ impl Builder<'_> {
         let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
         let table = self.table(csv, columns)?;
         // A row of units has a text in every column, but no state.
-        let of_states = labels
-            .into_iter()
-            .filter(|(line, _)| table.lines.binary_search(line).is_ok());
+        let of_states =
+            labels.into_iter().filter(|(line, _)| table.lines.binary_search(line).is_ok());
         let mut names = Vec::with_capacity(table.lines.len());
         for (line, name) in of_states {
             if name.is_empty() {

@@ -66,12 +66,7 @@ pub(super) fn passing(sizes: &[f64], power: i32) -> [f64; 3] {
             below += content(size);
             below >= share * whole
         };
-        sizes
-            .iter()
-            .find(reaches)
-            .or(sizes.last())
-            .copied()
-            .unwrap_or_default()
+        sizes.iter().find(reaches).or(sizes.last()).copied().unwrap_or_default()
     })
 }
 

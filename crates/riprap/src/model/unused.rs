@@ -75,21 +75,10 @@ impl Builder<'_> {
         }
         if let Some(notch) = scenario.notches.first().filter(|_| !any) {
             let help = "no block is deformable: there are no bonds that a notch could break";
-            self.no_effect(
-                "the scene",
-                &[("notches", true)],
-                &notch.region.min.span,
-                help,
-            );
+            self.no_effect("the scene", &[("notches", true)], &notch.region.min.span, help);
         }
         for support in &scenario.supports {
-            let Some(Fixed {
-                rotation,
-                rotation_x,
-                rotation_y,
-                rotation_z,
-                ..
-            }) = &support.fixed
+            let Some(Fixed { rotation, rotation_x, rotation_y, rotation_z, .. }) = &support.fixed
             else {
                 continue;
             };
@@ -196,9 +185,8 @@ impl Builder<'_> {
         let mut deformable = vec![false; n];
         // How many rigid blocks there are, and whether any of them can be moved: two that are held mean nothing to each other.
         let mut rigid = vec![(0, false); n];
-        let released: Vec<u32> = (self.plan.phases.iter())
-            .flat_map(|phase| phase.release.iter().copied())
-            .collect();
+        let released: Vec<u32> =
+            (self.plan.phases.iter()).flat_map(|phase| phase.release.iter().copied()).collect();
         let driven = self.wholly_driven(&released);
         for ((block, deforms), driven) in self.spatial.blocks.iter().zip(deforms).zip(driven) {
             let material = usize::from(block.material);
@@ -212,11 +200,7 @@ impl Builder<'_> {
         }
         let of_two_rigid = |a: usize, b: usize| {
             let (first, second) = (rigid[a], rigid[b]);
-            let enough = if a == b {
-                first.0 > 1
-            } else {
-                first.0 > 0 && second.0 > 0
-            };
+            let enough = if a == b { first.0 > 1 } else { first.0 > 0 && second.0 > 0 };
             enough && (first.1 || second.1)
         };
         let rows = self.parsed.scenario.interfaces.iter().enumerate();
@@ -224,9 +208,8 @@ impl Builder<'_> {
             let pairs = (0..n * n).filter(|&k| usize::from(self.spatial.pair_table[k]) == row);
             let pairs = pairs.map(|k| (k / n, k % n));
             let of_rigid = pairs.clone().any(|(a, b)| of_two_rigid(a, b));
-            let of_bonds = pairs
-                .clone()
-                .any(|(a, b)| deformable[a] && (deformable[b] || rigid[b].0 > 0));
+            let of_bonds =
+                pairs.clone().any(|(a, b)| deformable[a] && (deformable[b] || rigid[b].0 > 0));
             let of = format!("interfaces.{name}");
             if of_bonds {
                 self.refuse_behaviour(&of, said);
@@ -248,11 +231,8 @@ impl Builder<'_> {
                 for phase in &self.parsed.scenario.phases {
                     if let Some(change) = phase.interfaces.get(name.as_str()) {
                         let of = format!("phases.{}.{of}", phase.name);
-                        let keys: Vec<Given> = change
-                            .read_by("joints")
-                            .into_iter()
-                            .filter(unread)
-                            .collect();
+                        let keys: Vec<Given> =
+                            change.read_by("joints").into_iter().filter(unread).collect();
                         self.no_effect(&of, &keys, &phase.name.span, help);
                     }
                 }
@@ -274,10 +254,7 @@ impl Builder<'_> {
                 let help = "this interface has only joints of rigid blocks, which take from `brittle_bond` no more \
                             than the strengths that the interface itself does not give";
                 let of = format!("{of}.brittle_bond");
-                let span = bond
-                    .thickness
-                    .as_ref()
-                    .map_or(&name.span, |thickness| &thickness.span);
+                let span = bond.thickness.as_ref().map_or(&name.span, |thickness| &thickness.span);
                 self.no_effect(&of, &bond.read_by("bonds"), span, help);
             }
         }
@@ -291,10 +268,7 @@ impl Builder<'_> {
         let keys = [
             ("dilation_angle", dilates.map(|a| &a.span)),
             ("softening", said.softening.as_ref().map(|s| &s.slip.span)),
-            (
-                "barton_bandis",
-                said.barton_bandis.as_ref().map(|b| &b.jrc.span),
-            ),
+            ("barton_bandis", said.barton_bandis.as_ref().map(|b| &b.jrc.span)),
             ("closure", said.closure.as_ref().map(|c| &c.limit.span)),
         ];
         for (key, span) in keys {

@@ -75,10 +75,7 @@ impl Builder<'_> {
         let read = self.grid_of_csv(file, shift, "file.water")?;
         let wide = read.x.len();
         if let Some(missing) = read.z.iter().position(Option::is_none) {
-            let [x, y] = [
-                read.x[missing % wide] - shift.x,
-                read.y[missing / wide] - shift.y,
-            ];
+            let [x, y] = [read.x[missing % wide] - shift.x, read.y[missing / wide] - shift.y];
             let message = format!("`{file}` has no height at ({x} m, {y} m)");
             let help = "a water table needs all places of its grid";
             self.error_at("file.water", file, message, help);
@@ -90,18 +87,11 @@ impl Builder<'_> {
             self.error_at("file.water", file, message, help);
             return None;
         }
-        let grid = Grid {
-            x: read.x,
-            y: read.y,
-            z: read.z.into_iter().flatten().collect(),
-        };
+        let grid = Grid { x: read.x, y: read.y, z: read.z.into_iter().flatten().collect() };
         let (low, high) = self.extent();
         let room = 1e-6 * (high - low).length();
         let ends = |list: &[f64]| list.first().copied().zip(list.last().copied());
-        let short = [
-            (ends(&grid.x), low.x, high.x),
-            (ends(&grid.y), low.y, high.y),
-        ];
+        let short = [(ends(&grid.x), low.x, high.x), (ends(&grid.y), low.y, high.y)];
         let short = short.into_iter().filter_map(|(ends, low, high)| {
             let (first, last) = ends?;
             Some((first - low).max(high - last))
@@ -139,10 +129,7 @@ impl Builder<'_> {
             // Heights are z here and y is nothing: it must not bound.
             slack.y = f64::INFINITY;
         }
-        Zone {
-            low: low - slack,
-            high: high + slack,
-        }
+        Zone { low: low - slack, high: high + slack }
     }
 
     /// Rules of seepage.
@@ -282,9 +269,7 @@ impl Builder<'_> {
         let tables = self.tables().iter();
         // Several tables as one were made here and have no name that a phase could say.
         let single = tables.map(|t| t.parts.is_empty().then_some(t.name.as_str()));
-        let number = single
-            .into_iter()
-            .position(|one| one == Some(name.as_str()));
+        let number = single.into_iter().position(|one| one == Some(name.as_str()));
         number.map(|k| k as u16)
     }
 
@@ -294,10 +279,7 @@ impl Builder<'_> {
         let tables = self.tables();
         let numbers = numbers?.into_iter();
         let parts: Vec<WaterTable> = numbers.map(|k| tables[usize::from(k)].clone()).collect();
-        let everywhere = Zone {
-            low: Vec3::NEG_INFINITY,
-            high: Vec3::INFINITY,
-        };
+        let everywhere = Zone { low: Vec3::NEG_INFINITY, high: Vec3::INFINITY };
         let faces = self.all_faces();
         for (k, later) in parts.iter().enumerate() {
             for (earlier, name) in parts[..k].iter().zip(names) {
@@ -318,16 +300,8 @@ impl Builder<'_> {
                 }
             }
         }
-        let name = names
-            .iter()
-            .map(Name::as_str)
-            .collect::<Vec<_>>()
-            .join(", ");
-        let whole = WaterTable {
-            name,
-            parts,
-            ..WaterTable::default()
-        };
+        let name = names.iter().map(Name::as_str).collect::<Vec<_>>().join(", ");
+        let whole = WaterTable { name, parts, ..WaterTable::default() };
         let tables = self.tables();
         let known = tables.iter().position(|t| *t == whole);
         if known.is_none() {
@@ -383,11 +357,7 @@ impl Builder<'_> {
             .filter_map(|t| {
                 let said = self.parsed.scenario.water.iter();
                 let mut named = said.filter(|(name, _)| name.as_str() == t.name);
-                Some((
-                    t.name.clone(),
-                    named.next()?.0.span.clone(),
-                    t.seepage.is_some(),
-                ))
+                Some((t.name.clone(), named.next()?.0.span.clone(), t.seepage.is_some()))
             })
             .collect();
         for (name, span, seeps) in spans {

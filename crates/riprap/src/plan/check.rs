@@ -84,11 +84,7 @@ impl Window {
             Window::Phase { part, .. } => match part {
                 Part::Start => Window::Start,
                 Part::End => Window::End,
-                Part::Whole(reduce) => Window::Over {
-                    from: 0.0,
-                    to: f64::INFINITY,
-                    reduce,
-                },
+                Part::Whole(reduce) => Window::Over { from: 0.0, to: f64::INFINITY, reduce },
             },
             Window::Start | Window::At(_) | Window::End | Window::Over { .. } => self,
         }
@@ -98,14 +94,8 @@ impl Window {
     #[must_use]
     pub fn unit(self, of_field: &str) -> &str {
         match self.within() {
-            Window::Over {
-                reduce: Reduce::FirstAbove(_) | Reduce::FirstBelow(_),
-                ..
-            } => "s",
-            Window::Over {
-                reduce: Reduce::ShareAbove(_),
-                ..
-            } => "-",
+            Window::Over { reduce: Reduce::FirstAbove(_) | Reduce::FirstBelow(_), .. } => "s",
+            Window::Over { reduce: Reduce::ShareAbove(_), .. } => "-",
             Window::Start
             | Window::At(_)
             | Window::End

@@ -21,20 +21,14 @@ impl Shown {
     /// The SI unit itself (`-` or empty for none).
     #[must_use]
     pub fn si(unit: &str) -> Self {
-        Self {
-            unit: if unit == "-" { "" } else { unit }.to_owned(),
-            one: 1.0,
-        }
+        Self { unit: if unit == "-" { "" } else { unit }.to_owned(), one: 1.0 }
     }
 
     /// A unit in which a value of that size (SI) reads well: degrees for angles; kPa to GPa, kN to GN, mm, ms and the like.
     #[must_use]
     pub fn suited(unit: &str, value: f64) -> Self {
         if unit == "rad" || unit == "rad/s" {
-            return Self {
-                unit: unit.replace("rad", "deg"),
-                one: std::f64::consts::PI / 180.0,
-            };
+            return Self { unit: unit.replace("rad", "deg"), one: std::f64::consts::PI / 180.0 };
         }
         let size = value.abs();
         let large = [(1e9, "G"), (1e6, "M"), (1e3, "k")];
@@ -49,10 +43,7 @@ impl Shown {
             Some(_) | None => None,
         };
         match prefix {
-            Some((one, prefix)) => Self {
-                unit: format!("{prefix}{unit}"),
-                one,
-            },
+            Some((one, prefix)) => Self { unit: format!("{prefix}{unit}"), one },
             None => Self::si(unit),
         }
     }
@@ -61,11 +52,7 @@ impl Shown {
     #[must_use]
     pub fn text(&self, value: f64, digits: usize) -> String {
         let number = self.number(value, digits);
-        if self.unit.is_empty() {
-            number
-        } else {
-            format!("{number} {}", self.unit)
-        }
+        if self.unit.is_empty() { number } else { format!("{number} {}", self.unit) }
     }
 
     /// As [`Shown::text`], without the unit.

@@ -47,12 +47,7 @@ pub enum AskError {
 /// Unknown fields and names, a wrong number of names, fields of single contacts.
 pub fn gauge<S: AsRef<str>>(view: &View<'_>, field: &str, of: &[S]) -> Result<Gauge, AskError> {
     let (info, _) = field::find(view.kind().fields(), field)?;
-    Ok(Gauge {
-        field: field.to_owned(),
-        of: subjects(view, info, of)?,
-        at: None,
-        along: None,
-    })
+    Ok(Gauge { field: field.to_owned(), of: subjects(view, info, of)?, at: None, along: None })
 }
 
 /// Numbers of the blocks or of the source that a field is read of.
@@ -75,20 +70,14 @@ fn subjects<S: AsRef<str>>(
         Site::Contact => return Err(AskError::Contact { field }),
     };
     if count.is_some_and(|n| n != given) || (count.is_none() && given == 0) {
-        return Err(AskError::Count {
-            field,
-            of_what,
-            given,
-        });
+        return Err(AskError::Count { field, of_what, given });
     }
     let known: Vec<(u32, String)> = match info.site {
-        Site::Cavity => (0..)
-            .zip(view.sources().into_iter().map(|s| s.name))
-            .collect(),
+        Site::Cavity => (0..).zip(view.sources().into_iter().map(|s| s.name)).collect(),
         Site::Bolt => (0..).zip(view.bolts()).collect(),
-        Site::Block | Site::Pair | Site::Group => (0..view.all_blocks() as u32)
-            .map(|b| (b, view.name(b)))
-            .collect(),
+        Site::Block | Site::Pair | Site::Group => {
+            (0..view.all_blocks() as u32).map(|b| (b, view.name(b))).collect()
+        }
         Site::Boundary | Site::Support | Site::Load => (0..)
             .zip(view.accounts())
             .filter(|(_, c)| c.holder.word() == info.site.word())

@@ -75,11 +75,7 @@ impl Search {
         if !width.is_finite() || width <= 0.0 {
             return Err(NotANumber);
         }
-        Ok(Self {
-            begin,
-            width,
-            trials: Vec::new(),
-        })
+        Ok(Self { begin, width, trials: Vec::new() })
     }
 
     /// The trials so far, in order.
@@ -152,13 +148,10 @@ impl Search {
     fn nearest(&self, state: State, largest: bool) -> Option<usize> {
         let all = self.trials.iter().enumerate().filter(|(_, t)| t.1 == state);
         let better = |a: f64, b: f64| if largest { a > b } else { a < b };
-        let found = all.fold(
-            None,
-            |best: Option<(usize, f64)>, (k, (value, _))| match best {
-                Some((_, old)) if !better(*value, old) => best,
-                Some(_) | None => Some((k, *value)),
-            },
-        );
+        let found = all.fold(None, |best: Option<(usize, f64)>, (k, (value, _))| match best {
+            Some((_, old)) if !better(*value, old) => best,
+            Some(_) | None => Some((k, *value)),
+        });
         found.map(|(k, _)| k)
     }
 
@@ -196,21 +189,15 @@ impl Search {
         let (low, high) = (sign * self.holds_at()?, sign * self.fails_at()?);
         // Undecided trials divide the range in up to three: of the outer two, the wider one is halved.
         let undecided = self.trials.iter().filter(|t| t.1 == State::Undecided);
-        let between = undecided
-            .map(|(value, _)| sign * value)
-            .filter(|value| *value > low && *value < high);
-        let (first, last) = between.fold((high, low), |(first, last), value| {
-            (first.min(value), last.max(value))
-        });
+        let between =
+            undecided.map(|(value, _)| sign * value).filter(|value| *value > low && *value < high);
+        let (first, last) =
+            between.fold((high, low), |(first, last), value| (first.min(value), last.max(value)));
         let (left, right) = (first - low, if first < high { high - last } else { 0.0 });
         if left.max(right) <= self.width {
             return None;
         }
-        let [below, above] = if left >= right {
-            [low, first]
-        } else {
-            [last, high]
-        };
+        let [below, above] = if left >= right { [low, first] } else { [last, high] };
         let middle = 0.5 * (below + above);
         // Else the width is finer than the numbers themselves.
         (middle > below && middle < above).then_some(sign * middle)
@@ -300,11 +287,7 @@ pub fn drive<R: Send + Sync, E: Send>(
     work: impl Fn(&Task<'_, R>) -> Result<Option<(State, R)>, E> + Sync,
     mut report: impl FnMut(f64, State, &R),
 ) -> Result<Found<R>, E> {
-    let mut found = Found {
-        search,
-        holding: None,
-        failing: None,
-    };
+    let mut found = Found { search, holding: None, failing: None };
     loop {
         let values = found.search.ahead(threads.max(1), chained);
         if values.is_empty() {
@@ -351,11 +334,7 @@ pub fn drive<R: Send + Sync, E: Send>(
                 taken.push(left);
             }
             let over = wrong.is_some() || (chained && now.holds_at() != found.search.holds_at());
-            let still = if over {
-                Vec::new()
-            } else {
-                now.ahead(values.len(), chained)
-            };
+            let still = if over { Vec::new() } else { now.ahead(values.len(), chained) };
             for (value, useless) in values.iter().zip(&useless) {
                 if !still.contains(value) {
                     useless.store(true, Ordering::Relaxed);
@@ -417,22 +396,14 @@ mod tests {
 
     fn above(limit: f64) -> impl Fn(f64) -> State + Sync {
         move |x| {
-            if x > limit {
-                State::Failing
-            } else {
-                State::Stable
-            }
+            if x > limit { State::Failing } else { State::Stable }
         }
     }
 
     #[test]
     fn the_limit_is_found_from_both_sides_with_any_number_of_threads() {
         let below = |x: f64| {
-            if x < 0.3 {
-                State::Failing
-            } else {
-                State::Stable
-            }
+            if x < 0.3 { State::Failing } else { State::Stable }
         };
         for (low, high) in [(0.0, 1.0), (1.0, 0.0)] {
             let between = || Search::between(low, high, 1e-3).unwrap();
@@ -488,38 +459,22 @@ mod tests {
 
     #[test]
     fn no_limit_no_number_and_trials_that_break() {
-        let (same, values) = run(
-            Search::between(0.0, 1.0, 0.1).unwrap(),
-            3,
-            false,
-            above(-1.0),
-        );
+        let (same, values) = run(Search::between(0.0, 1.0, 0.1).unwrap(), 3, false, above(-1.0));
         assert_eq!((same.next(), same.limit()), (None, None));
         assert_eq!(values, [0.0, 1.0]);
-        for (low, high, width) in [
-            (0.0, 1.0, 0.0),
-            (f64::NAN, 1.0, 0.1),
-            (1.0, 1.0, 0.1),
-            (0.0, 1.0, f64::INFINITY),
-        ] {
+        for (low, high, width) in
+            [(0.0, 1.0, 0.0), (f64::NAN, 1.0, 0.1), (1.0, 1.0, 0.1), (0.0, 1.0, f64::INFINITY)]
+        {
             assert_eq!(Search::between(low, high, width), Err(NotANumber));
         }
         // A trial that cannot be made ends the search where it is needed, not where it is made ahead.
         let search = Search::between(0.0, 1.0, 0.1).unwrap();
         let work = |task: &Task<'_, ()>| {
-            if task.value == 0.25 {
-                Err("no")
-            } else {
-                Ok(Some((above(0.6)(task.value), ())))
-            }
+            if task.value == 0.25 { Err("no") } else { Ok(Some((above(0.6)(task.value), ()))) }
         };
         assert!(drive(search.clone(), 8, false, work, |_, _, ()| {}).is_ok());
         let work = |task: &Task<'_, ()>| {
-            if task.value == 0.75 {
-                Err("no")
-            } else {
-                Ok(Some((above(0.6)(task.value), ())))
-            }
+            if task.value == 0.75 { Err("no") } else { Ok(Some((above(0.6)(task.value), ()))) }
         };
         let ended = drive(search, 8, false, work, |_, _, ()| {});
         assert_eq!(ended.err(), Some("no"));
@@ -529,17 +484,9 @@ mod tests {
     fn a_width_finer_than_the_numbers_ends() {
         let search = Search::between(0.0, 1.0, f64::MIN_POSITIVE).unwrap();
         let below = |x: f64| {
-            if x > 0.7 {
-                State::Failing
-            } else {
-                State::Stable
-            }
+            if x > 0.7 { State::Failing } else { State::Stable }
         };
         let (found, values) = run(search, 2, false, below);
-        assert!(
-            found.limit().is_some() && values.len() < 1100,
-            "{}",
-            values.len()
-        );
+        assert!(found.limit().is_some() && values.len() < 1100, "{}", values.len());
     }
 }

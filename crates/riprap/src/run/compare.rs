@@ -93,11 +93,8 @@ pub fn tables(first: &Table, second: &Table, prefix: &str) -> Result<Vec<Differe
         let Ok(b) = second.column(&a.name) else {
             continue;
         };
-        let name = if a.name.starts_with(prefix) {
-            a.name.clone()
-        } else {
-            format!("{prefix}{}", a.name)
-        };
+        let name =
+            if a.name.starts_with(prefix) { a.name.clone() } else { format!("{prefix}{}", a.name) };
         found.extend(series(name, (t, a), (u, b)));
     }
     Ok(found)
@@ -135,11 +132,7 @@ fn series(
 
 /// Times and values of the rows in which the column was written.
 fn samples(time: &Series, values: &Series) -> Vec<(f64, f64)> {
-    let rows = time
-        .values
-        .iter()
-        .copied()
-        .zip(values.values.iter().copied());
+    let rows = time.values.iter().copied().zip(values.values.iter().copied());
     rows.filter(|(_, value)| !value.is_nan()).collect()
 }
 
@@ -160,11 +153,7 @@ fn last_frames(first: &Path, second: &Path) -> Result<Option<Difference>, Compar
     };
     let (a, b) = (vtu::read_frame(&a, None)?, vtu::read_frame(&b, None)?);
     let column = |frame: &crate::record::Frame| {
-        frame
-            .block_columns
-            .iter()
-            .find(|c| c.name == "displacement" && c.components == 2)
-            .cloned()
+        frame.block_columns.iter().find(|c| c.name == "displacement" && c.components == 2).cloned()
     };
     let (Some(da), Some(db)) = (column(&a), column(&b)) else {
         return Ok(None);
@@ -172,11 +161,7 @@ fn last_frames(first: &Path, second: &Path) -> Result<Option<Difference>, Compar
     if da.data.len() != db.data.len() {
         return Ok(None);
     }
-    let size = |data: &[f64]| {
-        data.chunks_exact(2)
-            .map(|v| norm(v[0], v[1]))
-            .fold(0.0, f64::max)
-    };
+    let size = |data: &[f64]| data.chunks_exact(2).map(|v| norm(v[0], v[1])).fold(0.0, f64::max);
     let (mut largest, mut block) = (0.0, 0);
     let pairs = da.data.chunks_exact(2).zip(db.data.chunks_exact(2));
     for (i, (v, w)) in pairs.enumerate() {
@@ -229,10 +214,7 @@ mod tests {
         let slip = &found[0];
         assert_eq!((slip.first, slip.second), (4.0, 4.0));
         assert_eq!((slip.largest, slip.share), (0.25, 0.0625));
-        assert_eq!(
-            (slip.unit.as_str(), slip.place.as_str()),
-            ("m", "t = 1.000000 s")
-        );
+        assert_eq!((slip.unit.as_str(), slip.place.as_str()), ("m", "t = 1.000000 s"));
     }
 
     #[test]

@@ -13,10 +13,7 @@ impl Work {
     /// Begins to count.
     #[must_use]
     pub fn begin() -> Self {
-        Self {
-            begun: Instant::now(),
-            computed: computed(),
-        }
+        Self { begun: Instant::now(), computed: computed() }
     }
 
     /// What this thread has computed since. Of another thread than that which began it means nothing.

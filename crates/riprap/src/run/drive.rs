@@ -108,10 +108,7 @@ pub struct Pause {
 
 impl Pause {
     /// To the end.
-    pub const NEVER: Self = Self {
-        step: None,
-        time: None,
-    };
+    pub const NEVER: Self = Self { step: None, time: None };
 
     fn reached(&self, simulation: &Simulation) -> bool {
         // Times are sums of steps: without it a pause at a whole number of steps could come one step late.
@@ -403,12 +400,7 @@ impl Drive {
 
 fn watch_list(simulation: &Simulation, watches: Vec<Watch>) -> Result<Vec<Watched>, FieldError> {
     let kind = simulation.kind();
-    let total: f64 = simulation
-        .plan()
-        .phases
-        .iter()
-        .filter_map(|p| p.until.time)
-        .sum();
+    let total: f64 = simulation.plan().phases.iter().filter_map(|p| p.until.time).sum();
     watches
         .into_iter()
         .map(|watch| {
@@ -425,11 +417,7 @@ fn watch_list(simulation: &Simulation, watches: Vec<Watch>) -> Result<Vec<Watche
                 | Window::Over { .. }
                 | Window::Phase { .. } => 0.0,
             };
-            Ok(Watched {
-                watch,
-                reading,
-                rhythm,
-            })
+            Ok(Watched { watch, reading, rhythm })
         })
         .collect()
 }

@@ -116,10 +116,7 @@ pub struct Planar {
 
 impl Planar {
     fn view(&self) -> planar::view::View<'_> {
-        planar::view::View {
-            world: &self.world,
-            scratch: &self.scratch,
-        }
+        planar::view::View { world: &self.world, scratch: &self.scratch }
     }
 }
 
@@ -132,10 +129,7 @@ pub struct Spatial {
 
 impl Spatial {
     fn view(&self) -> spatial::view::View<'_> {
-        spatial::view::View {
-            world: &self.world,
-            scratch: &self.scratch,
-        }
+        spatial::view::View { world: &self.world, scratch: &self.scratch }
     }
 }
 
@@ -189,17 +183,11 @@ impl Engine {
             State::Planar(mut world) => {
                 // Lists and workspace are not part of the state: what they hold follows from it.
                 let scratch = planar::step::Scratch::new(&mut world, exec);
-                Self::Planar(Box::new(Planar {
-                    world: *world,
-                    scratch,
-                }))
+                Self::Planar(Box::new(Planar { world: *world, scratch }))
             }
             State::Spatial(mut world) => {
                 let scratch = spatial::step::Scratch::new(&mut world, exec);
-                Self::Spatial(Box::new(Spatial {
-                    world: *world,
-                    scratch,
-                }))
+                Self::Spatial(Box::new(Spatial { world: *world, scratch }))
             }
         }
     }
@@ -261,17 +249,11 @@ impl Engine {
                     &e.scratch.candidates,
                     stiffness_damping,
                 );
-                Stable {
-                    dt: found.dt,
-                    block: found.block,
-                }
+                Stable { dt: found.dt, block: found.block }
             }
             Self::Spatial(e) => {
                 let found = spatial::stable::stable_step(&e.world, &e.scratch, stiffness_damping);
-                Stable {
-                    dt: found.dt,
-                    block: found.block,
-                }
+                Stable { dt: found.dt, block: found.block }
             }
         }
     }
@@ -511,13 +493,8 @@ impl Engine {
                 let deform = e.world.deform.as_mut();
                 let broken = deform.map(|d| std::mem::take(&mut d.broken));
                 let view = e.view();
-                let others = broken
-                    .iter()
-                    .flatten()
-                    .map(|b| notes::break_event(&view, b));
-                let edits = events
-                    .iter()
-                    .map(|event| notes::spatial_event(&view, event));
+                let others = broken.iter().flatten().map(|b| notes::break_event(&view, b));
+                let edits = events.iter().map(|event| notes::spatial_event(&view, event));
                 edits.chain(others).collect()
             }
         }

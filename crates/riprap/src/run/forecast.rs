@@ -170,9 +170,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         Some(wanted.min(limit))
     });
     let least = total(plan, |phase| {
-        let wanted = phase
-            .time_step
-            .wanted(stable.dt, &phase.until, phase.gravity_ramp);
+        let wanted = phase.time_step.wanted(stable.dt, &phase.until, phase.gravity_ramp);
         (!may_rest(phase)).then_some(wanted)
     });
     let at_most = plan.phases.iter().any(may_rest);
@@ -252,9 +250,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
     found.extend(meeting::idle_bolts(&view));
     found.extend((plan.phases.iter()).filter_map(|p| gravity_cut_off(p, stable)));
     for phase in plan.phases.iter().filter(|p| relaxing(p).is_none()) {
-        let dt = phase
-            .time_step
-            .wanted(stable, &phase.until, phase.gravity_ramp);
+        let dt = phase.time_step.wanted(stable, &phase.until, phase.gravity_ramp);
         let steps = phase.until.time.map_or(f64::INFINITY, |time| time / dt);
         if stable.is_finite() && steps < FEW_STEPS {
             found.push(format!(
@@ -264,15 +260,8 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
             ));
         }
     }
-    found.extend(
-        plan.phases
-            .iter()
-            .filter_map(|p| near_limit(&view, p, stable)),
-    );
-    let quiet = plan
-        .phases
-        .iter()
-        .find(|p| p.kind == PhaseKind::Static && relaxing(p).is_none());
+    found.extend(plan.phases.iter().filter_map(|p| near_limit(&view, p, stable)));
+    let quiet = plan.phases.iter().find(|p| p.kind == PhaseKind::Static && relaxing(p).is_none());
     if let (Some(phase), Some(what)) = (quiet, moved(&view)) {
         found.push(format!(
             "{what} is moved while the static phase `{}` looks for rest: the time of such a phase is not physical, and it may not end",
@@ -291,9 +280,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
 }
 
 /// The rule under which found contacts in space have the longest steps that any rule gives them.
-const USUAL: TimeStep = TimeStep::Auto {
-    safety: SAFETY_IN_SPACE,
-};
+const USUAL: TimeStep = TimeStep::Auto { safety: SAFETY_IN_SPACE };
 
 /// That a `safety` above the usual one has no effect, in words; `stable` is the stable step at the start, s, `contacts` what found contacts
 /// in space allow, s, infinite where there are none.
@@ -323,16 +310,12 @@ const SAME_TIME: f64 = 1e-9;
 /// That a phase ends before its gravity is there in full, in words; `stable` is the stable step at the start, s.
 fn gravity_cut_off(phase: &Phase, stable: f64) -> Option<String> {
     let ramp = phase.gravity_ramp?;
-    let dt = phase
-        .time_step
-        .wanted(stable, &phase.until, phase.gravity_ramp);
+    let dt = phase.time_step.wanted(stable, &phase.until, phase.gravity_ramp);
     // Steps of a relaxing phase are iterations, in which no time passes.
     let steps = phase.until.steps.filter(|_| relaxing(phase).is_none());
     let stepped = steps.map(|steps| steps as f64 * dt);
     let time = phase.until.time.into_iter().chain(stepped);
-    let time = time
-        .reduce(f64::min)
-        .filter(|time| *time < ramp * (1.0 - SAME_TIME))?;
+    let time = time.reduce(f64::min).filter(|time| *time < ramp * (1.0 - SAME_TIME))?;
     Some(format!(
         "the phase `{}` ends after {time:.3e} s, before its gravity is there in full (`gravity_ramp`, {ramp} s): a phase after it has the whole at once",
         phase.name
@@ -341,14 +324,10 @@ fn gravity_cut_off(phase: &Phase, stable: f64) -> Option<String> {
 
 /// That a phase with bonds that can break steps near the limit, in words; `stable` is the stable step at the start, s.
 fn near_limit(view: &View<'_>, phase: &Phase, stable: f64) -> Option<String> {
-    phase
-        .deform
-        .filter(|rules| rules.breaking && rules.relax.is_none())?;
+    phase.deform.filter(|rules| rules.breaking && rules.relax.is_none())?;
     let laws = &view.spatial()?.world.setup.interfaces;
-    let breaks = laws
-        .iter()
-        .filter_map(|law| law.bond.as_ref())
-        .any(|bond| bond.strength.is_some());
+    let breaks =
+        laws.iter().filter_map(|law| law.bond.as_ref()).any(|bond| bond.strength.is_some());
     let share = match phase.time_step {
         TimeStep::Auto { safety } => safety,
         TimeStep::Given { dt } => dt / stable,
@@ -516,11 +495,7 @@ impl Trial {
         } else {
             (steps.max(1), work.done())
         };
-        Ok(Self {
-            rate: timed as f64 / time.as_secs_f64().max(1e-9),
-            steps,
-            end,
-        })
+        Ok(Self { rate: timed as f64 / time.as_secs_f64().max(1e-9), steps, end })
     }
 }
 
@@ -554,9 +529,7 @@ mod tests {
         let elastic = "brittle_bond = { thickness = \"10 mm\", elastic = true }";
         let tells = |block: &str, bond: &str, phase: &str| {
             let wanted = "the steps of phase `run` are 95 % of the stable one, and bonds can break";
-            bar(block, bond, phase, "")
-                .iter()
-                .any(|s| s.starts_with(wanted))
+            bar(block, bond, phase, "").iter().any(|s| s.starts_with(wanted))
         };
         assert!(tells(soft, bond, "safety = 0.95"));
         assert!(!tells(soft, bond, "safety = 0.8"));

@@ -161,10 +161,7 @@ pub fn preview(mut job: Job, folder: &Path) -> Result<Live, JobError> {
         job.plan.frames = None;
     }
     let mut live = Live::begin(job, folder, Existing::Force, 1)?;
-    let first = Pause {
-        step: Some(0),
-        time: None,
-    };
+    let first = Pause { step: Some(0), time: None };
     live.advance(first, &mut |_| Control::Continue)?;
     // The page lists what `riprap check` would say.
     let stable = live.drive.stable();
@@ -257,40 +254,23 @@ impl Live {
             Ended::Stopped | Ended::Unstable => Some(manifest.message.clone()),
         };
         if let Some(ended) = ended {
-            return Err(JobError::Ended {
-                path: folder.to_owned(),
-                ended,
-            });
+            return Err(JobError::Ended { path: folder.to_owned(), ended });
         }
         let admit = |path: &Path, found: &Checkpoint| {
             found.origin.admit(path, &manifest)?;
             // Its sum says that it is as it was written, not who wrote it.
             let sound = found.snapshot.sound();
-            sound.map_err(|reason| CheckpointError::Decode {
-                path: path.to_owned(),
-                reason,
-            })
+            sound.map_err(|reason| CheckpointError::Decode { path: path.to_owned(), reason })
         };
         let latest = checkpoint::latest_of(folder, KIND, admit)?;
         let broken = latest.broken.iter();
-        let mut notes: Vec<String> = broken
-            .map(|why| format!("skipped a checkpoint: {why}"))
-            .collect();
+        let mut notes: Vec<String> =
+            broken.map(|why| format!("skipped a checkpoint: {why}")).collect();
         let exec = Exec::new(threads)?;
         manifest.threads = exec.threads();
-        let Checkpoint {
-            origin,
-            snapshot,
-            marks,
-            counts,
-            watches,
-        } = latest.value;
+        let Checkpoint { origin, snapshot, marks, counts, watches } = latest.value;
         notes.extend(origin.edits(folder, &manifest));
-        let others: Vec<&Path> = latest
-            .broken
-            .iter()
-            .filter_map(|e| e.of_another())
-            .collect();
+        let others: Vec<&Path> = latest.broken.iter().filter_map(|e| e.of_another()).collect();
         let (folder, aside) = RunFolder::reopen_beside(folder, &marks, &others)?;
         notes.extend(
             (aside.iter()).map(|name| format!("what was skipped is kept as {}", name.display())),
@@ -386,12 +366,7 @@ impl Live {
         manifest: Manifest,
     ) -> Result<Self, JobError> {
         let drive = Drive::new(simulation, recorder, watches).map_err(DriveError::from)?;
-        Ok(Self {
-            drive,
-            manifest,
-            ending: None,
-            notes: Vec::new(),
-        })
+        Ok(Self { drive, manifest, ending: None, notes: Vec::new() })
     }
 
     /// The simulation; between two calls of [`Live::advance`] its forces are those of the present positions.
@@ -466,9 +441,7 @@ impl Live {
                 let lines: Result<Vec<String>, _> =
                     checks.iter().map(serde_json::to_string).collect();
                 let text = lines.unwrap_or_default().join("\n") + "\n";
-                recorder
-                    .folder
-                    .write_file("checks.jsonl", text.as_bytes())?;
+                recorder.folder.write_file("checks.jsonl", text.as_bytes())?;
             }
             recorder.folder.write_manifest(&manifest)?;
         }
@@ -507,10 +480,9 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
     let view = simulation.view();
     (manifest.ended, manifest.message) = match ending {
         Ending::Finished => (Ended::Finished, String::new()),
-        Ending::Stopped => (
-            Ended::Interrupted,
-            "stopped by the user; it can be resumed".to_owned(),
-        ),
+        Ending::Stopped => {
+            (Ended::Interrupted, "stopped by the user; it can be resumed".to_owned())
+        }
         Ending::Unstable(error) => (Ended::Unstable, RunError::to_string(error)),
     };
     for text in simulation.warnings() {
@@ -523,16 +495,6 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
     manifest.steps = view.step();
     manifest.time = view.time();
     manifest.state_hash = simulation.engine().hash();
-    let stage = |(name, seconds): (String, f64)| StageTime {
-        name,
-        seconds,
-        calls: view.step(),
-    };
-    manifest.profile = simulation
-        .engine()
-        .profile()
-        .seconds()
-        .into_iter()
-        .map(stage)
-        .collect();
+    let stage = |(name, seconds): (String, f64)| StageTime { name, seconds, calls: view.step() };
+    manifest.profile = simulation.engine().profile().seconds().into_iter().map(stage).collect();
 }

@@ -246,12 +246,7 @@ pub(super) fn outlook(view: &View<'_>) -> Option<Outlook> {
     let stop = least(&Meets::stop_speed)?;
     let speed = stop.stop_speed();
     let gravity = of.world.gravity.length();
-    let most = |k: usize| {
-        blocks
-            .iter()
-            .map(|b| b.pressed(gravity)[k])
-            .fold(0.0, f64::max)
-    };
+    let most = |k: usize| blocks.iter().map(|b| b.pressed(gravity)[k]).fold(0.0, f64::max);
     let rigid = blocks.iter().filter(|b| b.step.is_finite()).count();
     let (pairs, deformable) = (&of.world.found.pairs, &of.world.found.deformable.pairs);
     let touching = pairs.iter().filter(|pair| pair.depth > 0.0).count()
@@ -283,11 +278,7 @@ mod tests {
     use crate::scenario::Source;
 
     fn cube_over_floor(stiffness: &str, speed: &str) -> Forecast {
-        above_floor(
-            &format!("normal_stiffness = \"{stiffness}\"\n"),
-            "3 m",
-            speed,
-        )
+        above_floor(&format!("normal_stiffness = \"{stiffness}\"\n"), "3 m", speed)
     }
 
     /// A cube at a height over a floor, with these keys of their interface.
@@ -345,12 +336,8 @@ mod tests {
     #[test]
     fn a_short_run_is_tried_to_its_end_and_a_long_one_told_as_a_range() {
         // It falls 3 m and rebounds: blocks that are apart have no stable step, those of the contact are many.
-        let job = falling(
-            "normal_stiffness = \"100 MPa/m\"\n",
-            "3 m",
-            "-1 m/s",
-            "until.time = \"1 s\"",
-        );
+        let job =
+            falling("normal_stiffness = \"100 MPa/m\"\n", "3 m", "-1 m/s", "until.time = \"1 s\"");
         let told = forecast(&job.setup, &job.plan).unwrap();
         let mut run = Simulation::new(job.setup, job.plan, Exec::serial()).unwrap();
         run.run().unwrap();
@@ -383,11 +370,9 @@ mod tests {
             .toe
         };
         let exact = |stiffness: f64| 12.0 * (12_250.0 / (18.0 * stiffness * 0.5)).cbrt();
-        for (stiffness, of, count) in [
-            ("1 GPa/m", 1e9, 1),
-            ("1000 GPa/m", 1e12, 1),
-            ("1 GPa/m", 1e9, 4),
-        ] {
+        for (stiffness, of, count) in
+            [("1 GPa/m", 1e9, 1), ("1000 GPa/m", 1e12, 1), ("1 GPa/m", 1e9, 4)]
+        {
             let toe = told(stiffness, 2.0 / f64::from(count), count, "0 m").expect("it stands");
             assert!((toe.share / exact(of) - 1.0).abs() < 1e-9, "{toe:?}");
             assert_eq!(toe.key, "interfaces.default.normal_stiffness");
@@ -400,14 +385,8 @@ mod tests {
     #[test]
     fn contacts_that_are_too_soft_are_told_with_their_key() {
         let soft = cube_over_floor("1 MPa/m", "-0.1 m/s").warnings.join("\n");
-        assert!(
-            soft.contains("`cube` is pressed in by 2.5 % of its size"),
-            "{soft}"
-        );
-        assert!(
-            soft.contains("`interfaces.default.normal_stiffness`"),
-            "{soft}"
-        );
+        assert!(soft.contains("`cube` is pressed in by 2.5 % of its size"), "{soft}");
+        assert!(soft.contains("`interfaces.default.normal_stiffness`"), "{soft}");
         assert!(!soft.contains("starts with"), "{soft}");
         let fast = cube_over_floor("100 MPa/m", "-40 m/s").warnings.join("\n");
         assert!(fast.contains("`cube` starts with 40.000 m/s"), "{fast}");
@@ -425,10 +404,7 @@ mod tests {
         };
         assert!(tells("1 mm", "cohesion = \"1 kPa\"\n"));
         assert!(!tells("1 mm", ""));
-        assert!(!tells(
-            "1 mm",
-            "cohesion = \"1 kPa\"\nresidual_cohesion = \"1 kPa\"\n"
-        ));
+        assert!(!tells("1 mm", "cohesion = \"1 kPa\"\nresidual_cohesion = \"1 kPa\"\n"));
         // A joint has it.
         assert!(!tells("0 m", "cohesion = \"1 kPa\"\n"));
     }
@@ -437,12 +413,9 @@ mod tests {
     fn what_joints_alone_read_is_told_where_there_are_none() {
         let wanted = "`failure`, `dashpots` of interfaces.default have no effect: no joint";
         let tells = |height: &str, keys: &str| {
-            let told = above_floor(
-                &format!("normal_stiffness = \"10 GPa/m\"\n{keys}"),
-                height,
-                "0 m/s",
-            )
-            .warnings;
+            let told =
+                above_floor(&format!("normal_stiffness = \"10 GPa/m\"\n{keys}"), height, "0 m/s")
+                    .warnings;
             told.iter().any(|s| s.starts_with(wanted))
         };
         let keys = "failure = \"face\"\ndashpots = \"closed\"\n";
@@ -456,8 +429,7 @@ mod tests {
         let tells = |height: &str, phase: &str| {
             let told = above_floor_in("normal_stiffness = \"10 GPa/m\"\n", height, "0 m/s", phase)
                 .warnings;
-            told.iter()
-                .any(|s| s.starts_with("`damping.stiffness` of phase `fall` has no effect"))
+            told.iter().any(|s| s.starts_with("`damping.stiffness` of phase `fall` has no effect"))
         };
         let damped = "damping.stiffness = \"1 us\"\n";
         assert!(tells("1 mm", damped));
@@ -476,8 +448,7 @@ mod tests {
                  [[supports]]\non.block = \"floor\"\nfixed = {{}}\n[[phases]]\nname = \"fall\"\nuntil.time = \"1 s\"\n"
             );
             let told = told(text).warnings;
-            told.iter()
-                .any(|s| s.starts_with("`bond` of interfaces.default has no effect"))
+            told.iter().any(|s| s.starts_with("`bond` of interfaces.default has no effect"))
         };
         assert!(tells("0.2 m"));
         assert!(!tells("0 m"));

@@ -139,12 +139,7 @@ fn file_name(path: &str) -> Option<&std::ffi::OsStr> {
 /// The first of many.
 fn listed(keys: &[String]) -> String {
     const SHOWN: usize = 8;
-    let mut text = keys
-        .iter()
-        .take(SHOWN)
-        .cloned()
-        .collect::<Vec<_>>()
-        .join(", ");
+    let mut text = keys.iter().take(SHOWN).cloned().collect::<Vec<_>>().join(", ");
     if keys.len() > SHOWN {
         text += &format!(" and {} more", keys.len() - SHOWN);
     }
@@ -155,10 +150,8 @@ fn listed(keys: &[String]) -> String {
 #[cfg(feature = "scenario")]
 fn as_run(text: &str, manifest: &Manifest) -> Result<String, String> {
     use crate::scenario::{Case, Source};
-    let changes = manifest
-        .overrides
-        .iter()
-        .map(|change| (change.key.clone(), change.value.clone()));
+    let changes =
+        manifest.overrides.iter().map(|change| (change.key.clone(), change.value.clone()));
     let case = Case {
         name: manifest.case.clone(),
         variant: manifest.variant.clone(),
@@ -197,19 +190,12 @@ fn differences(old: &str, new: &str) -> Vec<String> {
     let mut keys: Vec<&String> = old.keys().chain(new.keys()).collect();
     keys.sort();
     keys.dedup();
-    keys.into_iter()
-        .filter(|key| old.get(*key) != new.get(*key))
-        .cloned()
-        .collect()
+    keys.into_iter().filter(|key| old.get(*key) != new.get(*key)).cloned().collect()
 }
 
 #[cfg(not(feature = "scenario"))]
 fn differences(old: &str, new: &str) -> Vec<String> {
-    if old == new {
-        Vec::new()
-    } else {
-        vec!["its text".to_owned()]
-    }
+    if old == new { Vec::new() } else { vec!["its text".to_owned()] }
 }
 
 /// The values of a document by their keys, tables of a list by their names as in `--set`.
@@ -220,11 +206,7 @@ fn collect(
     found: &mut std::collections::BTreeMap<String, String>,
 ) {
     let below = |key: &str| {
-        if path.is_empty() {
-            key.to_owned()
-        } else {
-            format!("{path}.{key}")
-        }
+        if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") }
     };
     match value {
         toml::Value::Table(table) => {
@@ -256,10 +238,7 @@ mod tests {
             "# said\n[b]\nc = [1, 3]\nf = 2\n[[d]]\nname = \"y\"\n[[d]]\nname = \"x\"\ne = 2\n";
         assert_eq!(differences(old, new), ["a", "b.c", "b.f", "d.x.e"]);
         assert!(differences(old, &format!("# a word\n{old}")).is_empty());
-        assert_eq!(
-            differences(old, "a = "),
-            ["its text, which is no TOML any more"]
-        );
+        assert_eq!(differences(old, "a = "), ["its text, which is no TOML any more"]);
     }
 
     #[test]
@@ -274,9 +253,6 @@ mod tests {
         let path = Path::new("x.rck");
         assert!(origin.admit(path, &of("phi=10")).is_ok());
         let wrong = origin.admit(path, &of("phi=20")).unwrap_err().to_string();
-        assert!(
-            wrong.contains("case phi=10") && wrong.contains("case phi=20"),
-            "{wrong}"
-        );
+        assert!(wrong.contains("case phi=10") && wrong.contains("case phi=20"), "{wrong}");
     }
 }

@@ -105,10 +105,7 @@ pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonF
     let (mut world, mut scratch) = World::new(setup.clone(), Exec::serial());
     // The forces do not depend on the step; a small one keeps the unused velocity changes finite.
     step::evaluate(&mut world, &mut scratch, &Damping::default(), 1e-9)?;
-    let view = View {
-        world: &world,
-        scratch: &scratch,
-    };
+    let view = View { world: &world, scratch: &scratch };
     let shapes = &scratch.shapes;
     let name = |block: u32| setup.blocks[block as usize].name.clone();
     let d0 = |i: u32, j: u32| {
@@ -149,9 +146,7 @@ pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonF
     joined.extend(world.bonds.iter().map(|bond| [bond.i, bond.j]));
     let outline = |b: usize| -> Vec<Vec2> {
         let edges = scratch.turned[shapes.range(b)].iter();
-        edges
-            .map(|edge| world.bodies[b].position + edge.start)
-            .collect()
+        edges.map(|edge| world.bodies[b].position + edge.start).collect()
     };
     let outlines: Vec<Vec<Vec2>> = (0..setup.blocks.len()).map(outline).collect();
     let boxes: Vec<Aabb> = outlines
@@ -218,12 +213,7 @@ mod tests {
         let corner = |dx: f64, dy: f64| Vec2::new(dx, y + dy);
         BlockSpec {
             name: name.to_owned(),
-            vertices: vec![
-                corner(0.0, 0.0),
-                corner(1.0, 0.0),
-                corner(1.0, 1.0),
-                corner(0.0, 1.0),
-            ],
+            vertices: vec![corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)],
             material: 0,
             density: 1000.0,
             velocity: Vec2::ZERO,
@@ -247,16 +237,8 @@ mod tests {
         let setup = Setup {
             origin: [100.0, 0.0],
             materials: vec!["rock".to_owned()],
-            blocks: vec![
-                square("low", 0.0),
-                square("high", 0.999),
-                square("far", 5.0),
-            ],
-            interfaces: vec![Interface {
-                name: "default".to_owned(),
-                contact,
-                bond: None,
-            }],
+            blocks: vec![square("low", 0.0), square("high", 0.999), square("far", 5.0)],
+            interfaces: vec![Interface { name: "default".to_owned(), contact, bond: None }],
             pair_table: vec![0],
             ..Setup::default()
         };
@@ -264,14 +246,8 @@ mod tests {
         assert_eq!(found.len(), 1);
         let one = &found[0];
         assert_eq!((one.first.as_str(), one.second.as_str()), ("low", "high"));
-        assert!(
-            (one.overlap - 1e-3).abs() < 1e-12 && (one.length - 1.0).abs() < 1e-3,
-            "{one:?}"
-        );
-        assert!(
-            one.force[1] < 0.0 && one.force[0].abs() < 1e-9 * one.force[1].abs(),
-            "{one:?}"
-        );
+        assert!((one.overlap - 1e-3).abs() < 1e-12 && (one.length - 1.0).abs() < 1e-3, "{one:?}");
+        assert!(one.force[1] < 0.0 && one.force[0].abs() < 1e-9 * one.force[1].abs(), "{one:?}");
         assert!((one.normal_force + one.force[1]).abs() < 1e-9 * one.normal_force);
         assert!((one.centre[0] - 100.5).abs() < 1e-6 && (one.centre[1] - 1.0).abs() < 1e-3);
         assert_eq!((one.other_force, one.gap), (0.0, 0.0));

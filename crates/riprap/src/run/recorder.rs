@@ -96,10 +96,8 @@ impl Recorder {
         if !columns.is_empty() {
             folder.begin_histories(&columns)?;
         }
-        let names: Vec<(&str, &str)> = COLUMNS
-            .iter()
-            .map(|(name, _)| (*name, kind.energy_unit()))
-            .collect();
+        let names: Vec<(&str, &str)> =
+            COLUMNS.iter().map(|(name, _)| (*name, kind.energy_unit())).collect();
         folder.begin_energy(&names)?;
         let mut conditions = match &counts {
             // Blocks that are gone by now are in the file alone. It is drawn from and nothing else: where it cannot be read
@@ -199,18 +197,12 @@ impl Recorder {
             self.last_rows[0] = Some(step);
         }
         let edge = first || phase_end;
-        let energy = self
-            .energy
-            .as_ref()
-            .is_some_and(|every| due(every, &mut self.counts.energy));
+        let energy = self.energy.as_ref().is_some_and(|every| due(every, &mut self.counts.energy));
         if energy || edge {
             let balance = simulation.balance();
             self.energy_row(simulation, &balance)?;
         }
-        let frame = self
-            .frames
-            .as_ref()
-            .is_some_and(|every| due(every, &mut self.counts.frames));
+        let frame = self.frames.as_ref().is_some_and(|every| due(every, &mut self.counts.frames));
         let wanted = frame || (edge && self.frames != Some(Every::Never));
         if wanted && self.last_frame != Some(step) {
             let phase = simulation.phase().map_or("", |p| p.name.as_str());
@@ -306,14 +298,11 @@ impl Recorder {
         }
         self.folder.event(&event)?;
         if let Some(fragments) = simulation.view().fragments() {
-            self.folder
-                .write_file("fragments.csv", fragments.csv().as_bytes())?;
+            self.folder.write_file("fragments.csv", fragments.csv().as_bytes())?;
             let members = fragments.members_csv();
-            self.folder
-                .write_file("fragment_blocks.csv", members.as_bytes())?;
+            self.folder.write_file("fragment_blocks.csv", members.as_bytes())?;
         }
-        self.folder
-            .write_file("final_states.csv", view.states().as_bytes())?;
+        self.folder.write_file("final_states.csv", view.states().as_bytes())?;
         if let Some(bolts) = view.bolt_table() {
             self.folder.write_file("bolts.csv", bolts.as_bytes())?;
         }

@@ -30,10 +30,7 @@ pub(super) fn crushed(view: &View<'_>) -> Option<String> {
     }
     if let Some(view) = view.spatial() {
         let interfaces = &view.world.setup.interfaces;
-        if interfaces
-            .iter()
-            .any(|i| walls(&i.joint.behaviour).is_some())
-        {
+        if interfaces.iter().any(|i| walls(&i.joint.behaviour).is_some()) {
             for p in 0..view.world.patches.len() {
                 let row = usize::from(view.patch_class(p).row);
                 let Some(jcs) = walls(&interfaces[row].joint.behaviour) else {

@@ -110,27 +110,14 @@ pub fn search(
     sound(rules)?;
     let search = Search::from_one(MOST, rules.width).map_err(|_| SafetyError::NotANumber)?;
     let Scope { setup, plan, rows } = scope(setup, plan, rules)?;
-    let maker = Maker {
-        rules,
-        rows: &rows,
-        stop,
-    };
+    let maker = Maker { rules, rows: &rows, stop };
     let one = |task: &Task<'_, Done>| -> Made {
         let (factor, threads) = (task.value, task.threads);
-        if let Some((
-            from,
-            Done {
-                state: Some(state), ..
-            },
-        )) = task.from
-        {
+        if let Some((from, Done { state: Some(state), .. })) = task.from {
             return maker.weaker(state, &plan, factor / from, factor, threads, task.useless);
         }
-        let plan = if factor == 1.0 {
-            plan.clone()
-        } else {
-            reduced_from_start(&plan, &rows, factor)
-        };
+        let plan =
+            if factor == 1.0 { plan.clone() } else { reduced_from_start(&plan, &rows, factor) };
         let model = (setup.clone(), plan);
         maker.anew(model, factor, factor != 1.0, threads, task.useless)
     };
@@ -167,9 +154,7 @@ fn answer(
             trials.push(done.trial.clone());
         },
     )?;
-    let Found {
-        search, failing, ..
-    } = found;
+    let Found { search, failing, .. } = found;
     let (moving, mechanism) = failing.map_or((Vec::new(), None), |f| (f.moving, f.mechanism));
     Ok(Answer {
         quantity: None,
@@ -214,10 +199,7 @@ pub fn mechanism_job(
         }
     }
     // It ends when it has been seen, not when it is at rest.
-    let seen = Until {
-        steps: Some(steps),
-        ..Until::default()
-    };
+    let seen = Until { steps: Some(steps), ..Until::default() };
     if let Some(phase) = trial.phase {
         job.plan.phases.truncate(phase + 1);
         for last in job.plan.phases.iter_mut().skip(phase) {

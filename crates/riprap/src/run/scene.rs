@@ -49,12 +49,7 @@ impl Scene {
     pub fn load(path: &Path, changes: &[(String, String)]) -> Result<Self, Diagnostics> {
         let parsed = scenario::load(path, changes)?;
         let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
-        Ok(Self {
-            path: path.to_owned(),
-            parsed,
-            cases,
-            changes: changes.to_vec(),
-        })
+        Ok(Self { path: path.to_owned(), parsed, cases, changes: changes.to_vec() })
     }
 
     /// As [`Scene::load`] for a text; relative paths in it are seen from `folder`.
@@ -70,35 +65,17 @@ impl Scene {
         let mut parsed = scenario::parse_changed(&source, changes)?;
         parsed.folder = folder;
         let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
-        Ok(Self {
-            path,
-            parsed,
-            cases,
-            changes: changes.to_vec(),
-        })
+        Ok(Self { path, parsed, cases, changes: changes.to_vec() })
     }
 
     /// The scene as it stands: the variant `default`, with nothing swept.
     #[must_use]
     pub fn plain(&self) -> Case {
         let variant = "default";
-        let changes = self
-            .parsed
-            .scenario
-            .variants
-            .get(variant)
-            .map_or_else(Vec::new, |table| {
-                table
-                    .iter()
-                    .map(|(key, value)| (key.text.clone(), value.to_string()))
-                    .collect()
-            });
-        Case {
-            name: variant.to_owned(),
-            variant: variant.to_owned(),
-            changes,
-            trial: Vec::new(),
-        }
+        let changes = self.parsed.scenario.variants.get(variant).map_or_else(Vec::new, |table| {
+            table.iter().map(|(key, value)| (key.text.clone(), value.to_string())).collect()
+        });
+        Case { name: variant.to_owned(), variant: variant.to_owned(), changes, trial: Vec::new() }
     }
 
     /// The case of that name; the plain one is called `default`.
@@ -139,40 +116,19 @@ impl Scene {
                 .filter_map(|name| InputFile::read(&parsed.folder, name))
                 .collect(),
             variant: case.variant.clone(),
-            case: if self.cases.len() > 1 {
-                case.name.clone()
-            } else {
-                String::new()
-            },
+            case: if self.cases.len() > 1 { case.name.clone() } else { String::new() },
             overrides: changed
-                .map(|(key, value)| Override {
-                    key: key.clone(),
-                    value: value.clone(),
-                })
+                .map(|(key, value)| Override { key: key.clone(), value: value.clone() })
                 .collect(),
-            warnings: model
-                .warnings
-                .iter()
-                .map(|warning| warning.message.clone())
-                .collect(),
+            warnings: model.warnings.iter().map(|warning| warning.message.clone()).collect(),
             gravity: match &model.setup {
                 Setup::Planar(setup) => [setup.gravity[0], setup.gravity[1], 0.0],
                 Setup::Spatial(setup) => setup.gravity.to_array(),
             },
-            materials: parsed
-                .scenario
-                .materials
-                .names()
-                .map(str::to_owned)
-                .collect(),
+            materials: parsed.scenario.materials.names().map(str::to_owned).collect(),
             ..Manifest::default()
         };
-        Ok(Prepared {
-            parsed,
-            resolved,
-            model,
-            manifest,
-        })
+        Ok(Prepared { parsed, resolved, model, manifest })
     }
 }
 

@@ -56,15 +56,8 @@ impl Simulation {
     /// A model that the engine cannot build.
     pub fn new(setup: impl Into<Setup>, plan: Plan, exec: Exec) -> Result<Self, BuildError> {
         let mut engine = Engine::new(setup.into(), exec)?;
-        let cursor = Cursor {
-            gravity_after: engine.gravity(),
-            ..Cursor::default()
-        };
-        if plan
-            .phases
-            .first()
-            .is_some_and(|p| p.gravity_ramp.is_some())
-        {
+        let cursor = Cursor { gravity_after: engine.gravity(), ..Cursor::default() };
+        if plan.phases.first().is_some_and(|p| p.gravity_ramp.is_some()) {
             // No phase before it has had a gravity that the ramp could begin from.
             engine.set_gravity([0.0; 3]);
         }
@@ -84,11 +77,7 @@ impl Simulation {
     /// A run that goes on from a snapshot.
     #[must_use]
     pub fn resume(snapshot: Snapshot, exec: Exec) -> Self {
-        let Snapshot {
-            plan,
-            cursor,
-            state,
-        } = snapshot;
+        let Snapshot { plan, cursor, state } = snapshot;
         let engine = Engine::resume(state, exec);
         Self {
             // With the engine's present revision, so that it is not looked for anew: joints that have failed
@@ -119,11 +108,7 @@ impl Simulation {
     /// What a checkpoint holds, to be written.
     #[must_use]
     pub fn snapshot_ref(&self) -> SnapshotRef<'_> {
-        SnapshotRef {
-            plan: &self.plan,
-            cursor: &self.cursor,
-            state: self.engine.state_ref(),
-        }
+        SnapshotRef { plan: &self.plan, cursor: &self.cursor, state: self.engine.state_ref() }
     }
 
     /// The engine.
@@ -268,11 +253,7 @@ impl Simulation {
         let reason = self.phase_over(&phase);
         self.guard(reason.is_some())?;
         self.reason = reason;
-        Ok(if reason.is_some() {
-            Stage::PhaseEnd
-        } else {
-            Stage::Within
-        })
+        Ok(if reason.is_some() { Stage::PhaseEnd } else { Stage::Within })
     }
 
     /// Moves on by one step; call [`Simulation::prepare`] before.
@@ -318,12 +299,9 @@ impl Simulation {
     #[must_use]
     pub fn progress(&self) -> Option<f64> {
         let until = self.phase()?.until;
-        let steps = until
-            .steps
-            .map(|n| (self.steps() - self.cursor.start_step) as f64 / n.max(1) as f64);
-        let time = until
-            .time
-            .map(|t| (self.time() - self.cursor.start_time) / t);
+        let steps =
+            until.steps.map(|n| (self.steps() - self.cursor.start_step) as f64 / n.max(1) as f64);
+        let time = until.time.map(|t| (self.time() - self.cursor.start_time) / t);
         match (steps, time) {
             (Some(a), Some(b)) => Some(a.max(b)),
             (a, b) => a.or(b),
@@ -331,18 +309,12 @@ impl Simulation {
     }
 
     fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
-        self.engine
-            .evaluate(damping, dt)
-            .map_err(|block| self.no_force(block))
+        self.engine.evaluate(damping, dt).map_err(|block| self.no_force(block))
     }
 
     fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {
         let refined = self.engine.refine(damping, self.dt);
-        refined.map_err(|reason| RunError::Edit {
-            reason,
-            step: self.steps(),
-            time: self.time(),
-        })
+        refined.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })
     }
 
     /// Applies what the phase changes; the energy this adds is booked as an edit.
@@ -427,8 +399,7 @@ impl Simulation {
             1.0
         };
         let (from, to) = (self.cursor.gravity_before, self.cursor.gravity_after);
-        self.engine
-            .set_gravity(std::array::from_fn(|k| from[k] + share * (to[k] - from[k])));
+        self.engine.set_gravity(std::array::from_fn(|k| from[k] + share * (to[k] - from[k])));
     }
 
     /// Lets time pass in a relaxing phase whose present load step has converged and breaks nothing more; whether the
@@ -459,9 +430,7 @@ impl Simulation {
     }
 
     fn fracture(&mut self) -> Result<usize, RunError> {
-        self.engine
-            .fracture(self.dt)
-            .map_err(|block| self.not_finite(block, "the force on it"))
+        self.engine.fracture(self.dt).map_err(|block| self.not_finite(block, "the force on it"))
     }
 
     /// Model time since the start of the phase, s.
@@ -480,11 +449,7 @@ impl Simulation {
         if dt == f64::INFINITY && phase.until.time.is_some() && last > 0.0 && last.is_finite() {
             return Ok(last);
         }
-        Err(RunError::NoStep {
-            dt,
-            step: self.steps(),
-            time: self.time(),
-        })
+        Err(RunError::NoStep { dt, step: self.steps(), time: self.time() })
     }
 
     /// Length of the coming step: the rule of the phase, shortened for fast blocks and for the end.

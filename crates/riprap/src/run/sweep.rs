@@ -85,12 +85,7 @@ pub fn sweep(
     stop: &(dyn Fn() -> bool + Sync),
     mut report: impl FnMut(Row),
 ) {
-    side_by_side(
-        jobs,
-        &scene.cases,
-        |case| one(scene, case, folder, existing, stop),
-        &mut report,
-    );
+    side_by_side(jobs, &scene.cases, |case| one(scene, case, folder, existing, stop), &mut report);
 }
 
 fn one(
@@ -117,11 +112,7 @@ fn one(
     }
     let folder = folder.join(&case.name);
     let mut look = |_: &mut Look<'_>| {
-        if stop() {
-            Control::Stop
-        } else {
-            Control::Continue
-        }
+        if stop() { Control::Stop } else { Control::Continue }
     };
     let prepared = match scene.prepare(case) {
         Ok(prepared) => prepared,
@@ -154,12 +145,7 @@ fn one(
     });
     match outcome {
         Err(why) => row.ended = why,
-        Ok(Outcome {
-            ending,
-            manifest,
-            checks,
-            ..
-        }) => {
+        Ok(Outcome { ending, manifest, checks, .. }) => {
             row.finished = ending == Ending::Finished;
             row.ended = match ending {
                 Ending::Finished => "finished".to_owned(),
@@ -208,10 +194,9 @@ fn before(folder: &Path, wanted: &Manifest) -> Before {
         checks.collect::<Result<Vec<_>, _>>().ok()
     });
     match checks {
-        Some(checks) if there.ended == Ended::Finished => Before::Finished {
-            steps: there.steps,
-            checks,
-        },
+        Some(checks) if there.ended == Ended::Finished => {
+            Before::Finished { steps: there.steps, checks }
+        }
         _ => Before::CutShort,
     }
 }
@@ -223,10 +208,7 @@ fn before(folder: &Path, wanted: &Manifest) -> Before {
 pub fn other_run(scene: &Scene, folder: &Path) -> Result<Option<PathBuf>, Diagnostics> {
     for case in &scene.cases {
         let folder = folder.join(&case.name);
-        if matches!(
-            before(&folder, &scene.prepare(case)?.manifest),
-            Before::Other
-        ) {
+        if matches!(before(&folder, &scene.prepare(case)?.manifest), Before::Other) {
             return Ok(Some(folder));
         }
     }
@@ -248,10 +230,7 @@ fn last_values(folder: &Path) -> Vec<(String, f64)> {
     let Ok(table) = Table::read(&folder.join("histories.csv")) else {
         return Vec::new();
     };
-    let columns = table
-        .columns
-        .iter()
-        .filter(|c| c.name != "step" && c.name != "time");
+    let columns = table.columns.iter().filter(|c| c.name != "step" && c.name != "time");
     columns
         .filter_map(|c| {
             // Histories with other rhythms leave cells of a row empty.
@@ -265,9 +244,7 @@ fn last_values(folder: &Path) -> Vec<(String, f64)> {
 #[must_use]
 pub fn tally(rows: &[Row]) -> Tally {
     let mut tally = Tally::default();
-    rows.iter()
-        .flat_map(|row| &row.checks)
-        .for_each(|check| tally.add(check));
+    rows.iter().flat_map(|row| &row.checks).for_each(|check| tally.add(check));
     tally
 }
 
@@ -288,11 +265,7 @@ pub fn table_with(rows: &[Row], earlier: Option<&str>) -> Result<Vec<u8>, csv::E
     let mut lines: Vec<Line> = rows.iter().map(Line::of).collect();
     let here: Vec<&str> = rows.iter().map(|row| row.case.as_str()).collect();
     let before = earlier.map(Line::all_of).unwrap_or_default();
-    lines.extend(
-        before
-            .into_iter()
-            .filter(|line| !here.contains(&line.case())),
-    );
+    lines.extend(before.into_iter().filter(|line| !here.contains(&line.case())));
     let mut heads: [Vec<&str>; 3] = Default::default();
     for line in &lines {
         for (heads, cells) in heads.iter_mut().zip(&line.cells) {
@@ -302,9 +275,7 @@ pub fn table_with(rows: &[Row], earlier: Option<&str>) -> Result<Vec<u8>, csv::E
     let [keys, last, checks] = &heads;
     let mut out = csv::Writer::from_writer(Vec::new());
     let first = ["case", "variant"].into_iter().chain(keys.iter().copied());
-    let all = first
-        .chain(["ended", "steps"])
-        .chain(last.iter().chain(checks).copied());
+    let all = first.chain(["ended", "steps"]).chain(last.iter().chain(checks).copied());
     out.write_record(all)?;
     for line in &lines {
         let cell = |of: usize, head: &&str| {
@@ -312,12 +283,8 @@ pub fn table_with(rows: &[Row], earlier: Option<&str>) -> Result<Vec<u8>, csv::E
             found.map_or("", |(_, cell)| cell.as_str())
         };
         let [case, variant, ended, steps] = line.fixed.each_ref().map(String::as_str);
-        let own = [case, variant]
-            .into_iter()
-            .chain(keys.iter().map(|head| cell(0, head)));
-        let own = own
-            .chain([ended, steps])
-            .chain(last.iter().map(|head| cell(1, head)));
+        let own = [case, variant].into_iter().chain(keys.iter().map(|head| cell(0, head)));
+        let own = own.chain([ended, steps]).chain(last.iter().map(|head| cell(1, head)));
         out.write_record(own.chain(checks.iter().map(|head| cell(2, head))))?;
     }
     out.into_inner().map_err(|error| error.into_error().into())
@@ -374,10 +341,8 @@ impl Line {
         }
         let line = |record: csv::StringRecord| {
             let text = |k: usize| record.get(k).unwrap_or_default().to_owned();
-            let mut line = Line {
-                fixed: [0, 1, ended, ended + 1].map(text),
-                cells: Default::default(),
-            };
+            let mut line =
+                Line { fixed: [0, 1, ended, ended + 1].map(text), cells: Default::default() };
             for (k, head) in heads.iter().enumerate() {
                 let of = match k {
                     _ if [0, 1, ended, ended + 1].contains(&k) || text(k).is_empty() => continue,
@@ -413,10 +378,7 @@ mod tests {
         let pair = |key: &str, value: &str| (key.to_owned(), value.to_owned());
         let of_variant = [pair("a.b", "1"), pair("a.c", "2")];
         let set = [pair("a.c", "3"), pair("a.c", "4")];
-        assert_eq!(
-            as_run(&of_variant, &set),
-            [pair("a.b", "1"), pair("a.c", "4")]
-        );
+        assert_eq!(as_run(&of_variant, &set), [pair("a.b", "1"), pair("a.c", "4")]);
     }
 
     #[test]
@@ -440,10 +402,7 @@ mod tests {
         let [whole, cut] = ["whole", "cut"].map(|name| folder.path().join(name));
         let all = run(&whole, usize::MAX);
         let short = run(&cut, 2);
-        assert!(
-            !short.finished && (1..all.steps).contains(&short.steps),
-            "{short:?}"
-        );
+        assert!(!short.finished && (1..all.steps).contains(&short.steps), "{short:?}");
         let on = run(&cut, usize::MAX);
         assert!(on.finished && !on.kept, "{}", on.ended);
         assert_eq!((on.steps, &on.last), (all.steps, &all.last));

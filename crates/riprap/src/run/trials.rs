@@ -134,9 +134,7 @@ pub fn search(
 ) -> Result<Found, TrialError> {
     let prepared = scene.prepare(case).map_err(TrialError::Scene)?;
     let Some(wanted) = prepared.model.bisect else {
-        return Err(TrialError::NoBisect {
-            path: scene.path.clone(),
-        });
+        return Err(TrialError::NoBisect { path: scene.path.clone() });
     };
     let shown = shown(&wanted);
     let digits = digits_for(wanted.tolerance / wanted.low.abs().max(wanted.high.abs()));
@@ -152,11 +150,7 @@ pub fn search(
             {
                 look(now);
             }
-            if stop() || (task.useless)() {
-                Control::Stop
-            } else {
-                Control::Continue
-            }
+            if stop() || (task.useless)() { Control::Stop } else { Control::Continue }
         };
         let Outcome { ending, checks, .. } = watch_only(job, task.threads, &mut here)?;
         let note = match ending {
@@ -168,9 +162,7 @@ pub fn search(
         let holds = checks.iter().all(|check| check.status == Status::Passed);
         let failed = !note.is_empty() || !holds;
         let measured = checks.first().and_then(|check| check.measured);
-        let measured_words = checks
-            .first()
-            .map_or_else(String::new, |check| check.words.clone());
+        let measured_words = checks.first().map_or_else(String::new, |check| check.words.clone());
         let trial = Trial {
             value: task.value,
             words: shown.text(task.value, digits),
@@ -179,11 +171,7 @@ pub fn search(
             failed,
             note,
         };
-        let state = if failed {
-            State::Failing
-        } else {
-            State::Stable
-        };
+        let state = if failed { State::Failing } else { State::Stable };
         Ok(Some((state, trial)))
     };
     let search = Search::between(wanted.low, wanted.high, wanted.tolerance)
@@ -195,18 +183,9 @@ pub fn search(
             None => "fails",
         };
         let [low, high] = [wanted.low, wanted.high].map(|end| shown.text(end, digits));
-        return Err(TrialError::NoLimit(format!(
-            "it {what} at both, {low} and {high}"
-        )));
+        return Err(TrialError::NoLimit(format!("it {what} at both, {low} and {high}")));
     };
-    Ok(Found {
-        key: wanted.key,
-        shown,
-        unit: wanted.unit,
-        holds_at,
-        fails_at,
-        digits,
-    })
+    Ok(Found { key: wanted.key, shown, unit: wanted.unit, holds_at, fails_at, digits })
 }
 
 /// The unit of a search.
@@ -236,9 +215,7 @@ pub struct Side {
 pub fn comparable(scene: &Scene) -> Result<(), TrialError> {
     match scene.parsed.scenario.space {
         Space::Planar(_) => Ok(()),
-        Space::Spatial(_) => Err(TrialError::OneLaw {
-            path: scene.path.clone(),
-        }),
+        Space::Spatial(_) => Err(TrialError::OneLaw { path: scene.path.clone() }),
     }
 }
 
@@ -258,9 +235,7 @@ pub fn both_laws(
     comparable(scene)?;
     let mut sides = Vec::new();
     for law in LAWS {
-        let mut chosen = case
-            .and_then(|name| scene.case(name))
-            .unwrap_or_else(|| scene.plain());
+        let mut chosen = case.and_then(|name| scene.case(name)).unwrap_or_else(|| scene.plain());
         let interfaces = scene.parsed.scenario.interfaces.names();
         // After the changes of the case, which may name a law themselves.
         let changes =
@@ -273,11 +248,7 @@ pub fn both_laws(
         if outcome.ending == Ending::Stopped {
             return Err(TrialError::Stopped);
         }
-        sides.push(Side {
-            law,
-            folder: sub,
-            outcome,
-        });
+        sides.push(Side { law, folder: sub, outcome });
     }
     let differences = compare::folders(&sides[0].folder, &sides[1].folder)?;
     Ok((sides, differences))

@@ -35,11 +35,7 @@ impl Tally {
 
 impl std::fmt::Display for Tally {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "{} passed, {} failed, {} skipped",
-            self.passed, self.failed, self.skipped
-        )
+        write!(f, "{} passed, {} failed, {} skipped", self.passed, self.failed, self.skipped)
     }
 }
 
@@ -55,9 +51,8 @@ pub fn scenes_under(path: &Path) -> std::io::Result<Vec<PathBuf>> {
         return Ok(vec![path.to_owned()]);
     }
     let mut found = Vec::new();
-    let mut entries: Vec<PathBuf> = std::fs::read_dir(path)?
-        .map(|e| e.map(|e| e.path()))
-        .collect::<Result<_, _>>()?;
+    let mut entries: Vec<PathBuf> =
+        std::fs::read_dir(path)?.map(|e| e.map(|e| e.path())).collect::<Result<_, _>>()?;
     entries.sort();
     for entry in entries {
         let is_run = entry.join("manifest.json").exists();
@@ -72,14 +67,9 @@ pub fn scenes_under(path: &Path) -> std::io::Result<Vec<PathBuf>> {
 
 fn has_checks(path: &Path) -> bool {
     let text = crate::record::read_plain_text(path).unwrap_or_default();
-    let mut keys = text
-        .lines()
-        .map(str::trim)
-        .filter(|l| !l.is_empty() && !l.starts_with('#'));
+    let mut keys = text.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with('#'));
     keys.next().is_some_and(|first| first.starts_with("riprap"))
-        && text
-            .lines()
-            .any(|line| line.trim_start().starts_with("[[checks]]"))
+        && text.lines().any(|line| line.trim_start().starts_with("[[checks]]"))
 }
 
 /// A case to run, or why the scene cannot be read.
@@ -113,11 +103,7 @@ pub fn verify(
         match Scene::load(path, &[]) {
             Ok(scene) => {
                 let cases = scene.cases.clone();
-                work.extend(
-                    cases
-                        .into_iter()
-                        .map(|c| (path.clone(), Ok((scene.clone(), c)))),
-                );
+                work.extend(cases.into_iter().map(|c| (path.clone(), Ok((scene.clone(), c)))));
             }
             Err(wrong) => work.push((path.clone(), Err(wrong.render()))),
         }
@@ -146,11 +132,7 @@ fn verify_case(
     strict: bool,
     stop: &(dyn Fn() -> bool + Sync),
 ) -> Vec<CheckResult> {
-    let name = if scene.cases.len() > 1 {
-        case.name.as_str()
-    } else {
-        ""
-    };
+    let name = if scene.cases.len() > 1 { case.name.as_str() } else { "" };
     let failed = |what: &str, why: String| vec![broken(&scene.path, name, what, &why)];
     if stop() {
         return failed("the scene runs", "stopped by the user".to_owned());
@@ -207,11 +189,7 @@ fn verify_run(
 ) -> Vec<CheckResult> {
     let failed = |what: &str, why: String| vec![broken(&scene.path, name, what, &why)];
     let mut look = |_: &mut Look<'_>| {
-        if stop() {
-            Control::Stop
-        } else {
-            Control::Continue
-        }
+        if stop() { Control::Stop } else { Control::Continue }
     };
     match watch_only(job, 1, &mut look) {
         Err(wrong) => failed("the scene runs", wrong.to_string()),

@@ -51,27 +51,16 @@ pub fn setup(blocks: Vec<BlockSpec>, contact: ContactLaw) -> Setup {
     Setup {
         materials: vec!["rock".into()],
         blocks,
-        interfaces: vec![Interface {
-            name: "default".into(),
-            contact,
-            bond: None,
-        }],
+        interfaces: vec![Interface { name: "default".into(), contact, bond: None }],
         pair_table: vec![0],
         ..Setup::default()
     }
 }
 
-pub const HELD: Motion = Motion::Fixed {
-    x: true,
-    y: true,
-    rotation: true,
-};
+pub const HELD: Motion = Motion::Fixed { x: true, y: true, rotation: true };
 
 pub fn hold(setup: &mut Setup, blocks: &[u32]) {
-    setup.supports.push(Support {
-        blocks: blocks.to_vec(),
-        motion: HELD,
-    });
+    setup.supports.push(Support { blocks: blocks.to_vec(), motion: HELD });
 }
 
 pub fn rectangle(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<Vec2> {
@@ -106,21 +95,13 @@ impl Model {
 
     pub fn on(setup: Setup, exec: Exec) -> Self {
         let (world, scratch) = World::new(setup, exec);
-        Self {
-            world,
-            scratch,
-            damping: Damping::default(),
-        }
+        Self { world, scratch, damping: Damping::default() }
     }
 
     /// A model that goes on from a state, as from a checkpoint.
     pub fn on_world(mut world: World) -> Self {
         let scratch = Scratch::new(&mut world, Exec::serial());
-        Self {
-            world,
-            scratch,
-            damping: Damping::default(),
-        }
+        Self { world, scratch, damping: Damping::default() }
     }
 
     /// Two blocks at rest, forces evaluated.
@@ -151,10 +132,7 @@ impl Model {
     }
 
     pub fn view(&self) -> View<'_> {
-        View {
-            world: &self.world,
-            scratch: &self.scratch,
-        }
+        View { world: &self.world, scratch: &self.scratch }
     }
 
     pub fn balance(&self) -> Balance {
@@ -189,17 +167,12 @@ impl Model {
         let (i, j) = (self.world.bodies[0].position, self.world.bodies[1].position);
         let first = i.perp_dot(w.force) + w.moment_i;
         let second = -j.perp_dot(w.force) + w.moment_j;
-        (
-            first + second,
-            w.force.length() * (i.length() + j.length() + 1.0) + w.moment_i.abs(),
-        )
+        (first + second, w.force.length() * (i.length() + j.length() + 1.0) + w.moment_i.abs())
     }
 
     pub fn momentum(&self) -> Vec2 {
         let view = self.view();
-        view.living()
-            .map(|b| self.scratch.shapes.mass[b] * view.velocity(b))
-            .sum()
+        view.living().map(|b| self.scratch.shapes.mass[b] * view.velocity(b)).sum()
     }
 }
 
@@ -222,10 +195,7 @@ impl Random {
     /// Convex polygon of 3 to 7 corners about the origin, roughly `size` across.
     pub fn convex(&mut self, size: f64) -> Vec<Vec2> {
         let n = 3 + (self.unit() * 5.0) as usize;
-        let (rx, ry) = (
-            0.5 * size * self.between(0.7, 1.0),
-            0.5 * size * self.between(0.5, 1.0),
-        );
+        let (rx, ry) = (0.5 * size * self.between(0.7, 1.0), 0.5 * size * self.between(0.5, 1.0));
         let turn = self.between(0.0, std::f64::consts::TAU);
         (0..n)
             .map(|k| {
@@ -238,26 +208,11 @@ impl Random {
 }
 
 pub fn l_shape() -> Vec<Vec2> {
-    points(&[
-        (0.0, 0.0),
-        (1.0, 0.0),
-        (1.0, 0.4),
-        (0.4, 0.4),
-        (0.4, 1.0),
-        (0.0, 1.0),
-    ])
+    points(&[(0.0, 0.0), (1.0, 0.0), (1.0, 0.4), (0.4, 0.4), (0.4, 1.0), (0.0, 1.0)])
 }
 
 pub fn notched() -> Vec<Vec2> {
-    points(&[
-        (0.0, 0.0),
-        (1.2, 0.0),
-        (1.2, 0.6),
-        (0.8, 0.6),
-        (0.6, 0.3),
-        (0.4, 0.6),
-        (0.0, 0.6),
-    ])
+    points(&[(0.0, 0.0), (1.2, 0.0), (1.2, 0.6), (0.8, 0.6), (0.6, 0.3), (0.4, 0.6), (0.0, 0.6)])
 }
 
 /// Teeth point down.

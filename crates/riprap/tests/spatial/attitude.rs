@@ -32,10 +32,8 @@ fn mapped(setup: &mut Setup, map: Mat3) {
         };
         let mut solid = Polyhedron::brick(centre, half);
         solid.vertices.iter_mut().for_each(|v| *v = map * *v);
-        block.shape = Shape::Polyhedron(Box::new(Solid {
-            vertices: solid.vertices,
-            faces: solid.faces,
-        }));
+        block.shape =
+            Shape::Polyhedron(Box::new(Solid { vertices: solid.vertices, faces: solid.faces }));
     }
 }
 
@@ -50,9 +48,7 @@ fn turned(setup: &Setup, by: Mat3) -> Setup {
     }
     if let Some(in_situ) = &mut setup.in_situ {
         let s = by * in_situ.at(0.0) * by.transpose();
-        in_situ.stress = [
-            s.x_axis.x, s.y_axis.y, s.z_axis.z, s.y_axis.z, s.z_axis.x, s.x_axis.y,
-        ];
+        in_situ.stress = [s.x_axis.x, s.y_axis.y, s.z_axis.z, s.y_axis.z, s.z_axis.x, s.x_axis.y];
     }
     for boundary in &mut setup.boundaries {
         let FaceSet::Plane { normal, .. } = &mut boundary.on else {
@@ -81,11 +77,7 @@ fn turned(setup: &Setup, by: Mat3) -> Setup {
 }
 
 fn around(place: Region, levels: u8) -> Refinement {
-    Refinement {
-        around: place,
-        levels,
-        during: None,
-    }
+    Refinement { around: place, levels, during: None }
 }
 
 /// Both runs have the same blocks, in place and in motion; returns the largest difference, over the largest displacement.
@@ -131,17 +123,10 @@ fn covered(run: &Run, volume: f64) {
         let Shape::Polyhedron(solid) = &world.setup.blocks[b].shape else {
             unreachable!("all blocks lean");
         };
-        let solid = Polyhedron {
-            vertices: solid.vertices.clone(),
-            faces: solid.faces.clone(),
-        };
+        let solid = Polyhedron { vertices: solid.vertices.clone(), faces: solid.faces.clone() };
         let faces = (0..solid.faces.len()).map(|f| solid.area_vector(f).length());
         let whole: f64 = faces.sum();
-        assert!(
-            (area[b] / whole - 1.0).abs() < 1e-9,
-            "{b}: {} {whole}",
-            area[b]
-        );
+        assert!((area[b] / whole - 1.0).abs() < 1e-9, "{b}: {} {whole}", area[b]);
         sum += solid.moments().volume;
     }
     assert!((sum / volume - 1.0).abs() < 1e-12, "{sum} {volume}");
@@ -151,9 +136,7 @@ fn covered(run: &Run, volume: f64) {
 fn worst_step(run: &Run) -> u8 {
     let level = |b: u32| run.world.lineage[b as usize].level;
     let ends = run.world.patches.ends.iter();
-    ends.map(|[i, j]| level(*i).abs_diff(level(*j)))
-        .max()
-        .unwrap_or(0)
+    ends.map(|[i, j]| level(*i).abs_diff(level(*j))).max().unwrap_or(0)
 }
 
 #[test]
@@ -161,10 +144,7 @@ fn before_a_run_a_turned_lattice_splits_as_the_straight_one() {
     for (place, levels) in [
         (Region::Point(Vec3::splat(3.0)), 4),
         (Region::Point(Vec3::splat(3.01)), 4),
-        (
-            Region::Line(Vec3::new(1.2, 1.1, 0.0), Vec3::new(4.7, 1.1, 3.0)),
-            3,
-        ),
+        (Region::Line(Vec3::new(1.2, 1.1, 0.0), Vec3::new(4.7, 1.1, 3.0)), 3),
         (Region::Plane(Vec3::new(0.0, 0.0, 3.0), Vec3::Z), 2),
         (Region::Ball(Vec3::new(3.1, 2.0, 3.2), 1.3), 2),
         (Region::All, 1),
@@ -182,10 +162,7 @@ fn before_a_run_a_turned_lattice_splits_as_the_straight_one() {
 
 /// A lattice with random motion whose blocks split where the stress passes a limit.
 fn shaken(kinematics: Kinematics) -> Setup {
-    let mut setup = Setup {
-        kinematics,
-        ..rock(lattice([4, 3, 3], 1.0), elastic())
-    };
+    let mut setup = Setup { kinematics, ..rock(lattice([4, 3, 3], 1.0), elastic()) };
     let mut draws = Draws::new(11);
     for block in &mut setup.blocks {
         block.velocity = draws.vector();
@@ -194,11 +171,7 @@ fn shaken(kinematics: Kinematics) -> Setup {
     setup.refinements.push(Refinement {
         around: Region::All,
         levels: 2,
-        during: Some(During {
-            criterion: Criterion::Stress,
-            above: 3e6,
-            every: 10,
-        }),
+        during: Some(During { criterion: Criterion::Stress, above: 3e6, every: 10 }),
     });
     setup
 }
@@ -264,14 +237,7 @@ fn charged() -> Setup {
         datum: 0.0,
     });
     for (normal, offset, kind) in [
-        (
-            -Vec3::Z,
-            0.0,
-            BoundaryKind::Held {
-                normal: true,
-                shear: true,
-            },
-        ),
+        (-Vec3::Z, 0.0, BoundaryKind::Held { normal: true, shear: true }),
         (-Vec3::X, 0.0, BoundaryKind::Viscous { half_cell: true }),
         (Vec3::X, 4.0, BoundaryKind::Viscous { half_cell: true }),
         (-Vec3::Y, 0.0, BoundaryKind::Viscous { half_cell: false }),
@@ -290,11 +256,7 @@ fn charged() -> Setup {
     setup.refinements.push(Refinement {
         around: Region::All,
         levels: 2,
-        during: Some(During {
-            criterion: Criterion::Broken,
-            above: 0.3,
-            every: 7,
-        }),
+        during: Some(During { criterion: Criterion::Broken, above: 0.3, every: 7 }),
     });
     setup.sources.push(Source {
         name: "charge".into(),
@@ -362,34 +324,19 @@ fn leaning_blocks_split_with_the_books_of_bricks() {
             block.spin = 0.5 * draws.vector();
         }
         let mut run = Run::new(setup);
-        let volume: f64 = run
-            .view()
-            .living()
-            .map(|b| run.world.solid_of(b).volume)
-            .sum();
+        let volume: f64 = run.view().living().map(|b| run.world.solid_of(b).volume).sum();
         run.steps(40, DT);
         let (p, l, residual, stored) = {
             let view = run.view();
             let balance = view.balance();
             let stored = balance.contact_normal + balance.contact_shear;
-            (
-                view.momentum(),
-                view.angular_momentum(),
-                balance.residual(),
-                stored,
-            )
+            (view.momentum(), view.angular_momentum(), balance.residual(), stored)
         };
         let damping = run.damping;
         let before = run.world.patches.len();
         // A block inside, its neighbour, a block at a corner, and a child of the first.
-        edit::split(
-            &mut run.world,
-            &mut run.scratch,
-            &[17, 18, 0, 36 + 5],
-            &damping,
-            DT,
-        )
-        .expect("the split is exact");
+        edit::split(&mut run.world, &mut run.scratch, &[17, 18, 0, 36 + 5], &damping, DT)
+            .expect("the split is exact");
         assert!(run.world.patches.len() > before + 48);
         covered(&run, volume);
         let view = run.view();
@@ -429,20 +376,15 @@ fn leaning_blocks_under_uniform_stress_split_in_equilibrium() {
     let Shape::Polyhedron(far) = &setup.blocks[26].shape else {
         unreachable!("all blocks lean");
     };
-    let sides = [corner, far].map(|solid| Polyhedron {
-        vertices: solid.vertices.clone(),
-        faces: solid.faces.clone(),
-    });
+    let sides = [corner, far]
+        .map(|solid| Polyhedron { vertices: solid.vertices.clone(), faces: solid.faces.clone() });
     for (solid, first) in sides.iter().zip([0, 1]) {
         for face in [first, first + 2, first + 4] {
             let (normal, offset) = solid.plane(face);
             setup.boundaries.push(Boundary {
                 name: "side".into(),
                 on: FaceSet::Plane { normal, offset },
-                kind: BoundaryKind::Held {
-                    normal: true,
-                    shear: true,
-                },
+                kind: BoundaryKind::Held { normal: true, shear: true },
                 in_situ: true,
             });
         }
@@ -457,14 +399,8 @@ fn leaning_blocks_under_uniform_stress_split_in_equilibrium() {
     };
     let before = moved(&run);
     // The middle one, a corner with three held faces, and a child.
-    edit::split(
-        &mut run.world,
-        &mut run.scratch,
-        &[13, 0, 27 + 3],
-        &damping,
-        DT,
-    )
-    .expect("the split is exact");
+    edit::split(&mut run.world, &mut run.scratch, &[13, 0, 27 + 3], &damping, DT)
+        .expect("the split is exact");
     for b in run.view().living() {
         let force = run.scratch.net.force(b).length();
         assert!(force < 1e-9 * 3e6, "{b}: {force}");

@@ -33,11 +33,8 @@ fn everything() -> Setup {
     setup.gravity = Vec3::new(0.0, 0.0, -9.81);
     setup.kinematics = Kinematics::Automatic;
     setup.rotation_bound = Some(0.0003);
-    setup.refinements = vec![Refinement {
-        around: Region::Ball(Vec3::splat(6.0), 3.0),
-        levels: 2,
-        during: None,
-    }];
+    setup.refinements =
+        vec![Refinement { around: Region::Ball(Vec3::splat(6.0), 3.0), levels: 2, during: None }];
     let side = |name: &str, normal: Vec3, offset: f64, kind: BoundaryKind| Boundary {
         name: name.into(),
         on: FaceSet::Plane { normal, offset },
@@ -45,27 +42,9 @@ fn everything() -> Setup {
         in_situ: false,
     };
     setup.boundaries = vec![
-        side(
-            "west",
-            -Vec3::X,
-            0.0,
-            BoundaryKind::Viscous { half_cell: true },
-        ),
-        side(
-            "east",
-            Vec3::X,
-            16.0,
-            BoundaryKind::Viscous { half_cell: false },
-        ),
-        side(
-            "base",
-            -Vec3::Z,
-            0.0,
-            BoundaryKind::Held {
-                normal: true,
-                shear: true,
-            },
-        ),
+        side("west", -Vec3::X, 0.0, BoundaryKind::Viscous { half_cell: true }),
+        side("east", Vec3::X, 16.0, BoundaryKind::Viscous { half_cell: false }),
+        side("base", -Vec3::Z, 0.0, BoundaryKind::Held { normal: true, shear: true }),
     ];
     setup
 }
@@ -143,11 +122,7 @@ fn a_checkpoint_goes_on_with_the_same_bits() {
     let saved = bytes(&whole.world);
     let mut world: World = postcard::from_bytes(&saved).expect("a world can be read");
     let scratch = Scratch::new(&mut world, Exec::serial());
-    let mut second = Run {
-        world,
-        scratch,
-        damping: whole.damping,
-    };
+    let mut second = Run { world, scratch, damping: whole.damping };
     whole.steps(20, DT);
     second.steps(20, DT);
     assert!(bytes(&whole.world) == bytes(&second.world));
@@ -159,17 +134,11 @@ fn blasted() -> Setup {
     setup.refinements.push(Refinement {
         around: Region::All,
         levels: 1,
-        during: Some(During {
-            criterion: Criterion::Stress,
-            above: 4e6,
-            every: 4,
-        }),
+        during: Some(During { criterion: Criterion::Stress, above: 4e6, every: 4 }),
     });
     setup.sources.push(Source {
         name: "charge".into(),
-        place: Place::Point {
-            centre: Vec3::splat(6.0),
-        },
+        place: Place::Point { centre: Vec3::splat(6.0) },
         delay: 10.0 * DT,
         push: CavityPressure::Gas {
             explosive: AMMONIUM,
@@ -224,11 +193,7 @@ fn a_checkpoint_in_a_blast_goes_on_with_the_same_bits() {
     assert!(whole.world.cavities[0].ignited.is_some() && splits(&whole) > 0);
     let mut world: World = postcard::from_bytes(&bytes(&whole.world)).expect("a world can be read");
     let scratch = Scratch::new(&mut world, Exec::serial());
-    let mut second = Run {
-        world,
-        scratch,
-        damping: whole.damping,
-    };
+    let mut second = Run { world, scratch, damping: whole.damping };
     let before = splits(&whole);
     run_on(&mut whole, 30);
     run_on(&mut second, 30);
@@ -252,11 +217,7 @@ fn free(kinematics: Kinematics) -> Setup {
     }
     Setup {
         kinematics,
-        refinements: vec![Refinement {
-            around: Region::Point(Vec3::ONE),
-            levels: 1,
-            during: None,
-        }],
+        refinements: vec![Refinement { around: Region::Point(Vec3::ONE), levels: 1, during: None }],
         ..rock(blocks, law)
     }
 }

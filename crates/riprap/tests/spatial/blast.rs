@@ -25,12 +25,7 @@ fn charge(centre: Vec3, mass: f64, coupling: Coupling) -> Source {
         name: "charge".into(),
         place: Place::Point { centre },
         delay: 0.0,
-        push: CavityPressure::Gas {
-            explosive: AMMONIUM,
-            mass,
-            coupling,
-            venting: None,
-        },
+        push: CavityPressure::Gas { explosive: AMMONIUM, mass, coupling, venting: None },
     }
 }
 
@@ -46,24 +41,12 @@ fn cube(n: usize, levels: u8, joint: JointLaw, coupling: Coupling) -> Setup {
         gradient: [-weight / 3.0, -weight / 3.0, -weight, 0.0, 0.0, 0.0],
         datum: edge,
     });
-    setup.refinements.push(Refinement {
-        around: Region::Point(middle),
-        levels,
-        during: None,
-    });
+    setup.refinements.push(Refinement { around: Region::Point(middle), levels, during: None });
     setup.supports.push(Support {
         blocks: (0..(n * n) as u32).collect(),
-        motion: Motion::Fixed {
-            translation: [true; 3],
-            rotation: [true; 3],
-        },
+        motion: Motion::Fixed { translation: [true; 3], rotation: [true; 3] },
     });
-    for (normal, offset) in [
-        (-Vec3::X, 0.0),
-        (Vec3::X, edge),
-        (-Vec3::Y, 0.0),
-        (Vec3::Y, edge),
-    ] {
+    for (normal, offset) in [(-Vec3::X, 0.0), (Vec3::X, edge), (-Vec3::Y, 0.0), (Vec3::Y, edge)] {
         setup.boundaries.push(Boundary {
             name: "side".into(),
             on: FaceSet::Plane { normal, offset },
@@ -77,12 +60,7 @@ fn cube(n: usize, levels: u8, joint: JointLaw, coupling: Coupling) -> Setup {
 
 /// Dashpots as the source has them; the programs compared with here had them so.
 fn damped(joint: JointLaw) -> JointLaw {
-    JointLaw {
-        damping: 0.1,
-        contact_damping: 0.1,
-        dashpots: Dashpots::Closed,
-        ..joint
-    }
+    JointLaw { damping: 0.1, contact_damping: 0.1, dashpots: Dashpots::Closed, ..joint }
 }
 
 /// Runs to `end` (s) with half the stable step and the limit of the gas; calls `look` at each step.
@@ -141,19 +119,13 @@ fn reach((n, levels, joint, coupling, expected, tolerance): Asked) -> f64 {
         cavity.volume / cavity.charge_volume(),
         run.world.step
     );
-    assert!(
-        (pressure / expected - 1.0).abs() < tolerance,
-        "{pressure:e}"
-    );
+    assert!((pressure / expected - 1.0).abs() < tolerance, "{pressure:e}");
     assert!(defect.abs() < 0.02, "{defect:e}");
     pressure
 }
 
 fn jointed() -> JointLaw {
-    JointLaw {
-        strength: Some(strength(4.16e6, 30.0, 0.0)),
-        ..damped(elastic())
-    }
+    JointLaw { strength: Some(strength(4.16e6, 30.0, 0.0)), ..damped(elastic()) }
 }
 
 /// The static compliance of the lattice with a 2 x 2 x 2 hole is 1.047 x 3/(4G): 0.7133 GPa for 5 levels. A separate
@@ -174,9 +146,7 @@ fn slab(push: CavityPressure, delay: f64) -> Run {
     let mut setup = rock(lattice([6, 6, 4], 1.0), elastic());
     setup.sources.push(Source {
         name: "charge".into(),
-        place: Place::Point {
-            centre: Vec3::new(3.0, 3.0, 2.0),
-        },
+        place: Place::Point { centre: Vec3::new(3.0, 3.0, 2.0) },
         delay,
         push,
     });
@@ -199,11 +169,7 @@ fn a_pressure_history_begins_with_its_delay() {
         ignited = cavity.ignited;
         if let Some(start) = cavity.ignited {
             let t = run.world.time - start;
-            let expected = if t < 1e-4 {
-                t / 1e-4
-            } else {
-                ((4e-4 - t) / 3e-4).max(0.0)
-            };
+            let expected = if t < 1e-4 { t / 1e-4 } else { ((4e-4 - t) / 3e-4).max(0.0) };
             assert!((cavity.pressure - 1e6 * expected).abs() < 1e-3);
         }
     });
@@ -219,13 +185,7 @@ fn a_pressure_history_begins_with_its_delay() {
 
 #[test]
 fn gas_that_vents_stops_pushing() {
-    for venting in [
-        Venting::Heave { height: 1e-4 },
-        Venting::Time {
-            start: 2e-4,
-            span: 1e-4,
-        },
-    ] {
+    for venting in [Venting::Heave { height: 1e-4 }, Venting::Time { start: 2e-4, span: 1e-4 }] {
         let push = CavityPressure::Gas {
             explosive: AMMONIUM,
             mass: 100.0,

@@ -20,9 +20,7 @@ fn two_levels(setup: Setup) -> Setup {
 fn shaken(run: &mut Run, speed: f64) {
     let mut draws = Draws::new(7);
     for b in 0..run.world.alive.len() {
-        run.world
-            .bodies
-            .set_velocity(b, speed * draws.vector(), speed * draws.vector());
+        run.world.bodies.set_velocity(b, speed * draws.vector(), speed * draws.vector());
     }
 }
 
@@ -37,18 +35,12 @@ fn momenta_and_energy_of_a_shaken_body_stay() {
     run.evaluate(dt);
     let (p0, l0, e0) = {
         let view = run.view();
-        (
-            view.momentum(),
-            view.angular_momentum(),
-            view.balance().total(),
-        )
+        (view.momentum(), view.angular_momentum(), view.balance().total())
     };
     run.steps(20_000, dt);
     let view = run.view();
-    let scale: f64 = view
-        .living()
-        .map(|b| run.world.solid_of(b).mass * view.velocity(b).length())
-        .sum();
+    let scale: f64 =
+        view.living().map(|b| run.world.solid_of(b).mass * view.velocity(b).length()).sum();
     let moved = (view.momentum() - p0).length() / scale;
     let turned = (view.angular_momentum() - l0).length() / (6.0 * scale);
     let drift = view.balance().total() / e0 - 1.0;

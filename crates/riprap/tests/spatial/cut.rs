@@ -38,16 +38,8 @@ fn a_cut_keeps_mass_and_momenta_and_makes_no_energy() {
     for _ in 0..60 {
         let half = 0.015;
         let block = brick(Vec3::new(1.0, 2.0, -1.0), Vec3::splat(half));
-        let mut run = Run::new(deformable(
-            rock(vec![block], elastic()),
-            Strain::Small,
-            3e-4,
-        ));
-        let dynamic = Rules {
-            relax: None,
-            breaking: false,
-            strain: None,
-        };
+        let mut run = Run::new(deformable(rock(vec![block], elastic()), Strain::Small, 3e-4));
+        let dynamic = Rules { relax: None, breaking: false, strain: None };
         begin(&mut run, &dynamic);
         let deform = run.world.deform.as_mut().unwrap();
         assert_eq!(deform.masses, Masses::Inertia);
@@ -74,11 +66,7 @@ fn a_cut_keeps_mass_and_momenta_and_makes_no_energy() {
         assert!((listed.sum::<f64>() / mass - 1.0).abs() < 1e-13);
         let scale = mass * (2.0 * t / mass).sqrt();
         assert!((p1 - p).length() < 1e-13 * scale);
-        assert!(
-            (h1 - h).length() < 1e-12 * scale,
-            "{}",
-            (h1 - h).length() / scale
-        );
+        assert!((h1 - h).length() < 1e-12 * scale, "{}", (h1 - h).length() / scale);
         assert!((run.balance().residual() - residual).abs() < 1e-12 * t);
         worst_kinetic = worst_kinetic.max(t1 / t);
         worst_strain = worst_strain.max(run.view().strain_energy() / strain);
@@ -91,11 +79,7 @@ fn a_cut_keeps_mass_and_momenta_and_makes_no_energy() {
 /// The specimen of section 4.1 of the source.
 fn specimen() -> Run {
     let edge = 0.03;
-    let mut setup = deformable(
-        rock(lattice([10, 10, 1], edge), elastic()),
-        Strain::Small,
-        3e-4,
-    );
+    let mut setup = deformable(rock(lattice([10, 10, 1], edge), elastic()), Strain::Small, 3e-4);
     setup.materials[0].young = Some(30e9);
     let friction = 30_f64.to_radians().tan();
     setup.interfaces[0].bond = Some(riprap::spatial::setup::deform::BondLaw {
@@ -115,25 +99,16 @@ fn specimen() -> Run {
         blocks: None,
         velocity: velocity.map(|v| v.then_some(riprap::dynamics::TimeFunction::Constant(0.0))),
     };
-    setup.deform.holds = vec![held(
-        Vec3::new(0.0, 0.3, 0.0),
-        Vec3::new(0.3, 0.3, edge),
-        [true, false, true],
-    )];
+    setup.deform.holds =
+        vec![held(Vec3::new(0.0, 0.3, 0.0), Vec3::new(0.3, 0.3, edge), [true, false, true])];
     Run::new(Setup {
         boundaries: vec![
             on_plane(-Vec3::Z, 0.0, roller()),
             on_plane(Vec3::Z, edge, roller()),
             Boundary {
                 name: "bottom".into(),
-                on: FaceSet::Plane {
-                    normal: -Vec3::Y,
-                    offset: 0.0,
-                },
-                kind: BoundaryKind::Held {
-                    normal: true,
-                    shear: true,
-                },
+                on: FaceSet::Plane { normal: -Vec3::Y, offset: 0.0 },
+                kind: BoundaryKind::Held { normal: true, shear: true },
                 in_situ: false,
             },
             on_plane(Vec3::Y, 0.3, pull(Vec3::new(0.0, -30e6, 0.0))),
@@ -144,11 +119,7 @@ fn specimen() -> Run {
 
 /// Relaxes to the tolerance without breaking; the number of blocks cut on the way.
 fn relax(run: &mut Run, tolerance: f64, rules: Option<&cut::Rules>) -> usize {
-    let phase = Rules {
-        relax: Some(tolerance),
-        breaking: false,
-        strain: None,
-    };
+    let phase = Rules { relax: Some(tolerance), breaking: false, strain: None };
     begin(run, &phase);
     cut::allow(&mut run.world, rules);
     let mut count = 0;
@@ -167,10 +138,7 @@ fn rules(margin: f64) -> cut::Rules {
     cut::Rules {
         planes: 3,
         criterion: Criterion::Source,
-        margins: Margins {
-            tension: 0.0,
-            shear: margin,
-        },
+        margins: Margins { tension: 0.0, shear: margin },
         generations: 1,
         smallest: 0.0,
         anchor: Anchor::Spacing,
@@ -191,16 +159,10 @@ fn blocks_under_compression_are_cut_along_an_x() {
     let before = settled(&run);
     assert!((before / -2.760e-4 - 1.0).abs() < 5e-3, "{before}");
     let cut = relax(&mut run, 1e-5, Some(&rules(margin)));
-    println!(
-        "margin {margin}: {cut} cut, drift {}",
-        settled(&run) / before - 1.0
-    );
+    println!("margin {margin}: {cut} cut, drift {}", settled(&run) / before - 1.0);
     assert!(cut.abs_diff(count) <= slack, "{cut}");
     assert!((settled(&run) / before - 1.0).abs() < 2e-3);
-    assert_eq!(
-        run.world.alive.iter().filter(|a| **a).count(),
-        100 + 3 * cut
-    );
+    assert_eq!(run.world.alive.iter().filter(|a| **a).count(), 100 + 3 * cut);
     for event in run.world.events.iter().filter(|e| e.kind == EditKind::Cut) {
         let place = run.world.reference[event.subject as usize];
         let n = event.cut.unwrap().normal;
@@ -212,10 +174,7 @@ fn blocks_under_compression_are_cut_along_an_x() {
         if angle < -90.0 {
             angle += 180.0;
         }
-        assert!(
-            n.z.abs() < 1e-12 && (angle.abs() - 60.0).abs() < 7.0,
-            "{angle} at {place}"
-        );
+        assert!(n.z.abs() < 1e-12 && (angle.abs() - 60.0).abs() < 7.0, "{angle} at {place}");
         let (across, up) = (place.x - 0.15, place.y - 0.15);
         if up.abs() > 0.02 {
             assert!(angle * across * up > 0.0, "{angle} at {place}");
@@ -229,11 +188,7 @@ fn dynamic(counts: [usize; 3]) -> Run {
     let mut setup = deformable(rock(lattice(counts, 0.03), elastic()), Strain::Small, 3e-4);
     setup.materials[0].young = Some(30e9);
     let mut run = Run::new(setup);
-    let rules = Rules {
-        relax: None,
-        breaking: false,
-        strain: None,
-    };
+    let rules = Rules { relax: None, breaking: false, strain: None };
     begin(&mut run, &rules);
     run.evaluate(1e-9);
     run
@@ -303,11 +258,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
         residual_friction: 0.5,
         ..Strength::default()
     };
-    let mut setup = deformable(
-        rock(lattice([2, 1, 1], 0.03), elastic()),
-        Strain::Small,
-        3e-4,
-    );
+    let mut setup = deformable(rock(lattice([2, 1, 1], 0.03), elastic()), Strain::Small, 3e-4);
     setup.materials[0].young = Some(30e9);
     setup.interfaces[0].bond = Some(riprap::spatial::setup::deform::BondLaw {
         strength: Some(strength),
@@ -320,11 +271,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
         ..bonds(3e-4)
     });
     let mut run = Run::new(setup);
-    let rules = Rules {
-        relax: None,
-        breaking: true,
-        strain: None,
-    };
+    let rules = Rules { relax: None, breaking: true, strain: None };
     begin(&mut run, &rules);
     // The second block comes off, more and more towards +y.
     let deform = run.world.deform.as_mut().unwrap();
@@ -339,11 +286,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
         let (deform, work) = run.view().deformables().unwrap();
         let (mut area, mut force, mut damage) = (0.0, Vec3::ZERO, 0.0);
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
-        for facet in deform
-            .facets
-            .iter()
-            .filter(|f| inside != f.blocks.contains(&1))
-        {
+        for facet in deform.facets.iter().filter(|f| inside != f.blocks.contains(&1)) {
             for p in facet.points() {
                 let d = deform.memory[p].law.damage;
                 area += deform.points[p].area;
@@ -362,10 +305,7 @@ fn softening_bonds_keep_traction_and_damage_and_new_ones_are_whole() {
     let after = sums(&run, false);
     assert!((after.0 / before.0 - 1.0).abs() < 1e-12);
     // Each new point goes on as the nearest old one.
-    assert!(
-        (after.1.x / before.1.x - 1.0).abs() < 0.05,
-        "{before:?} {after:?}"
-    );
+    assert!((after.1.x / before.1.x - 1.0).abs() < 0.05, "{before:?} {after:?}");
     assert!((after.2 - before.2).abs() < 0.01, "{before:?} {after:?}");
     assert!(after.3[0] >= before.3[0] && after.3[1] <= before.3[1]);
     let inside = sums(&run, true);

@@ -18,10 +18,7 @@ const YOUNG: f64 = 18e9;
 
 pub fn bonds(thickness: f64) -> BondLaw {
     BondLaw {
-        springs: BondSprings::Thickness {
-            thickness,
-            moduli: None,
-        },
+        springs: BondSprings::Thickness { thickness, moduli: None },
         strength: None,
         cohesive: None,
         failure: BondFailure::Spring,
@@ -61,10 +58,7 @@ pub fn on_plane(normal: Vec3, offset: f64, kind: BoundaryKind) -> Boundary {
 }
 
 pub fn roller() -> BoundaryKind {
-    BoundaryKind::Held {
-        normal: true,
-        shear: false,
-    }
+    BoundaryKind::Held { normal: true, shear: false }
 }
 
 pub fn pull(traction: Vec3) -> BoundaryKind {
@@ -85,11 +79,7 @@ pub fn begin(run: &mut Run, rules: &Rules) {
 
 /// Relaxes until converged; returns the number of iterations.
 pub fn relax(run: &mut Run, tolerance: f64) -> u64 {
-    let rules = Rules {
-        relax: Some(tolerance),
-        breaking: false,
-        strain: None,
-    };
+    let rules = Rules { relax: Some(tolerance), breaking: false, strain: None };
     begin(run, &rules);
     let start = run.world.step;
     for _ in 0..100_000 {
@@ -107,12 +97,7 @@ pub fn relax(run: &mut Run, tolerance: f64) -> u64 {
 fn bar(n: usize, edge: f64, thickness: f64, stress: f64) -> Run {
     let half = 0.5 * edge;
     let blocks = (0..n)
-        .map(|k| {
-            brick(
-                Vec3::new(edge * k as f64 + half, half, half),
-                Vec3::splat(half),
-            )
-        })
+        .map(|k| brick(Vec3::new(edge * k as f64 + half, half, half), Vec3::splat(half)))
         .collect();
     let setup = deformable(rock(blocks, elastic()), Strain::Small, thickness);
     let length = edge * n as f64;
@@ -136,11 +121,7 @@ fn a_bar_stretches_by_its_blocks_and_bonds() {
         let view = run.view();
         let end = view.on_boundary(3).0.x;
         let exact = stress / YOUNG * edge * n as f64 * (1.0 + (n - 1) as f64 / n as f64 * ratio);
-        assert!(
-            (end / exact - 1.0).abs() < 1e-6,
-            "{n} {ratio}: {}",
-            end / exact
-        );
+        assert!((end / exact - 1.0).abs() < 1e-6, "{n} {ratio}: {}", end / exact);
         for b in 0..n {
             let s = view.deformable(b).expect("a deformable block").stress();
             let off = (s - riprap_geom::Mat3::from_diagonal(Vec3::new(stress, 0.0, 0.0)))
@@ -151,10 +132,7 @@ fn a_bar_stretches_by_its_blocks_and_bonds() {
         }
         // What the load has done is in the blocks and bonds, and what is lacking was damped.
         let balance = view.balance();
-        assert!(
-            balance.residual().abs() < 1e-9 * balance.works.loads,
-            "{balance:?}"
-        );
+        assert!(balance.residual().abs() < 1e-9 * balance.works.loads, "{balance:?}");
     }
 }
 
@@ -163,22 +141,11 @@ fn the_bits_do_not_depend_on_threads() {
     let hash = |threads: usize| {
         let mut run = bar(300, 0.03, 3e-4, 1e6);
         run.scratch.exec = Exec::new(threads).expect("threads");
-        begin(
-            &mut run,
-            &Rules {
-                relax: Some(1e-6),
-                breaking: false,
-                strain: None,
-            },
-        );
+        begin(&mut run, &Rules { relax: Some(1e-6), breaking: false, strain: None });
         run.steps(60, 1.0);
         let nodes = &run.world.deform.as_ref().expect("nodes").nodes;
-        let bits = |list: &[[f64; 3]]| {
-            list.as_flattened()
-                .iter()
-                .map(|x| x.to_bits())
-                .collect::<Vec<_>>()
-        };
+        let bits =
+            |list: &[[f64; 3]]| list.as_flattened().iter().map(|x| x.to_bits()).collect::<Vec<_>>();
         (bits(&nodes.displacement), bits(&nodes.velocity))
     };
     assert_eq!(hash(1), hash(2));
@@ -194,17 +161,11 @@ fn spinning(strain: Strain) -> Run {
 
 #[test]
 fn a_free_cube_turns_without_swelling() {
-    let rules = Rules {
-        relax: None,
-        breaking: false,
-        strain: None,
-    };
+    let rules = Rules { relax: None, breaking: false, strain: None };
     let size = |run: &Run| {
         let deformable = run.view().deformable(0).expect("a deformable block");
         let first = deformable.body.first as usize;
-        deformable
-            .place(first)
-            .distance(deformable.place(first + 7))
+        deformable.place(first).distance(deformable.place(first + 7))
     };
     let mut run = spinning(Strain::Large);
     begin(&mut run, &rules);
@@ -218,11 +179,7 @@ fn a_free_cube_turns_without_swelling() {
     run.evaluate(dt);
     let change = run.view().angular_momentum() - momentum;
     assert!(change.length() < 1e-12 * momentum.length(), "{change}");
-    assert!(
-        (size(&run) / start - 1.0).abs() < 1e-3,
-        "{}",
-        size(&run) / start
-    );
+    assert!((size(&run) / start - 1.0).abs() < 1e-3, "{}", size(&run) / start);
     let balance = run.view().balance();
     assert!((balance.total() / energy - 1.0).abs() < 1e-4, "{balance:?}");
     // Small strain: no force keeps the nodes on their circles.
@@ -239,12 +196,7 @@ fn momentum_stays_and_a_bar_rings_at_its_frequency() {
     let (n, edge) = (10, 0.03);
     let half = 0.5 * edge;
     let blocks = (0..n)
-        .map(|k| {
-            brick(
-                Vec3::new(edge * f64::from(k) + half, half, half),
-                Vec3::splat(half),
-            )
-        })
+        .map(|k| brick(Vec3::new(edge * f64::from(k) + half, half, half), Vec3::splat(half)))
         .collect();
     let mut setup = deformable(rock(blocks, elastic()), Strain::Small, 3e-4);
     let length = edge * f64::from(n);
@@ -252,11 +204,7 @@ fn momentum_stays_and_a_bar_rings_at_its_frequency() {
     setup.deform.sets[0].displacement[0] =
         Some(riprap::dynamics::Formula::new(&shape, &["x", "y", "z"]).expect("a formula"));
     let mut run = Run::new(setup);
-    let rules = Rules {
-        relax: None,
-        breaking: false,
-        strain: None,
-    };
+    let rules = Rules { relax: None, breaking: false, strain: None };
     begin(&mut run, &rules);
     let dt = 0.5 * stable_step(&run.world, &run.scratch, 0.0).dt;
     // Velocity of bars: sqrt(E/rho) with the compliance of the bonds.
@@ -274,27 +222,17 @@ fn momentum_stays_and_a_bar_rings_at_its_frequency() {
     }
     run.evaluate(dt);
     let measured = crossings[1] - crossings[0];
-    assert!(
-        (measured / period - 1.0).abs() < 0.02,
-        "{}",
-        measured / period
-    );
+    assert!((measured / period - 1.0).abs() < 0.02, "{}", measured / period);
     let view = run.view();
     let scale = run.world.solid_of(0).mass * 10.0 * 1e-6 * speed / length;
-    assert!(
-        view.momentum().length() < 1e-11 * scale,
-        "{}",
-        view.momentum()
-    );
+    assert!(view.momentum().length() < 1e-11 * scale, "{}", view.momentum());
     assert!(view.balance().residual_relative().abs() < 1e-9);
 }
 
 /// Two cubes that are pulled apart until their bond breaks.
 fn pair_of(failure: BondFailure) -> Run {
     let half = 0.5;
-    let blocks = [0.5, 1.5]
-        .map(|x| brick(Vec3::new(x, half, half), Vec3::splat(half)))
-        .to_vec();
+    let blocks = [0.5, 1.5].map(|x| brick(Vec3::new(x, half, half), Vec3::splat(half))).to_vec();
     let mut setup = deformable(rock(blocks, elastic()), Strain::Small, 0.01);
     setup.interfaces[0].bond = Some(BondLaw {
         strength: Some(Strength {
@@ -307,11 +245,7 @@ fn pair_of(failure: BondFailure) -> Run {
         failure,
         ..bonds(0.01)
     });
-    let velocity = [
-        Some(riprap::dynamics::TimeFunction::Constant(1e-5)),
-        None,
-        None,
-    ];
+    let velocity = [Some(riprap::dynamics::TimeFunction::Constant(1e-5)), None, None];
     Run::new(Setup {
         boundaries: vec![
             on_plane(-Vec3::X, 0.0, roller()),
@@ -325,17 +259,9 @@ fn pair_of(failure: BondFailure) -> Run {
 
 #[test]
 fn a_bond_breaks_at_its_strength_and_gives_its_energy_back() {
-    for failure in [
-        BondFailure::Spring,
-        BondFailure::Facet,
-        BondFailure::BlockStress,
-    ] {
+    for failure in [BondFailure::Spring, BondFailure::Facet, BondFailure::BlockStress] {
         let mut run = pair_of(failure);
-        let rules = Rules {
-            relax: Some(1e-8),
-            breaking: true,
-            strain: None,
-        };
+        let rules = Rules { relax: Some(1e-8), breaking: true, strain: None };
         begin(&mut run, &rules);
         let mut last = 0.0;
         let mut broken = 0;
@@ -390,11 +316,7 @@ fn a_bond_breaks_at_its_strength_and_gives_its_energy_back() {
 #[test]
 fn a_notch_of_springs_is_a_third_of_a_block_longer() {
     let broken = |springs: bool| {
-        let mut setup = deformable(
-            rock(lattice([2, 2, 1], 1.0), elastic()),
-            Strain::Small,
-            0.01,
-        );
+        let mut setup = deformable(rock(lattice([2, 2, 1], 1.0), elastic()), Strain::Small, 0.01);
         let corners = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(1.0, 1.0, 1.0)];
         setup.deform.notches = vec![Notch { corners, springs }];
         let run = Run::new(setup);
@@ -416,11 +338,7 @@ fn a_notch_of_springs_is_a_third_of_a_block_longer() {
 fn the_relaxation_of_the_source_finds_the_same_equilibrium() {
     let end = |way: Option<Relaxation>| {
         let mut run = bar(4, 0.03, 3e-4, 1e6);
-        let rules = Rules {
-            relax: Some(1e-8),
-            breaking: false,
-            strain: None,
-        };
+        let rules = Rules { relax: Some(1e-8), breaking: false, strain: None };
         begin(&mut run, &rules);
         if let Some(way) = way {
             phase::relax_by(&mut run.world, way);
@@ -437,11 +355,7 @@ fn the_relaxation_of_the_source_finds_the_same_equilibrium() {
         (run.view().strain_energy(), run.world.step)
     };
     let (energy, steps) = end(None);
-    let way = Relaxation {
-        damping: Some(0.05),
-        energy: Some(1e-9),
-        ..Relaxation::default()
-    };
+    let way = Relaxation { damping: Some(0.05), energy: Some(1e-9), ..Relaxation::default() };
     let (same, more) = end(Some(way));
     assert!((same / energy - 1.0).abs() < 1e-5, "{same} {energy}");
     assert!(more > 0 && steps > 0);
@@ -450,27 +364,15 @@ fn the_relaxation_of_the_source_finds_the_same_equilibrium() {
 #[test]
 fn a_stretched_bond_turns_with_its_blocks() {
     let half = 0.5;
-    let blocks = [0.5, 1.5]
-        .map(|x| brick(Vec3::new(x, half, half), Vec3::splat(half)))
-        .to_vec();
+    let blocks = [0.5, 1.5].map(|x| brick(Vec3::new(x, half, half), Vec3::splat(half))).to_vec();
     let mut run = Run::new(deformable(rock(blocks, elastic()), Strain::Large, 0.01));
-    let rules = Rules {
-        relax: None,
-        breaking: false,
-        strain: None,
-    };
+    let rules = Rules { relax: None, breaking: false, strain: None };
     begin(&mut run, &rules);
     let turn = riprap_geom::Quat::from_scaled_axis(Vec3::new(0.3, -0.8, 1.9));
     let gap = Vec3::new(1e-6, 2e-6, 0.0);
     let deform = run.world.deform.as_mut().expect("nodes");
     let nodes = deform.nodes.len();
-    for (k, (u, x)) in deform
-        .nodes
-        .displacement
-        .iter_mut()
-        .zip(&deform.nodes.place)
-        .enumerate()
-    {
+    for (k, (u, x)) in deform.nodes.displacement.iter_mut().zip(&deform.nodes.place).enumerate() {
         let apart = if k < nodes / 2 { Vec3::ZERO } else { gap };
         *u = (turn * (*x + apart) - *x).to_array();
     }
@@ -478,28 +380,19 @@ fn a_stretched_bond_turns_with_its_blocks() {
     let force = run.view().facet_force((0, 1));
     let shear = YOUNG / 2.5;
     let wanted = turn * Vec3::new(YOUNG / 0.01 * gap.x, shear / 0.01 * gap.y, 0.0);
-    assert!(
-        (force - wanted).length() < 1e-9 * wanted.length(),
-        "{force} {wanted}"
-    );
+    assert!((force - wanted).length() < 1e-9 * wanted.length(), "{force} {wanted}");
 }
 
 #[test]
 fn the_measure_of_strain_can_change_with_the_phase() {
     let mut run = spinning(Strain::Small);
-    let large = Rules {
-        relax: None,
-        breaking: false,
-        strain: Some(Strain::Large),
-    };
+    let large = Rules { relax: None, breaking: false, strain: Some(Strain::Large) };
     begin(&mut run, &large);
     let dt = 0.25 * stable_step(&run.world, &run.scratch, 0.0).dt;
     run.steps(2000, dt);
     let deformable = run.view().deformable(0).expect("a deformable block");
     assert_eq!(deformable.body.strain, Strain::Large);
     let first = deformable.body.first as usize;
-    let size = deformable
-        .place(first)
-        .distance(deformable.place(first + 7));
+    let size = deformable.place(first).distance(deformable.place(first + 7));
     assert!((size / (0.03 * 3f64.sqrt()) - 1.0).abs() < 1e-3, "{size}");
 }

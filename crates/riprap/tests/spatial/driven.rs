@@ -69,10 +69,7 @@ motion.velocity = { x = { formula = "if(t < 1e-3, 1, -2)" }, SPIN }
 
 /// Largest residual of the ledger over the kinetic energy, and how often it was read.
 fn residual(text: &str) -> (f64, usize) {
-    let source = Source {
-        name: "scene.toml".to_owned(),
-        text: format!("{text}{PHASES}"),
-    };
+    let source = Source { name: "scene.toml".to_owned(), text: format!("{text}{PHASES}") };
     let scene = Scene::parse(source, ".".into(), &[]).unwrap_or_else(|wrong| panic!("{wrong}"));
     let job = scene
         .prepare(&scene.case("default").unwrap())

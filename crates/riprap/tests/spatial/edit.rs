@@ -14,27 +14,16 @@ use crate::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
 const DT: f64 = 0.1 * 0.6325 * 0.25 / CP;
 
 fn split(run: &mut Run, blocks: &[u32], dt: f64) {
-    edit::split(
-        &mut run.world,
-        &mut run.scratch,
-        blocks,
-        &run.damping.clone(),
-        dt,
-    )
-    .expect("the split is exact");
+    edit::split(&mut run.world, &mut run.scratch, blocks, &run.damping.clone(), dt)
+        .expect("the split is exact");
 }
 
 /// A free body with random motion after some steps.
 fn moving(joint: JointLaw, kinematics: Kinematics, speed: f64, steps: usize) -> Run {
-    let mut run = Run::new(Setup {
-        kinematics,
-        ..rock(lattice([4, 3, 3], 1.0), joint)
-    });
+    let mut run = Run::new(Setup { kinematics, ..rock(lattice([4, 3, 3], 1.0), joint) });
     let mut draws = Draws::new(3);
     for b in 0..run.world.alive.len() {
-        run.world
-            .bodies
-            .set_velocity(b, speed * draws.vector(), speed * draws.vector());
+        run.world.bodies.set_velocity(b, speed * draws.vector(), speed * draws.vector());
         let spin = run.world.bodies.spin(b);
         let inertia = run.world.solid_of(b).inertia;
         if let Some(turned) = &mut run.world.turned[b] {
@@ -54,10 +43,7 @@ fn moving(joint: JointLaw, kinematics: Kinematics, speed: f64, steps: usize) -> 
 fn momenta_stay_and_the_defect_is_booked() {
     for kinematics in [Kinematics::Small, Kinematics::Finite] {
         for points in [Points::Quarter, Points::Gauss] {
-            let joint = JointLaw {
-                points,
-                ..elastic()
-            };
+            let joint = JointLaw { points, ..elastic() };
             let mut run = moving(joint, kinematics, 0.5, 40);
             let (p, l, residual) = {
                 let view = run.view();
@@ -102,11 +88,7 @@ fn momenta_stay_and_the_defect_is_booked() {
 #[test]
 fn a_split_under_uniform_stress_changes_nothing() {
     for points in [Points::Quarter, Points::Gauss] {
-        let joint = JointLaw {
-            points,
-            strength: Some(strength(5e6, 30.0, 1e6)),
-            ..elastic()
-        };
+        let joint = JointLaw { points, strength: Some(strength(5e6, 30.0, 1e6)), ..elastic() };
         let mut setup = rock(lattice([3, 3, 3], 1.0), joint);
         setup.in_situ = Some(InSitu {
             stress: [-3e6, -2e6, -1e6, 0.2e6, 0.1e6, -0.3e6],
@@ -120,10 +102,7 @@ fn a_split_under_uniform_stress_changes_nothing() {
                     normal,
                     offset: if normal.max_element() > 0.0 { 3.0 } else { 0.0 },
                 },
-                kind: BoundaryKind::Held {
-                    normal: true,
-                    shear: true,
-                },
+                kind: BoundaryKind::Held { normal: true, shear: true },
                 in_situ: true,
             });
         }
@@ -141,10 +120,7 @@ fn a_split_under_uniform_stress_changes_nothing() {
         }
         run.steps(200, DT);
         let view = run.view();
-        let moved = view
-            .living()
-            .map(|b| view.displacement(b).length())
-            .fold(0.0, f64::max);
+        let moved = view.living().map(|b| view.displacement(b).length()).fold(0.0, f64::max);
         assert!(moved < 1e-15, "{moved:e}");
         let share = run.balance().works.edit_defect
             / (run.balance().contact_normal + run.balance().contact_shear);
@@ -156,19 +132,13 @@ fn a_split_under_uniform_stress_changes_nothing() {
 #[test]
 fn springs_of_boundaries_follow() {
     for kind in [
-        BoundaryKind::Held {
-            normal: true,
-            shear: true,
-        },
+        BoundaryKind::Held { normal: true, shear: true },
         BoundaryKind::Viscous { half_cell: true },
     ] {
         let mut setup = rock(lattice([2, 2, 2], 1.0), elastic());
         setup.boundaries.push(Boundary {
             name: "bottom".into(),
-            on: FaceSet::Plane {
-                normal: -Vec3::Z,
-                offset: 0.0,
-            },
+            on: FaceSet::Plane { normal: -Vec3::Z, offset: 0.0 },
             kind,
             in_situ: false,
         });
@@ -207,11 +177,7 @@ fn failed_points_hand_on_their_state() {
         let share = |run: &Run, group| {
             f64::from(count(run, group)) / f64::from(4 * run.world.patches.len() as u32)
         };
-        assert!(
-            share(&run, flag::BROKEN) > 0.9,
-            "{}",
-            share(&run, flag::BROKEN)
-        );
+        assert!(share(&run, flag::BROKEN) > 0.9, "{}", share(&run, flag::BROKEN));
         let p = run.view().momentum();
         let residual = run.balance().residual();
         let (patches, open) = (run.world.patches.len(), count(&run, flag::OPEN));
@@ -228,30 +194,17 @@ fn failed_points_hand_on_their_state() {
 
 #[test]
 fn blocks_above_a_limit_are_split_and_reported() {
-    let joint = JointLaw {
-        strength: Some(strength(1e5, 30.0, 1e5)),
-        ..elastic()
-    };
-    for (criterion, above) in [
-        (Criterion::Stress, 1e6),
-        (Criterion::StrainRate, 0.5),
-        (Criterion::Broken, 0.2),
-    ] {
+    let joint = JointLaw { strength: Some(strength(1e5, 30.0, 1e5)), ..elastic() };
+    for (criterion, above) in
+        [(Criterion::Stress, 1e6), (Criterion::StrainRate, 0.5), (Criterion::Broken, 0.2)]
+    {
         // Pressed blocks break nothing, pulled ones do.
-        let speed = if criterion == Criterion::Broken {
-            -2.0
-        } else {
-            2.0
-        };
+        let speed = if criterion == Criterion::Broken { -2.0 } else { 2.0 };
         let mut setup = rock(lattice([6, 2, 2], 1.0), joint);
         setup.refinements.push(Refinement {
             around: Region::Box(Vec3::ZERO, Vec3::new(2.5, 2.0, 2.0)),
             levels: 2,
-            during: Some(During {
-                criterion,
-                above,
-                every: 5,
-            }),
+            during: Some(During { criterion, above, every: 5 }),
         });
         for (b, block) in setup.blocks.iter_mut().enumerate() {
             if b % 6 == 0 {
@@ -277,17 +230,10 @@ fn blocks_above_a_limit_are_split_and_reported() {
         let named = run.world.name(first.children[6] as usize);
         let parent = run.world.name(first.subject as usize);
         assert_eq!(named, format!("{parent}/6"));
-        let volume: f64 = run
-            .view()
-            .living()
-            .map(|b| run.world.solid_of(b).volume)
-            .sum();
+        let volume: f64 = run.view().living().map(|b| run.world.solid_of(b).volume).sum();
         assert!((volume - 24.0).abs() < 1e-12);
         let p = run.view().momentum();
-        assert!(
-            (p - Vec3::new(4.0 * 2400.0 * speed, 0.0, 0.0)).length() < 1e-8,
-            "{p}"
-        );
+        assert!((p - Vec3::new(4.0 * 2400.0 * speed, 0.0, 0.0)).length() < 1e-8, "{p}");
         let balance = run.balance();
         println!(
             "{criterion:?}: {count} splits, residual {:.1e} of {:.1e} J",

@@ -19,17 +19,11 @@ fn meeting(blocks: Vec<riprap::spatial::setup::BlockSpec>, friction_angle: f64) 
     law.joint.strength = Some(strength(0.0, friction_angle, 0.0));
     law.joint.contact_damping = 0.2;
     law.joint.stiffness = match law.joint.stiffness {
-        Stiffness::Rule(StiffnessRule::Material) => Stiffness::Given {
-            normal: 1e9,
-            shear: 5e8,
-        },
+        Stiffness::Rule(StiffnessRule::Material) => Stiffness::Given { normal: 1e9, shear: 5e8 },
         given => given,
     };
     setup.found_contacts = true;
-    setup.supports = vec![Support {
-        blocks: vec![0],
-        motion: still(Vec3::ZERO),
-    }];
+    setup.supports = vec![Support { blocks: vec![0], motion: still(Vec3::ZERO) }];
     setup.gravity = Vec3::new(0.0, 0.0, -9.81);
     setup
 }
@@ -75,10 +69,8 @@ fn heap() -> Setup {
     ];
     let wedge = geom::polyhedron::hull(&wedge.map(Vec3::from_array)).expect("a wedge");
     let mut between = brick(Vec3::ZERO, Vec3::ONE);
-    between.shape = Shape::Polyhedron(Box::new(Solid {
-        vertices: wedge.vertices,
-        faces: wedge.faces,
-    }));
+    between.shape =
+        Shape::Polyhedron(Box::new(Solid { vertices: wedge.vertices, faces: wedge.faces }));
     between.velocity = Vec3::new(0.0, 0.0, -0.5);
     blocks.push(between);
     let mut last = brick(Vec3::new(0.15, 0.1, 1.2), Vec3::new(0.3, 0.2, 0.2));
@@ -93,18 +85,13 @@ fn turned(shape: &Shape, q: Quat, about: Vec3) -> Shape {
     let solid = match shape {
         Shape::Brick { centre, half } => {
             let body = geom::polyhedron::Polyhedron::brick(*centre, *half);
-            Solid {
-                vertices: body.vertices,
-                faces: body.faces,
-            }
+            Solid { vertices: body.vertices, faces: body.faces }
         }
         Shape::Polyhedron(solid) => (**solid).clone(),
         Shape::Terrain(_) | Shape::Glued(_) => panic!("neither terrain nor glued parts are turned"),
     };
     Shape::Polyhedron(Box::new(Solid {
-        vertices: (solid.vertices.iter())
-            .map(|v| about + q * (*v - about))
-            .collect(),
+        vertices: (solid.vertices.iter()).map(|v| about + q * (*v - about)).collect(),
         faces: solid.faces,
     }))
 }
@@ -128,14 +115,8 @@ fn seen(mut setup: Setup, q: Quat, shift: Vec3, boost: Vec3) -> Setup {
 fn difference(here: &Run, there: &Run, q: Quat, boost: Vec3) -> f64 {
     let way = |run: &Run, b: usize| run.world.bodies.displacement(b);
     let (mine, theirs) = (here.view(), there.view());
-    let longest = mine
-        .living()
-        .map(|b| way(here, b).length())
-        .fold(0.0, f64::max);
-    let fastest = mine
-        .living()
-        .map(|b| mine.velocity(b).length())
-        .fold(0.0, f64::max);
+    let longest = mine.living().map(|b| way(here, b).length()).fold(0.0, f64::max);
+    let fastest = mine.living().map(|b| mine.velocity(b).length()).fold(0.0, f64::max);
     let one = |b: usize| {
         let u = way(there, b) - there.world.time * boost;
         let v = theirs.velocity(b) - boost;
@@ -156,10 +137,7 @@ fn blocks_that_meet_move_alike_in_every_frame() {
         let mut here = Run::new(seen(setup.clone(), Quat::IDENTITY, Vec3::ZERO, Vec3::ZERO));
         here.steps(steps, DT);
         let works = &here.world.works;
-        assert!(
-            works.friction > 1.0 && works.damping > 1.0,
-            "{name}: nothing meets"
-        );
+        assert!(works.friction > 1.0 && works.damping > 1.0, "{name}: nothing meets");
         for (frame, q, shift, boost, bound) in [
             ("turned", q, Vec3::ZERO, Vec3::ZERO, 1e-8),
             ("far", Quat::IDENTITY, shift, Vec3::ZERO, 1e-6),

@@ -101,11 +101,7 @@ impl Run {
 
     pub fn on(setup: Setup, exec: Exec) -> Self {
         let (world, scratch) = World::new(setup, exec).expect("the model can be built");
-        Self {
-            world,
-            scratch,
-            damping: Damping::default(),
-        }
+        Self { world, scratch, damping: Damping::default() }
     }
 
     pub fn evaluate(&mut self, dt: f64) {
@@ -127,10 +123,7 @@ impl Run {
     }
 
     pub fn view(&self) -> View<'_> {
-        View {
-            world: &self.world,
-            scratch: &self.scratch,
-        }
+        View { world: &self.world, scratch: &self.scratch }
     }
 
     pub fn balance(&self) -> Balance {
@@ -153,10 +146,8 @@ impl Draws {
     }
 
     pub fn number(&mut self) -> f64 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 

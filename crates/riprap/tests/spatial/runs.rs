@@ -21,12 +21,7 @@ use crate::deform::deformable;
 use crate::rock::{elastic, lattice, rock};
 
 fn gauge(field: &str, of: &[u32], at: Option<[f64; 3]>) -> Gauge {
-    Gauge {
-        field: field.to_owned(),
-        of: of.to_vec(),
-        at,
-        along: None,
-    }
+    Gauge { field: field.to_owned(), of: of.to_vec(), at, along: None }
 }
 
 /// A column of three cubes on a held face that settles under its weight.
@@ -40,24 +35,14 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
     setup.gravity = Vec3::new(0.0, 0.0, -10.0);
     setup.boundaries = vec![Boundary {
         name: "floor".to_owned(),
-        on: FaceSet::Plane {
-            normal: -Vec3::Z,
-            offset: 0.0,
-        },
-        kind: BoundaryKind::Held {
-            normal: true,
-            shear: true,
-        },
+        on: FaceSet::Plane { normal: -Vec3::Z, offset: 0.0 },
+        kind: BoundaryKind::Held { normal: true, shear: true },
         in_situ: false,
     }];
     let phase = Phase {
         name: "settle".to_owned(),
         kind: PhaseKind::Static,
-        until: Until {
-            unbalanced: Some(1e-9),
-            time: Some(1.0),
-            ..Until::default()
-        },
+        until: Until { unbalanced: Some(1e-9), time: Some(1.0), ..Until::default() },
         time_step: TimeStep::Auto { safety: 0.5 },
         damping: Damping::default(),
         remove: Vec::new(),
@@ -134,10 +119,7 @@ fn a_column_settles_and_leaves_a_folder() {
     // Averages: the block carries half its weight in the middle.
     for (block, above) in [(0, 2.5), (1, 1.5), (2, 0.5)] {
         let expected = 2400.0 * 10.0 * above;
-        assert!(
-            (stress.data[block] / expected - 1.0).abs() < 1e-6,
-            "{stress:?}"
-        );
+        assert!((stress.data[block] / expected - 1.0).abs() < 1e-6, "{stress:?}");
     }
 }
 
@@ -148,10 +130,7 @@ fn a_spatial_run_that_was_stopped_ends_in_the_same_bits() {
     let mut long = column();
     // Half a second and more: it must not be over before the second look.
     let steps = 300_000;
-    long.plan.phases[0].until = Until {
-        steps: Some(steps),
-        ..Until::default()
-    };
+    long.plan.phases[0].until = Until { steps: Some(steps), ..Until::default() };
     long.plan.histories.clear();
     let whole = job::run(long.clone(), &at("whole"), Existing::Refuse, 1, &mut go).unwrap();
     // The first look comes after one step, the next one as soon as 100 ms have gone.

@@ -36,32 +36,20 @@ fn layer(from: f64, to: f64) -> BlockSpec {
 }
 
 fn side(normal: Vec3, offset: f64, kind: BoundaryKind) -> Boundary {
-    Boundary {
-        name: "side".into(),
-        on: FaceSet::Plane { normal, offset },
-        kind,
-        in_situ: false,
-    }
+    Boundary { name: "side".into(), on: FaceSet::Plane { normal, offset }, kind, in_situ: false }
 }
 
 /// Layers between the given distances, rollers on their sides; Young's modulus (Pa), Poisson's ratio nil.
 fn sector(radii: &[f64], young: f64) -> Setup {
     let blocks = radii.windows(2).map(|r| layer(r[0], r[1])).collect();
-    let law = JointLaw {
-        damping: 0.01,
-        contact_damping: 0.01,
-        ..elastic()
-    };
+    let law = JointLaw { damping: 0.01, contact_damping: 0.01, ..elastic() };
     let mut setup = rock(blocks, law);
     for (b, block) in setup.blocks.iter_mut().enumerate() {
         block.name.number = b as u32 + 1;
     }
     setup.materials[0].young = Some(young);
     setup.materials[0].poisson = Some(0.0);
-    let roller = BoundaryKind::Held {
-        normal: true,
-        shear: false,
-    };
+    let roller = BoundaryKind::Held { normal: true, shear: false };
     let (sin, cos) = ANGLE.sin_cos();
     for out in [Vec3::X, -Vec3::X, Vec3::Y, -Vec3::Y] {
         let normal = cos * out - sin * Vec3::Z;
@@ -89,11 +77,7 @@ fn the_wave_of_a_spherical_cavity() {
         pressure: 100e6,
         gradient: 0.0,
         datum: 0.0,
-        time: TimeFunction::Duvall {
-            amplitude: 1.0,
-            decay: 1500.0,
-            rise: 6000.0,
-        },
+        time: TimeFunction::Duvall { amplitude: 1.0, decay: 1500.0, rise: 6000.0 },
     };
     setup.boundaries.push(side(-Vec3::Z, -inner, push));
     let mut run = Run::new(setup);
@@ -116,11 +100,7 @@ fn the_wave_of_a_spherical_cavity() {
     let found = [1.0, 2.0, 4.0, 8.0].map(|r| between(&place, &peaks, r));
     let octaves = |v: [f64; 4]| [0, 1, 2].map(|k: usize| (v[k] / v[k + 1]).log2());
     println!("peaks {found:.5?} m/s ({expected:.5?})");
-    println!(
-        "exponents {:.4?} ({:.4?})",
-        octaves(found),
-        octaves(expected)
-    );
+    println!("exponents {:.4?} ({:.4?})", octaves(found), octaves(expected));
     for (a, b) in found.iter().zip(expected) {
         assert!((a / b - 1.0).abs() < 0.05, "{a} {b}");
     }
@@ -135,17 +115,9 @@ fn the_wave_of_a_spherical_cavity() {
             between(&[v[k - 1], v[k]], &[times[k - 1], times[k]], 0.5 * top)
         })
         .collect();
-    for (r, expected) in [
-        (0.9796, 0.200829e-3),
-        (1.9592, 0.556332e-3),
-        (3.9588, 1.28546e-3),
-    ] {
+    for (r, expected) in [(0.9796, 0.200829e-3), (1.9592, 0.556332e-3), (3.9588, 1.28546e-3)] {
         let found = between(&place, &arrivals, r);
-        println!(
-            "arrival at {r} m: {:.6} ms ({:.6})",
-            1e3 * found,
-            1e3 * expected
-        );
+        println!("arrival at {r} m: {:.6} ms ({:.6})", 1e3 * found, 1e3 * expected);
         assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
     }
 }
@@ -156,16 +128,11 @@ fn the_wave_of_a_spherical_cavity() {
 fn gas_in_a_spherical_cavity_comes_to_its_plateau() {
     let volume = 0.03 / AMMONIUM.density;
     let inner = libm::cbrt(3.0 * volume / (4.0 * std::f64::consts::PI));
-    let radii: Vec<f64> = std::iter::once(1e-3 * inner)
-        .chain((0..=80).map(|k| inner * 1.06f64.powi(k)))
-        .collect();
+    let radii: Vec<f64> =
+        std::iter::once(1e-3 * inner).chain((0..=80).map(|k| inner * 1.06f64.powi(k))).collect();
     let mut setup = sector(&radii, 14.4e9);
     let end = *radii.last().expect("layers");
-    setup.boundaries.push(side(
-        Vec3::Z,
-        end,
-        BoundaryKind::Viscous { half_cell: true },
-    ));
+    setup.boundaries.push(side(Vec3::Z, end, BoundaryKind::Viscous { half_cell: true }));
     // The share of the charge in the pyramid.
     let part = 4.0 * ANGLE.tan().powi(2) * inner.powi(3) / 3.0;
     setup.sources.push(Source {

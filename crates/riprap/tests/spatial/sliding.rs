@@ -39,10 +39,8 @@ fn slabs(kinds: &[Dashpots], failure: Failure) -> Setup {
     };
     let mut blocks = vec![brick(Vec3::new(0.0, 0.0, -0.5), Vec3::new(3.0, 20.0, 0.5))];
     for (k, kind) in kinds.iter().enumerate() {
-        let mut slab = brick(
-            Vec3::new(0.0, 2.0 * k as f64, 0.5 * THICK),
-            Vec3::new(0.5, 0.5, 0.5 * THICK),
-        );
+        let mut slab =
+            brick(Vec3::new(0.0, 2.0 * k as f64, 0.5 * THICK), Vec3::new(0.5, 0.5, 0.5 * THICK));
         slab.material = match kind {
             Dashpots::Sticking => 0,
             Dashpots::Closed => 1,
@@ -50,10 +48,7 @@ fn slabs(kinds: &[Dashpots], failure: Failure) -> Setup {
         blocks.push(slab);
     }
     let mut setup = rock(blocks, law(Dashpots::Sticking));
-    setup.materials.push(Material {
-        name: "other rock".into(),
-        ..setup.materials[0].clone()
-    });
+    setup.materials.push(Material { name: "other rock".into(), ..setup.materials[0].clone() });
     setup.interfaces.push(InterfaceLaw {
         name: "closed".into(),
         bond: None,
@@ -70,10 +65,7 @@ fn slabs(kinds: &[Dashpots], failure: Failure) -> Setup {
     });
     setup.supports.push(Support {
         blocks: vec![0],
-        motion: Motion::Fixed {
-            translation: [true; 3],
-            rotation: [true; 3],
-        },
+        motion: Motion::Fixed { translation: [true; 3], rotation: [true; 3] },
     });
     setup
 }
@@ -100,14 +92,8 @@ fn default_dashpots_do_not_hold_a_slab_that_slides() {
         assert!((found / excess() - 1.0).abs() < 1e-3, "{failure:?} {found}");
         let balance = run.balance();
         let error = balance.residual() / balance.works.friction;
-        println!(
-            "friction {:.4e} J, residual {error:.1e}",
-            balance.works.friction
-        );
-        assert!(
-            balance.works.damping > 0.0 && error.abs() < 1e-3,
-            "{error:e}"
-        );
+        println!("friction {:.4e} J, residual {error:.1e}", balance.works.friction);
+        assert!(balance.works.damping > 0.0 && error.abs() < 1e-3, "{error:e}");
 
         let mut run = Run::new(slabs(&[Dashpots::Closed], failure));
         run.steps(6000, DT);
@@ -149,13 +135,7 @@ fn laws_applied_anew_do_not_brake_what_slides() {
             run.evaluate(DT);
             run.scratch.invalidate(&mut run.world);
             run.evaluate(DT);
-            assert!(
-                run.world
-                    .patches
-                    .flags
-                    .iter()
-                    .all(|f| f & flag::SLIDING != 0)
-            );
+            assert!(run.world.patches.flags.iter().all(|f| f & flag::SLIDING != 0));
             advance(&mut run.world, &mut run.scratch, DT);
         }
         let found = (speed(&run, 1) - early) / (1000.0 * DT);

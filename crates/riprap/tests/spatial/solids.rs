@@ -47,17 +47,12 @@ fn shaken() -> Setup {
 fn polyhedra_move_as_the_bricks_they_are() {
     let dt = 0.2 / CP;
     for kinematics in [Kinematics::Small, Kinematics::Finite] {
-        let setup = Setup {
-            kinematics,
-            ..shaken()
-        };
+        let setup = Setup { kinematics, ..shaken() };
         let mut bricks = Run::new(setup.clone());
         bricks.steps(200, dt);
         assert!(bricks.world.works.friction + bricks.world.works.fracture > 0.0);
-        for q in [
-            Quat::IDENTITY,
-            Quat::from_axis_angle(Vec3::new(1.0, 2.0, -0.5).normalize(), 0.7),
-        ] {
+        for q in [Quat::IDENTITY, Quat::from_axis_angle(Vec3::new(1.0, 2.0, -0.5).normalize(), 0.7)]
+        {
             let mut solids = Run::new(turned(setup.clone(), q));
             assert_eq!(solids.world.patches.len(), bricks.world.patches.len());
             solids.steps(200, dt);
@@ -94,20 +89,8 @@ fn wedges() -> Setup {
         v(0.0, 2.0, 3.0),
     ];
     let faces = [
-        vec![
-            vec![0, 3, 2, 1],
-            vec![0, 1, 4],
-            vec![3, 5, 2],
-            vec![0, 4, 5, 3],
-            vec![1, 2, 5, 4],
-        ],
-        vec![
-            vec![0, 2, 4],
-            vec![1, 5, 3],
-            vec![0, 1, 3, 2],
-            vec![2, 3, 5, 4],
-            vec![0, 4, 5, 1],
-        ],
+        vec![vec![0, 3, 2, 1], vec![0, 1, 4], vec![3, 5, 2], vec![0, 4, 5, 3], vec![1, 2, 5, 4]],
+        vec![vec![0, 2, 4], vec![1, 5, 3], vec![0, 1, 3, 2], vec![2, 3, 5, 4], vec![0, 4, 5, 1]],
     ];
     for (vertices, faces) in [lower, upper].into_iter().zip(faces) {
         let mut block = setup.blocks[0].clone();
@@ -130,10 +113,7 @@ fn in_situ_stress_balances_wedges_with_gravity() {
     let side = |name: &str, normal: Vec3, offset: f64| Boundary {
         name: name.into(),
         on: FaceSet::Plane { normal, offset },
-        kind: BoundaryKind::Held {
-            normal: true,
-            shear: true,
-        },
+        kind: BoundaryKind::Held { normal: true, shear: true },
         in_situ: true,
     };
     setup.boundaries = vec![

@@ -10,17 +10,11 @@ use crate::rock::{CP, Run, brick, elastic, rock};
 /// Two cubes of edge `a`, one on the other, at `x`.
 fn tower(a: f64, x: f64) -> Vec<BlockSpec> {
     let half = Vec3::splat(0.5 * a);
-    [0.5, 1.5]
-        .map(|z| brick(Vec3::new(x, 0.0, z * a), half))
-        .to_vec()
+    [0.5, 1.5].map(|z| brick(Vec3::new(x, 0.0, z * a), half)).to_vec()
 }
 
 fn limit(blocks: Vec<BlockSpec>, damping: f64) -> f64 {
-    let joint = JointLaw {
-        damping,
-        contact_damping: damping,
-        ..elastic()
-    };
+    let joint = JointLaw { damping, contact_damping: damping, ..elastic() };
     let run = Run::new(rock(blocks, joint));
     stable_step(&run.world, &run.scratch, 0.0).dt
 }
@@ -54,13 +48,9 @@ fn what_is_left_free_of_held_blocks_counts() {
     let held = |translation, rotation| {
         let mut setup = rock(tower(1.0, 0.0), elastic());
         setup.gravity = -10.0 * Vec3::Z;
-        setup.supports.push(Support {
-            blocks: vec![0, 1],
-            motion: Motion::Fixed {
-                translation,
-                rotation,
-            },
-        });
+        setup
+            .supports
+            .push(Support { blocks: vec![0, 1], motion: Motion::Fixed { translation, rotation } });
         let mut run = Run::new(setup);
         run.evaluate(0.0);
         let limit = stable_step(&run.world, &run.scratch, 0.0).dt;
@@ -84,10 +74,7 @@ fn renewed_laws_reach_the_patches() {
     let before = run.world.classes[0].stiffness;
     let joint = &mut run.world.setup.interfaces[0].joint;
     joint.damping = 0.2;
-    joint.stiffness = Stiffness::Given {
-        normal: 1e9,
-        shear: 2e9,
-    };
+    joint.stiffness = Stiffness::Given { normal: 1e9, shear: 2e9 };
     renew_laws(&mut run.world);
     let class = &run.world.classes[0];
     assert_ne!(before, class.stiffness);

@@ -18,10 +18,7 @@ fn spinning(kinematics: Kinematics, vibration: f64) -> Run {
         block.velocity = spin.cross(*at - centre) + vibration * draws.vector();
         block.spin = spin + vibration * draws.vector();
     }
-    Run::new(Setup {
-        kinematics,
-        ..rock(blocks, elastic())
-    })
+    Run::new(Setup { kinematics, ..rock(blocks, elastic()) })
 }
 
 #[test]
@@ -58,11 +55,8 @@ fn small_changes_to_finite_with_continuous_force() {
         let now = run.world.turned.iter().flatten().count();
         let forces: Vec<Vec3> = (0..24).map(|b| run.scratch.net.force(b)).collect();
         if !before.is_empty() {
-            let jump = forces
-                .iter()
-                .zip(&before)
-                .map(|(a, b)| (*a - *b).length())
-                .fold(0.0, f64::max);
+            let jump =
+                forces.iter().zip(&before).map(|(a, b)| (*a - *b).length()).fold(0.0, f64::max);
             if now > finite {
                 biggest = biggest.max(jump);
                 changed += 1;
@@ -103,10 +97,7 @@ fn angular_momentum_is_kept_where_a_block_changes_to_finite_rotations() {
     }
     let jump = jump.expect("it has turned beyond the bound");
     let balance = run.view().balance();
-    println!(
-        "|dL|/L {worst:.1e}, dE/E {jump:.1e}, residual {:.1e}",
-        balance.residual_relative()
-    );
+    println!("|dL|/L {worst:.1e}, dE/E {jump:.1e}, residual {:.1e}", balance.residual_relative());
     assert!(worst < 1e-12 && jump.abs() < 1e-4, "{worst:e} {jump:e}");
     assert!(balance.residual_relative().abs() < 1e-6);
 }

@@ -14,10 +14,8 @@ const CS: f64 = 1_732.050_807_568_877_2;
 /// the polarisation, from the recurrence `q(n+1) + q(n-1) = 2 cos(w dt) q(n)`.
 fn speed_ratio(cells: [usize; 3], waves: [f64; 3], polarisation: Vec3, speed: f64) -> f64 {
     let size = Vec3::from_array(cells.map(|n| n as f64));
-    let setup = Setup {
-        periodic: size.to_array().map(Some),
-        ..rock(lattice(cells, 1.0), elastic())
-    };
+    let setup =
+        Setup { periodic: size.to_array().map(Some), ..rock(lattice(cells, 1.0), elastic()) };
     let mut run = Run::new(setup);
     let k = TAU * Vec3::from_array(waves) / size;
     let polarisation = polarisation.normalize();
@@ -53,28 +51,10 @@ fn speed_ratio(cells: [usize; 3], waves: [f64; 3], polarisation: Vec3, speed: f6
 fn waves_along_diagonals_have_the_speeds_of_the_cubic_medium() {
     let diagonal = Vec3::new(1.0, 1.0, 0.0);
     for (cells, waves, polarisation, speed, expected) in [
-        (
-            [24, 24, 1],
-            [1.0, 1.0, 0.0],
-            diagonal,
-            CP,
-            (5.0f64 / 6.0).sqrt(),
-        ),
+        ([24, 24, 1], [1.0, 1.0, 0.0], diagonal, CP, (5.0f64 / 6.0).sqrt()),
         ([24, 24, 1], [1.0, 1.0, 0.0], Vec3::Z, CS, 1.0),
-        (
-            [24, 24, 1],
-            [1.0, 1.0, 0.0],
-            Vec3::new(1.0, -1.0, 0.0),
-            CS,
-            1.5f64.sqrt(),
-        ),
-        (
-            [28, 28, 28],
-            [1.0, 1.0, 1.0],
-            Vec3::ONE,
-            CP,
-            (7.0f64 / 9.0).sqrt(),
-        ),
+        ([24, 24, 1], [1.0, 1.0, 0.0], Vec3::new(1.0, -1.0, 0.0), CS, 1.5f64.sqrt()),
+        ([28, 28, 28], [1.0, 1.0, 1.0], Vec3::ONE, CP, (7.0f64 / 9.0).sqrt()),
     ] {
         let ratio = speed_ratio(cells, waves, polarisation, speed);
         println!("{waves:?} along {polarisation}: {ratio:.4} ({expected:.4})");
@@ -91,10 +71,7 @@ fn column(coarse: usize, fine: usize) -> Setup {
             blocks.push(brick(Vec3::new(x, y, z), Vec3::splat(0.25)));
         }
     }
-    Setup {
-        periodic: [None, Some(1.0), Some(1.0)],
-        ..rock(blocks, elastic())
-    }
+    Setup { periodic: [None, Some(1.0), Some(1.0)], ..rock(blocks, elastic()) }
 }
 
 /// Packet of wavelength `length` around `centre`, running towards +x (or -x).
@@ -106,11 +83,7 @@ fn launch(run: &mut Run, centre: f64, length: f64, shear: bool, backward: bool) 
     let mut rates = Vec::new();
     for b in 0..run.world.alive.len() {
         let x = run.world.reference[b].x - centre;
-        let speed = if shear {
-            CS
-        } else {
-            CP * (0.5 * k * cell(b)).sin() / (0.5 * k * cell(b))
-        };
+        let speed = if shear { CS } else { CP * (0.5 * k * cell(b)).sin() / (0.5 * k * cell(b)) };
         let envelope = (-(x / width).powi(2)).exp();
         let (s, c) = (k * x).sin_cos();
         let u = envelope * c;
@@ -125,12 +98,8 @@ fn launch(run: &mut Run, centre: f64, length: f64, shear: bool, backward: bool) 
         ));
     }
     for (b, (pose, rate)) in rates.into_iter().enumerate() {
-        run.world
-            .bodies
-            .set_displacement(b, 1e-6 * pose[0], 1e-6 * pose[1]);
-        run.world
-            .bodies
-            .set_velocity(b, 1e-6 * rate[0], 1e-6 * rate[1]);
+        run.world.bodies.set_displacement(b, 1e-6 * pose[0], 1e-6 * pose[1]);
+        run.world.bodies.set_velocity(b, 1e-6 * rate[0], 1e-6 * rate[1]);
     }
 }
 
@@ -153,11 +122,7 @@ fn interface_reflection(length: f64, shear: bool, from_fine: bool) -> f64 {
     let speed = if shear { CS } else { CP };
     let dt = 0.3 / CP;
     run.steps((2.0 * half / speed / dt) as usize, dt);
-    if from_fine {
-        largest(&run, edge + 2.0, 3.0 * edge)
-    } else {
-        largest(&run, 0.0, edge - 2.0)
-    }
+    if from_fine { largest(&run, edge + 2.0, 3.0 * edge) } else { largest(&run, 0.0, edge - 2.0) }
 }
 
 #[test]
@@ -184,14 +149,8 @@ fn a_step_in_size_reflects_little() {
 #[test]
 fn the_stable_step_is_that_of_the_lattice() {
     for (points, expected) in [(Points::Quarter, 0.6325), (Points::Gauss, 0.6124)] {
-        let law = riprap::spatial::setup::JointLaw {
-            points,
-            ..elastic()
-        };
-        let setup = Setup {
-            periodic: [Some(4.0); 3],
-            ..rock(lattice([4, 4, 4], 1.0), law)
-        };
+        let law = riprap::spatial::setup::JointLaw { points, ..elastic() };
+        let setup = Setup { periodic: [Some(4.0); 3], ..rock(lattice([4, 4, 4], 1.0), law) };
         let mut first = Run::new(setup.clone());
         let stable = riprap::spatial::stable::stable_step(&first.world, &first.scratch, 0.0);
         let ratio = stable.dt * CP;
@@ -202,14 +161,10 @@ fn the_stable_step_is_that_of_the_lattice() {
             let mut run = Run::new(setup.clone());
             let mut draws = crate::rock::Draws::new(3);
             for b in 0..64 {
-                run.world
-                    .bodies
-                    .set_displacement(b, 1e-9 * draws.vector(), 1e-9 * draws.vector());
+                run.world.bodies.set_displacement(b, 1e-9 * draws.vector(), 1e-9 * draws.vector());
             }
             run.steps(if bounded { 4000 } else { 400 }, share * expected / CP);
-            let far = (0..64)
-                .map(|b| run.world.bodies.rotation(b).length())
-                .fold(0.0, f64::max);
+            let far = (0..64).map(|b| run.world.bodies.rotation(b).length()).fold(0.0, f64::max);
             assert_eq!(far < 1e-7, bounded, "{share}: {far:e}");
         }
         first.steps(1, stable.dt);
@@ -231,18 +186,14 @@ fn line_source(beyond: i32, half_cell: bool, receivers: &[[i32; 2]]) -> Vec<Vec<
     let [width, height] = size.map(|n| n as usize);
     let side = |normal: Vec3, offset: usize, half_cell: bool| Boundary {
         name: "side".into(),
-        on: FaceSet::Plane {
-            normal,
-            offset: offset as f64,
-        },
+        on: FaceSet::Plane { normal, offset: offset as f64 },
         kind: BoundaryKind::Viscous { half_cell },
         in_situ: false,
     };
     let at = |x: i32, y: i32| (y + beyond) as usize * width + (x + RIM) as usize;
     let (period, dt) = (WAVELENGTH / CP, 0.3 / CP);
-    let t: Vec<f64> = (0..=(2.0 * MIDDLE * period / dt) as u32)
-        .map(|k| f64::from(k) * dt)
-        .collect();
+    let t: Vec<f64> =
+        (0..=(2.0 * MIDDLE * period / dt) as u32).map(|k| f64::from(k) * dt).collect();
     let pulse = |t: &f64| {
         let s = t / period - MIDDLE;
         (-s * s / 2.25).exp() * (TAU * s).cos()
@@ -255,10 +206,7 @@ fn line_source(beyond: i32, half_cell: bool, receivers: &[[i32; 2]]) -> Vec<Vec<
             at: None,
         },
         account: None,
-        time: TimeFunction::Table {
-            t: t.clone(),
-            v: v.clone(),
-        },
+        time: TimeFunction::Table { t: t.clone(), v: v.clone() },
     };
     let mut run = Run::new(Setup {
         periodic: [None, None, Some(1.0)],

@@ -59,20 +59,12 @@ fn function(name: &str) -> Option<Function> {
 
 /// The smaller of two numbers; NaN if one of them is: a number that does not exist must not vanish.
 fn smaller(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::NAN
-    } else {
-        a.min(b)
-    }
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.min(b) }
 }
 
 /// The larger of two numbers; NaN if one of them is.
 fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b.is_nan() {
-        f64::NAN
-    } else {
-        a.max(b)
-    }
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
 /// -1, 0 or 1; NaN of NaN.
@@ -122,12 +114,7 @@ pub(super) fn parse(text: &str) -> Result<Program, FormulaError> {
     if text.len() > MAX_LENGTH {
         return Err(FormulaError::TooLarge);
     }
-    let mut parser = Parser {
-        text,
-        at: 0,
-        depth: 0,
-        program: Program::default(),
-    };
+    let mut parser = Parser { text, at: 0, depth: 0, program: Program::default() };
     parser.formula()?;
     match parser.peek() {
         None => Ok(parser.program),
@@ -171,10 +158,7 @@ impl Parser<'_> {
     }
 
     fn wrong(&self, message: &str) -> FormulaError {
-        FormulaError::Syntax {
-            at: self.at,
-            message: message.to_owned(),
-        }
+        FormulaError::Syntax { at: self.at, message: message.to_owned() }
     }
 
     fn emit(&mut self, op: Op) -> usize {
@@ -372,10 +356,7 @@ impl Parser<'_> {
     fn branch(&mut self, begun: usize) -> Result<(), FormulaError> {
         let missing = |parser: &mut Self| parser.arguments("if", BRANCH, begun);
         // Where it leads is known when both sides have been read.
-        let branch = self.emit(Op::Branch {
-            otherwise: 0,
-            end: 0,
-        });
+        let branch = self.emit(Op::Branch { otherwise: 0, end: 0 });
         if !self.take(",") {
             return Err(missing(self));
         }
@@ -390,10 +371,7 @@ impl Parser<'_> {
         }
         let end = self.program.ops.len();
         self.program.ops[jump] = Op::Jump(end);
-        self.program.ops[branch] = Op::Branch {
-            otherwise: jump + 1,
-            end,
-        };
+        self.program.ops[branch] = Op::Branch { otherwise: jump + 1, end };
         self.close()
     }
 

@@ -1,18 +1,13 @@
 use super::*;
 
 fn value(text: &str, x: f64) -> f64 {
-    Formula::new(text, &["x", "e"])
-        .unwrap_or_else(|e| panic!("{text}: {e}"))
-        .value(&[("x", x)])
+    Formula::new(text, &["x", "e"]).unwrap_or_else(|e| panic!("{text}: {e}")).value(&[("x", x)])
 }
 
 #[test]
 fn evaluates_the_sliding_distance() {
-    let formula = Formula::new(
-        "0.5*g*(sin(35*deg)-cos(35*deg)*tan(phi))*t^2",
-        &["g", "phi", "t"],
-    )
-    .unwrap();
+    let formula =
+        Formula::new("0.5*g*(sin(35*deg)-cos(35*deg)*tan(phi))*t^2", &["g", "phi", "t"]).unwrap();
     let phi = 15.0_f64.to_radians();
     let d = formula.value(&[("g", 10.0), ("phi", phi), ("t", 1.5)]);
     assert!((d - 3.983_460).abs() < 1e-6, "{d}");
@@ -28,10 +23,7 @@ fn numbers_may_have_exponents() {
         (".5 + 1.", 1.5),
     ] {
         let formula = Formula::new(text, &["x1e"]).unwrap();
-        assert!(
-            (formula.value(&[("x1e", 5.0)]) - value).abs() < 1e-12,
-            "{text}"
-        );
+        assert!((formula.value(&[("x1e", 5.0)]) - value).abs() < 1e-12, "{text}");
     }
 }
 

@@ -19,10 +19,7 @@ impl Law<'_> {
         let dilated = self.dilated(Self::mean_slip(memory), &memory[0]);
         std::array::from_fn(|p| {
             // An open point of a face that slides carries its share of the shear.
-            let m = Memory {
-                open: false,
-                ..memory[p]
-            };
+            let m = Memory { open: false, ..memory[p] };
             let (w, mut t) = self.look(&start[p], &at[p], &m, dilated);
             if memory[p].open {
                 t[0] = 0.0;
@@ -61,8 +58,7 @@ impl Law<'_> {
         at: &[[f64; 3]; 4],
         memory: &[Memory; 4],
     ) -> [[f64; 2]; 4] {
-        self.looks(start, at, memory)
-            .map(|(w, t)| self.parts(w, &t))
+        self.looks(start, at, memory).map(|(w, t)| self.parts(w, &t))
     }
 
     /// A face that fails as one: by the mean traction of its points and by its torsion moment, as [`super::super::face_joint::face`].
@@ -79,24 +75,16 @@ impl Law<'_> {
     ) -> ([Traction; 4], Loss) {
         let old = std::array::from_fn(|p| std::array::from_fn(|k| at[p][k] - moved[p][k]));
         let was_open = memory.iter().all(|m| m.open);
-        let before = self.looks(start, &old, memory).map(|(w, t)| {
-            if was_open {
-                ([0.0; 3], 0.0)
-            } else {
-                (t, self.stored(w, &t))
-            }
-        });
+        let before = self
+            .looks(start, &old, memory)
+            .map(|(w, t)| if was_open { ([0.0; 3], 0.0) } else { (t, self.stored(w, &t)) });
         let account = |now: &[(f64, Traction); 4]| {
             (0..4)
                 .map(|p| {
                     let (w, t) = &now[p];
                     let w = if t[0] == 0.0 { 0.0 } else { *w };
                     // A loss is per area: each point stands for a quarter of the face.
-                    0.25 * lost(
-                        (&before[p].0, before[p].1),
-                        (t, self.stored(w, t)),
-                        &moved[p],
-                    )
+                    0.25 * lost((&before[p].0, before[p].1), (t, self.stored(w, t)), &moved[p])
                 })
                 .sum::<f64>()
         };
@@ -122,27 +110,17 @@ impl Law<'_> {
         let across = |p: usize, dilated: f64, damage: f64, parted: f64| {
             let w = base[p] - dilated;
             // Failed: no tension at any point.
-            if damage >= 1.0 && w >= 0.0 {
-                0.0
-            } else {
-                self.normal(w, damage, parted)
-            }
+            if damage >= 1.0 && w >= 0.0 { 0.0 } else { self.normal(w, damage, parted) }
         };
         let mean_of = |dilated: f64, damage: f64, parted: f64| {
-            0.25 * (0..4)
-                .map(|p| across(p, dilated, damage, parted))
-                .sum::<f64>()
+            0.25 * (0..4).map(|p| across(p, dilated, damage, parted)).sum::<f64>()
         };
         let accumulated = one.accumulated_slip;
         let mut damage = self.damage(&one, accumulated);
         let stays = |damage: f64, parted: f64| {
             let sigma = mean_of(dilated, damage, parted);
             let open = damage >= 1.0 && sigma == 0.0;
-            let limit = if open {
-                0.0
-            } else {
-                self.limit(sigma, damage, accumulated)
-            };
+            let limit = if open { 0.0 } else { self.limit(sigma, damage, accumulated) };
             measure <= BEYOND * limit
         };
         let mut fails = !stays(damage, one.parted);
@@ -197,11 +175,8 @@ impl Law<'_> {
         let all = account(&now);
         let sigma = mean_of(lifted, damage, one.parted);
         let after = self.above_residual(sigma, damage, one.accumulated_slip);
-        let separation = if opened || one.parted > parted {
-            all
-        } else {
-            0.5 * plastic * (above + after)
-        };
+        let separation =
+            if opened || one.parted > parted { all } else { 0.5 * plastic * (above + after) };
         (t, divided(all, separation))
     }
 }

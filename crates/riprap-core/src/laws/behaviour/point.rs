@@ -6,8 +6,7 @@ impl Law<'_> {
     /// Traction at the relative displacement `at` (n, b, c, m) with the memory that a point has; `start` (Pa) is that at zero displacement.
     #[must_use]
     pub fn carried(&self, start: &Traction, at: &[f64; 3], memory: &Memory) -> Traction {
-        self.look(start, at, memory, self.dilated(memory.slip, memory))
-            .1
+        self.look(start, at, memory, self.dilated(memory.slip, memory)).1
     }
 
     /// Energy in the normal and in the shear spring, J/m².
@@ -118,11 +117,7 @@ impl Law<'_> {
         if !fails || stays(damage) {
             let t = [sigma, trial[0], trial[1]];
             // What has softened across the joint is lost without any slip.
-            let all = if memory.parted > parted {
-                account(w, &t)
-            } else {
-                0.0
-            };
+            let all = if memory.parted > parted { account(w, &t) } else { 0.0 };
             return (t, divided(all, all));
         }
         let direction = trial.map(|x| x / tau);

@@ -43,9 +43,7 @@ impl BartonBandis {
             // Without pressure the logarithm has no value; its bound is the limit.
             return if s > 0.0 { 0.0 } else { STEEPEST - residual };
         }
-        (self.jrc * libm::log10(self.jcs / s))
-            .to_radians()
-            .min(STEEPEST - residual)
+        (self.jrc * libm::log10(self.jcs / s)).to_radians().min(STEEPEST - residual)
     }
 
     /// Angle that roughness adds to the residual one after the plastic slip `accumulated`, rad.
@@ -106,10 +104,7 @@ impl BartonBandis {
 #[must_use]
 pub fn scaled(jrc: f64, jcs: f64, length: f64) -> [f64; 2] {
     let ratio = length / LAB_LENGTH;
-    [
-        jrc * libm::pow(ratio, -0.02 * jrc),
-        jcs * libm::pow(ratio, -0.03 * jrc),
-    ]
+    [jrc * libm::pow(ratio, -0.02 * jrc), jcs * libm::pow(ratio, -0.03 * jrc)]
 }
 
 /// Slip (m) at the peak of a joint of the given length (m) with its own JRC: `L/500 (JRC/L)^0.33`.

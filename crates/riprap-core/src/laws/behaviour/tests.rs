@@ -17,11 +17,7 @@ fn strength() -> Strength {
 
 fn softening() -> Behaviour {
     Behaviour {
-        weakening: Weakening::Softening(Softening {
-            slip: 1e-3,
-            opening: 1e-4,
-            curve: None,
-        }),
+        weakening: Weakening::Softening(Softening { slip: 1e-3, opening: 1e-4, curve: None }),
         closure: Closure::Linear,
     }
 }
@@ -73,9 +69,7 @@ fn shear(law: &Law, path: &[[f64; 3]]) -> Sheared {
         let (t, loss) = law.point(&start, at, &moved, &mut memory);
         let (f, of_face) = law.face(&[start; 4], &[*at; 4], &[moved; 4], [0.25; 2], &mut four);
         for (k, now) in [t, f[0]].iter().enumerate() {
-            work[k] += (0..3)
-                .map(|i| 0.5 * (old[k][i] + now[i]) * moved[i])
-                .sum::<f64>();
+            work[k] += (0..3).map(|i| 0.5 * (old[k][i] + now[i]) * moved[i]).sum::<f64>();
         }
         out.loss.friction += loss.friction;
         out.loss.fracture += loss.fracture;
@@ -97,9 +91,7 @@ fn shear(law: &Law, path: &[[f64; 3]]) -> Sheared {
 
 /// A straight path in shear at one opening.
 fn straight(opening: f64, end: f64) -> Vec<[f64; 3]> {
-    (0..=20_000)
-        .map(|k| [opening, end * f64::from(k) / 20_000.0, 0.0])
-        .collect()
+    (0..=20_000).map(|k| [opening, end * f64::from(k) / 20_000.0, 0.0]).collect()
 }
 
 #[test]
@@ -150,9 +142,8 @@ fn joints_soften_along_a_curve() {
         assert!((ratio - 1.0).abs() < 2e-3, "{slip} {ratio}");
     }
     assert!(sheared.memory.broken);
-    let open: Vec<[f64; 3]> = (0..=20_000)
-        .map(|k| [1.3e-4 * f64::from(k) / 20_000.0, 0.0, 0.0])
-        .collect();
+    let open: Vec<[f64; 3]> =
+        (0..=20_000).map(|k| [1.3e-4 * f64::from(k) / 20_000.0, 0.0, 0.0]).collect();
     let drawn = shear(&law, &open);
     for parted in [0.1e-4, 0.4e-4, 0.8e-4] {
         let wanted = 0.3e6 * curve.at(parted / 1e-4);
@@ -171,20 +162,15 @@ fn joints_soften_along_a_curve() {
 fn tension_softens_and_a_crack_that_closes_is_closed() {
     let (strength, behaviour) = (strength(), softening());
     let law = Law::new(Some(&strength), &behaviour, SPRINGS);
-    let open: Vec<[f64; 3]> = (0..=20_000)
-        .map(|k| [1.3e-4 * f64::from(k) / 20_000.0, 0.0, 0.0])
-        .collect();
+    let open: Vec<[f64; 3]> =
+        (0..=20_000).map(|k| [1.3e-4 * f64::from(k) / 20_000.0, 0.0, 0.0]).collect();
     let sheared = shear(&law, &open);
     let most = sheared.point.iter().map(|t| t[0]).fold(0.0, f64::max);
     assert!((most / 0.3e6 - 1.0).abs() < 1e-3, "{most}");
     assert!(sheared.memory.open && sheared.memory.broken);
     // Elastic and softening part of the curve: t w/2 each, and all of it is lost.
     let work = 0.5 * 0.3e6 * 1e-4;
-    assert!(
-        (sheared.loss.fracture / work - 1.0).abs() < 1e-4,
-        "{}",
-        sheared.loss.fracture
-    );
+    assert!((sheared.loss.fracture / work - 1.0).abs() < 1e-4, "{}", sheared.loss.fracture);
     // Half open, back and forth: through the origin, without loss, and into compression with the full stiffness.
     let half = (0..=1000).map(|k| [6e-8 * f64::from(k), 0.0, 0.0]);
     let back = (0..=2000).map(|k| [6e-5 - 6e-8 * f64::from(k), 0.0, 0.0]);
@@ -194,25 +180,17 @@ fn tension_softens_and_a_crack_that_closes_is_closed() {
     assert!((t[1000][0] / (0.3e6 * (1.0 - 0.45e-4 / 0.85e-4)) - 1.0).abs() < 1.0);
     assert!((t[1501][0] / t[1000][0] - 0.5).abs() < 1e-9);
     assert!(t[2001][0].abs() < 1e-3 && (t[3001][0] / (-6e-5 * 2e10) - 1.0).abs() < 1e-12);
-    assert!(
-        sheared.residual.iter().all(|r| r.abs() < 1e-9),
-        "{:?}",
-        sheared.residual
-    );
+    assert!(sheared.residual.iter().all(|r| r.abs() < 1e-9), "{:?}", sheared.residual);
 }
 
 #[test]
 fn rough_joints_have_the_numbers_of_the_closed_form() {
     let (strength, behaviour) = rough(None);
-    let Weakening::BartonBandis(law) = behaviour.weakening else {
-        unreachable!()
-    };
+    let Weakening::BartonBandis(law) = behaviour.weakening else { unreachable!() };
     let phi = strength.residual_friction;
-    for (s, tau, dilation) in [
-        (0.2e6, 0.285520e6, 13.4949f64),
-        (1e6, 1.110613e6, 10.0),
-        (5e6, 4.348012e6, 6.5051),
-    ] {
+    for (s, tau, dilation) in
+        [(0.2e6, 0.285520e6, 13.4949f64), (1e6, 1.110613e6, 10.0), (5e6, 4.348012e6, 6.5051)]
+    {
         assert!((law.strength(phi, s, 0.0) / tau - 1.0).abs() < 3e-6);
         let angle = libm::atan(law.dilation(phi, s, 0.0)).to_degrees();
         assert!((angle - dilation).abs() < 1e-4, "{angle}");
@@ -227,10 +205,7 @@ fn rough_joints_have_the_numbers_of_the_closed_form() {
     let [stiffness, most] = closure_of(10.0, 100e6, 100e6).unwrap();
     assert!((stiffness - 20.35e9).abs() < 1.0 && (most - 0.136871e-3).abs() < 1e-9);
     assert!(closure_of(0.0, 100e6, 100e6).is_none());
-    let mobilised = BartonBandis {
-        peak_slip: Some(1e-3),
-        ..law
-    };
+    let mobilised = BartonBandis { peak_slip: Some(1e-3), ..law };
     assert!(mobilised.strength(phi, 1e6, 0.0).abs() < 1e-6);
     let at = |x: f64| mobilised.strength(phi, 1e6, x * 1e-3);
     assert!((at(0.3) / (1e6 * phi) - 1.0).abs() < 1e-12);
@@ -244,20 +219,14 @@ fn a_rough_joint_follows_its_curve_and_dilates() {
     let (strength, behaviour) = rough(Some(1e-3));
     let law = Law::new(Some(&strength), &behaviour, SPRINGS);
     let sheared = shear(&law, &straight(-1e-3, 4e-3));
-    let Weakening::BartonBandis(b) = behaviour.weakening else {
-        unreachable!()
-    };
+    let Weakening::BartonBandis(b) = behaviour.weakening else { unreachable!() };
     let path = sheared.memory.accumulated_slip;
     let t = sheared.point[20_000];
     let expected = b.strength(strength.residual_friction, -t[0], path);
     assert!((t[1] / expected - 1.0).abs() < 1e-9);
     // Dilation presses it together: 20 MPa at the start, more in the end.
     assert!(sheared.memory.dilated > 1e-4 && t[0] < -20e6 - 1e-4 * SPRINGS[0]);
-    assert!(
-        sheared.residual.iter().all(|r| r.abs() < 1e-6),
-        "{:?}",
-        sheared.residual
-    );
+    assert!(sheared.residual.iter().all(|r| r.abs() < 1e-6), "{:?}", sheared.residual);
     assert!(sheared.loss.fracture == 0.0 && sheared.loss.friction > 0.0);
     let last = (sheared.point[20_000], sheared.face[20_000]);
     assert!((last.0[1] / last.1[1] - 1.0).abs() < 1e-9);
@@ -265,13 +234,8 @@ fn a_rough_joint_follows_its_curve_and_dilates() {
 
 #[test]
 fn dilation_ends_and_goes_back() {
-    let strength = Strength {
-        dilation: 0.2,
-        dilation_end: 1e-3,
-        cohesion: 0.0,
-        tension: 0.0,
-        ..strength()
-    };
+    let strength =
+        Strength { dilation: 0.2, dilation_end: 1e-3, cohesion: 0.0, tension: 0.0, ..strength() };
     let behaviour = Behaviour::default();
     let law = Law::new(Some(&strength), &behaviour, SPRINGS);
     let there = (0..=3000).map(|k| [-1e-5, 1e-6 * f64::from(k), 0.0]);
@@ -285,11 +249,7 @@ fn dilation_ends_and_goes_back() {
     let slip = norm(sheared.memory.slip[0], 0.0);
     let expected = -2e10 * (1e-5 + 0.2 * slip);
     assert!(slip < 0.1e-3 && (t[6001][0] / expected - 1.0).abs() < 1e-9);
-    assert!(
-        sheared.residual.iter().all(|r| r.abs() < 1e-6),
-        "{:?}",
-        sheared.residual
-    );
+    assert!(sheared.residual.iter().all(|r| r.abs() < 1e-6), "{:?}", sheared.residual);
     for (t, f) in t.iter().zip(&sheared.face) {
         assert!((t[0] - f[0]).abs() < 1e-6 * 4e6 && (t[1] - f[1]).abs() < 1e-6 * 4e6);
     }
@@ -298,16 +258,9 @@ fn dilation_ends_and_goes_back() {
 /// Each law under reduction: the tractions of the reduced strength, no energy from sliding, and the balance of the whole law.
 #[test]
 fn reduced_laws_slide_at_their_reduced_strength_and_make_no_energy() {
-    let steep = Strength {
-        dilation: 0.45,
-        dilation_end: 1.0,
-        ..strength()
-    };
+    let steep = Strength { dilation: 0.45, dilation_end: 1.0, ..strength() };
     let closes = Behaviour {
-        closure: Closure::Hyperbolic {
-            limit: 1e-3,
-            stiffest: 25.0,
-        },
+        closure: Closure::Hyperbolic { limit: 1e-3, stiffest: 25.0 },
         ..Behaviour::default()
     };
     let laws = [
@@ -335,10 +288,7 @@ fn reduced_laws_slide_at_their_reduced_strength_and_make_no_energy() {
             assert!((t[1] / bears - 1.0).abs() < 1e-9, "{case} {factor}");
             // Step by step: what friction takes is at least what dilation lifts against the pressure.
             for pair in sheared.point.windows(2) {
-                assert!(
-                    pair[1][1] >= 0.0 && pair[1][0] <= pair[0][0] + 1e-6,
-                    "{case} {factor}"
-                );
+                assert!(pair[1][1] >= 0.0 && pair[1][0] <= pair[0][0] + 1e-6, "{case} {factor}");
             }
             let half = (strength.reduced(2.0), behaviour.reduced(2.0));
             let half = Law::new(Some(&half.0), &half.1, SPRINGS);
@@ -356,23 +306,14 @@ fn reduced_laws_slide_at_their_reduced_strength_and_make_no_energy() {
         ..steep
     };
     let plain = Behaviour::default();
-    let sheared = shear(
-        &Law::new(Some(&smooth), &plain, SPRINGS),
-        &straight(-1e-4, 4e-3),
-    );
+    let sheared = shear(&Law::new(Some(&smooth), &plain, SPRINGS), &straight(-1e-4, 4e-3));
     let Loss { friction, fracture } = sheared.loss;
-    assert!(
-        friction.abs() + fracture.abs() < 1e-6 * 1e4,
-        "{friction} {fracture}"
-    );
+    assert!(friction.abs() + fracture.abs() < 1e-6 * 1e4, "{friction} {fracture}");
 }
 
 #[test]
 fn closure_follows_the_hyperbola_and_stores_its_integral() {
-    let closure = Closure::Hyperbolic {
-        limit: 0.136871e-3,
-        stiffest: 25.0,
-    };
+    let closure = Closure::Hyperbolic { limit: 0.136871e-3, stiffest: 25.0 };
     let k = 20.35e9;
     for (v, s) in [(0.05e-3, 1.603139e6), (0.1e-3, 7.554254e6)] {
         assert!((closure.pressure(k, v) / s - 1.0).abs() < 1e-5);
@@ -401,11 +342,7 @@ fn a_law_without_anything_of_this_is_the_plain_one() {
     let (mut one, mut other, mut before) = (Memory::default(), Memory::default(), [0.0; 3]);
     let start = [-1e5, 2e4, -3e4];
     for k in 0..4000 {
-        let n = if k < 30 {
-            2e-6 * k as f64
-        } else {
-            wave(k, 0.013, 4e-5) - 1.2e-5
-        };
+        let n = if k < 30 { 2e-6 * k as f64 } else { wave(k, 0.013, 4e-5) - 1.2e-5 };
         let at = [n, wave(k, 0.0171, 2.5e-4), wave(k, 0.0093, 1.5e-4)];
         let moved = [0, 1, 2].map(|i| at[i] - before[i]);
         let (t, a) = law.point(&start, &at, &moved, &mut one);
@@ -413,10 +350,7 @@ fn a_law_without_anything_of_this_is_the_plain_one() {
         for i in 0..3 {
             assert!((t[i] - u[i]).abs() < 1e-2, "{k} {t:?} {u:?}");
         }
-        assert_eq!(
-            (one.broken, one.open, one.sliding),
-            (other.broken, other.open, other.sliding)
-        );
+        assert_eq!((one.broken, one.open, one.sliding), (other.broken, other.open, other.sliding));
         let (a, b) = (a.friction + a.fracture, b.friction + b.fracture);
         // What the rule of the trapezium makes of the step in which it opens is booked here.
         assert!((a - b).abs() < 1e-3 * (1.0 + b.abs()), "{k} {a} {b}");

@@ -96,9 +96,7 @@ impl Desk {
         let bars = chain.bars.len();
         Self {
             factors: chain.factors(),
-            stretching: (0..bars as u32)
-                .filter(|k| stretches(*k as usize))
-                .collect(),
+            stretching: (0..bars as u32).filter(|k| stretches(*k as usize)).collect(),
             apart: vec![0.0; bars],
             losses: Losses::default(),
             sheared: 0.0,

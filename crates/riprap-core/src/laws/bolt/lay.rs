@@ -109,11 +109,7 @@ pub fn lay(design: &Design, length: f64, spans: &[[f64; 2]]) -> Laid {
             laid.span.push(span);
         }
     }
-    let bars: Vec<Bar> = laid
-        .along
-        .windows(2)
-        .map(|w| bar(design, w[1] - w[0]))
-        .collect();
+    let bars: Vec<Bar> = laid.along.windows(2).map(|w| bar(design, w[1] - w[0])).collect();
     if let (Some(_), Some(first)) = (design.plate, bars.first()) {
         holds[0].stiffness = RIGID * first.stiffness;
     }

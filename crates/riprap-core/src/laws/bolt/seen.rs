@@ -81,11 +81,7 @@ impl Chain {
     #[must_use]
     pub fn plate_force(&self, design: &Design) -> f64 {
         let has_one = self.holds.first().is_some_and(|hold| hold.lifts);
-        if design.plate.is_some() && has_one {
-            self.held(0)
-        } else {
-            f64::NAN
-        }
+        if design.plate.is_some() && has_one { self.held(0) } else { f64::NAN }
     }
 
     /// Largest slip of the grout, m.

@@ -115,13 +115,7 @@ impl Chain {
     /// All numbers of its state that change, for the hash: by nodes, then by bars.
     #[must_use]
     pub fn memory(&self) -> [&[f64]; 5] {
-        [
-            &self.motion,
-            &self.slip,
-            &self.plastic,
-            &self.yielded,
-            &self.force,
-        ]
+        [&self.motion, &self.slip, &self.plastic, &self.yielded, &self.force]
     }
 
     /// Room to solve it, with the factors of the elastic matrix.
@@ -147,11 +141,7 @@ impl Chain {
     pub fn stored_with(&self, dowel: Option<[f64; 2]>, squares: impl Iterator<Item = f64>) -> f64 {
         let stiffness = dowel.map_or(0.0, |d| d[0]);
         let squares: f64 = squares.sum();
-        let sheared = if stiffness > 0.0 {
-            0.5 * squares / stiffness
-        } else {
-            0.0
-        };
+        let sheared = if stiffness > 0.0 { 0.5 * squares / stiffness } else { 0.0 };
         self.stored() + sheared
     }
 
@@ -252,11 +242,7 @@ impl Chain {
         let mut gives = false;
         for k in 0..r.len() {
             let held = match (k, pull) {
-                (0, Some(pull)) => super::Mapped {
-                    force: pull,
-                    tangent: 0.0,
-                    plastic: 0.0,
-                },
+                (0, Some(pull)) => super::Mapped { force: pull, tangent: 0.0, plastic: 0.0 },
                 _ => self.holds[k].map(r[k] - self.slip[k]),
             };
             let mut force = 0.0;
@@ -299,9 +285,7 @@ impl Chain {
 
     /// Goes along the direction to where its slope is nearly nil, all of it unless that goes too far: there is `work.trial` then.
     fn search(&self, r: &[f64], apart: &[f64], pull: Option<f64>, work: &mut Factors) {
-        let start: f64 = (work.here.residual.iter().zip(&work.direction))
-            .map(|(x, d)| x * d)
-            .sum();
+        let start: f64 = (work.here.residual.iter().zip(&work.direction)).map(|(x, d)| x * d).sum();
         let enough = SEARCH.1 * start.abs();
         let end = self.slope(r, 1.0, apart, pull, work);
         if end <= enough {
@@ -401,16 +385,8 @@ impl Factors {
     pub fn elastic_forces(&mut self, chain: &Chain, apart: &[f64], forces: &mut [f64]) {
         let nodes = chain.holds.len();
         for k in 0..nodes {
-            let before = if k > 0 {
-                chain.bars[k - 1].stiffness * apart[k - 1]
-            } else {
-                0.0
-            };
-            let after = if k + 1 < nodes {
-                chain.bars[k].stiffness * apart[k]
-            } else {
-                0.0
-            };
+            let before = if k > 0 { chain.bars[k - 1].stiffness * apart[k - 1] } else { 0.0 };
+            let after = if k + 1 < nodes { chain.bars[k].stiffness * apart[k] } else { 0.0 };
             self.here.residual[k] = before - after;
         }
         self.elastic_direction();

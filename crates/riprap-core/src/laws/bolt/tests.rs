@@ -7,12 +7,7 @@ const LENGTH: f64 = 2.0;
 const STRENGTH: f64 = 200e3;
 
 fn bar(length: f64) -> Bar {
-    Bar {
-        stiffness: AXIAL / length,
-        yields: f64::INFINITY,
-        hardening: 0.0,
-        breaks: f64::INFINITY,
-    }
+    Bar { stiffness: AXIAL / length, yields: f64::INFINITY, hardening: 0.0, breaks: f64::INFINITY }
 }
 
 /// A chain whose first node is the head, moved by the first entry of what is apart, and that is grouted from there on. The head is held
@@ -83,11 +78,7 @@ fn slipping_grout_follows_the_closed_form_in_one_jump_and_unloads_by_masing() {
     let mut chain = pulled(40, STRENGTH);
     let mut work = chain.factors();
     pull(&mut chain, &mut work, 1.854746e-3);
-    let unloaded = [
-        (0.4e-3, 137.1236e3),
-        (0.8e-3, 45.3757e3),
-        (1.2e-3, -17.7915e3),
-    ];
+    let unloaded = [(0.4e-3, 137.1236e3), (0.8e-3, 45.3757e3), (1.2e-3, -17.7915e3)];
     for (back, force) in unloaded {
         let (found, _) = pull(&mut chain, &mut work, 1.854746e-3 - back);
         assert!((found - force).abs() < 1.5e-3 * 262e3, "{found} {force}");
@@ -178,10 +169,7 @@ fn a_bar_breaks_at_its_elongation_and_what_it_held_is_booked() {
         lost.add(&losses);
     }
     assert_eq!(lost.breaks, 1);
-    assert!(
-        broken_at.is_some_and(|u| (8e-3..9e-3).contains(&u)),
-        "{broken_at:?}"
-    );
+    assert!(broken_at.is_some_and(|u| (8e-3..9e-3).contains(&u)), "{broken_at:?}");
     assert_eq!(chain.force[joint], 0.0);
     // Slipped grout keeps part of the bar stretched.
     assert!(chain.stored() > 10.0 && lost.ruptured > 100.0);
@@ -193,11 +181,7 @@ fn a_bar_breaks_at_its_elongation_and_what_it_held_is_booked() {
 #[test]
 fn a_joined_bar_breaks_when_what_is_left_of_its_worst_part_is_used_up() {
     let rigid = || Hold::grout(1e9 * AXIAL, f64::INFINITY);
-    let half = Bar {
-        yields: 250e3,
-        breaks: 5e-3,
-        ..bar(0.5)
-    };
+    let half = Bar { yields: 250e3, breaks: 5e-3, ..bar(0.5) };
     for plastic in [[3e-3, 3e-3], [3e-3, -3e-3], [0.0, 3e-3]] {
         let mut chain = Chain::new(vec![rigid(), rigid(), rigid()], vec![half; 2]);
         chain.plastic = plastic.to_vec();
@@ -229,18 +213,10 @@ fn a_stretched_bolt_carries_its_force_exactly_and_its_plate_lifts() {
     let mut chain = Chain::new(holds, bars);
     let mut work = chain.factors();
     chain.stretch(150e3, &mut work);
-    assert!(
-        (chain.force[0] / 150e3 - 1.0).abs() < 1e-9,
-        "{}",
-        chain.force[0]
-    );
+    assert!((chain.force[0] / 150e3 - 1.0).abs() < 1e-9, "{}", chain.force[0]);
     let still = vec![0.0; chain.bars.len()];
     chain.solve(&still, &mut work);
-    assert!(
-        (chain.force[0] / 150e3 - 1.0).abs() < 1e-9,
-        "{}",
-        chain.force[0]
-    );
+    assert!((chain.force[0] / 150e3 - 1.0).abs() < 1e-9, "{}", chain.force[0]);
     assert!((chain.held(0) / 150e3 - 1.0).abs() < 1e-9);
     // Evaluated again, it stays where it is.
     let before = chain.clone();
@@ -264,10 +240,7 @@ fn a_dowel_holds_up_to_its_limit_in_any_direction() {
     assert!((force[0] / 6e4 - 1.0).abs() < 1e-12 && (force[1] / 8e4 - 1.0).abs() < 1e-12);
     assert!((slip[0] / (3e-3 - 6e-4) - 1.0).abs() < 1e-12);
     // Parting along the bolt is none of its business, and with its bar it loses what it holds.
-    let held = Sheared {
-        slip: [0.0; 2],
-        force: [6e4, 0.0],
-    };
+    let held = Sheared { slip: [0.0; 2], force: [6e4, 0.0] };
     let (now, lost) = held.after([1e8, 1e5], false, [0.0, 1.0], [3e-3, 7.0]);
     assert!((now.force[0] / 1e5 - 1.0).abs() < 1e-12 && now.force[1] == 0.0);
     assert!((lost / (1e5 * 2e-3) - 1.0).abs() < 1e-12);

@@ -90,11 +90,7 @@ fn exponential(x: f64) -> f64 {
 /// The same for two lines.
 fn petersson(x: f64) -> f64 {
     let [at, share] = PETERSSON;
-    if x < at {
-        1.0 - (1.0 - share) * x / at
-    } else {
-        share * (1.0 - x) / (1.0 - at)
-    }
+    if x < at { 1.0 - (1.0 - share) * x / at } else { share * (1.0 - x) / (1.0 - at) }
 }
 
 impl Cohesive {
@@ -178,15 +174,8 @@ pub fn cohesive(
         damage = damage.max(law.damage((a + b).sqrt(), area));
     }
     let whole = 1.0 - damage;
-    let normal = if e[0] > 0.0 {
-        whole * kn * e[0]
-    } else {
-        kn * e[0]
-    };
-    let t = [
-        normal,
-        whole * ks * e[1] + damage * rubbed[1],
-        whole * ks * e[2] + damage * rubbed[2],
-    ];
+    let normal = if e[0] > 0.0 { whole * kn * e[0] } else { kn * e[0] };
+    let t =
+        [normal, whole * ks * e[1] + damage * rubbed[1], whole * ks * e[2] + damage * rubbed[2]];
     (t, State { damage, slip })
 }

@@ -17,26 +17,14 @@ const NONE: Traction = [0.0; 3];
 
 /// A broken point with this coefficient of friction.
 fn rubbing(friction: f64) -> Strength {
-    Strength {
-        residual_friction: friction,
-        ..STRENGTH
-    }
+    Strength { residual_friction: friction, ..STRENGTH }
 }
 
 #[test]
 fn residual_cohesion_holds_only_what_is_pressed() {
-    let strength = Strength {
-        residual_cohesion: 1e6,
-        ..rubbing(0.5)
-    };
+    let strength = Strength { residual_cohesion: 1e6, ..rubbing(0.5) };
     // 2 MPa of pressure, and far more shear than can be borne.
-    let (t, state) = contact(
-        K,
-        &strength,
-        &NONE,
-        &[-2e6 / K[0], 1.0, 0.0],
-        &State::default(),
-    );
+    let (t, state) = contact(K, &strength, &NONE, &[-2e6 / K[0], 1.0, 0.0], &State::default());
     assert!((t[1] - 2e6).abs() < 1e-3, "{t:?}");
     assert!((state.slip[0] - (1.0 - 2e6 / K[1])).abs() < 1e-12);
     let (t, _) = contact(K, &strength, &NONE, &[1e-9, 1.0, 0.0], &State::default());
@@ -44,12 +32,7 @@ fn residual_cohesion_holds_only_what_is_pressed() {
 }
 
 fn law(softening: Softening) -> Cohesive {
-    Cohesive {
-        strength: STRENGTH,
-        energy: [20.0, 80.0],
-        softening,
-        curve: None,
-    }
+    Cohesive { strength: STRENGTH, energy: [20.0, 80.0], softening, curve: None }
 }
 
 /// All curves by name, and one by points.
@@ -74,21 +57,11 @@ fn tension_lowers_the_shear_strength() {
     let printed = t[0].abs() * STRENGTH.friction + STRENGTH.cohesion;
     assert!(t[1] < printed);
     assert_eq!(STRENGTH.failure(&t), Some(FailureMode::Shear));
-    assert_eq!(
-        STRENGTH.failure(&[5.1e6, 0.0, 0.0]),
-        Some(FailureMode::Tension)
-    );
+    assert_eq!(STRENGTH.failure(&[5.1e6, 0.0, 0.0]), Some(FailureMode::Tension));
     assert_eq!(STRENGTH.failure(&[-4e6, 0.0, 10.3e6]), None);
-    assert_eq!(
-        STRENGTH.failure(&[-4e6, 0.0, 10.4e6]),
-        Some(FailureMode::Shear)
-    );
+    assert_eq!(STRENGTH.failure(&[-4e6, 0.0, 10.4e6]), Some(FailureMode::Shear));
     assert!((STRENGTH.apex() - 13.86e6).abs() < 0.01e6);
-    let nothing = Strength {
-        tension: 0.0,
-        cohesion: 0.0,
-        ..STRENGTH
-    };
+    let nothing = Strength { tension: 0.0, cohesion: 0.0, ..STRENGTH };
     assert_eq!(nothing.utilisation(&NONE).0, 0.0);
     assert!(nothing.failure(&[1.0, 0.0, 0.0]).is_some());
 }
@@ -96,12 +69,7 @@ fn tension_lowers_the_shear_strength() {
 /// A traction at u times its limit has the utilisation u, in tension, in shear and in compression.
 #[test]
 fn utilisation_scales_with_the_traction() {
-    for t in [
-        [1e6, 2e6, 0.0],
-        [0.2e6, 3e6, 1e6],
-        [-2e6, 3e6, 2e6],
-        [40e6, 1e6, 0.0],
-    ] {
+    for t in [[1e6, 2e6, 0.0], [0.2e6, 3e6, 1e6], [-2e6, 3e6, 2e6], [40e6, 1e6, 0.0]] {
         let (used, mode) = STRENGTH.utilisation(&t);
         assert!(used.is_finite() && used > 0.0, "{t:?}");
         let at = |factor: f64| t.map(|x: f64| factor / used * x);
@@ -133,13 +101,7 @@ fn a_broken_point_slides_at_the_limit_and_sticks_on_reversal() {
     assert_eq!(after, state);
     assert!((t[1] - (limit - 0.4e6)).abs() < 1.0);
     // Below the limit at breakage: the shear traction goes on unchanged.
-    let low = contact(
-        K,
-        &rubbing(0.577),
-        &NONE,
-        &[-1e-7, 1e-7, 0.0],
-        &State::default(),
-    );
+    let low = contact(K, &rubbing(0.577), &NONE, &[-1e-7, 1e-7, 0.0], &State::default());
     assert!((low.0[1] - 4e6).abs() < 1e-3);
     // Open: nothing; closing again: no shear from the time it was open.
     let (t, open) = brittle(K, &STRENGTH, &NONE, &[1e-6, 5e-6, 1e-6], &state);
@@ -173,9 +135,7 @@ fn work(k: Springs, law: &Cohesive, path: impl Iterator<Item = [f64; 3]>) -> (f6
     let (mut at, mut t, mut state, mut sum) = ([0.0; 3], NONE, State::default(), 0.0);
     for next in path {
         let (u, new) = cohesive(k, law, &NONE, &next, &state);
-        sum += (0..3)
-            .map(|k| 0.5 * (t[k] + u[k]) * (next[k] - at[k]))
-            .sum::<f64>();
+        sum += (0..3).map(|k| 0.5 * (t[k] + u[k]) * (next[k] - at[k])).sum::<f64>();
         (at, t, state) = (next, u, new);
     }
     (sum, state)
@@ -195,11 +155,7 @@ fn work_to_full_separation_is_the_fracture_energy() {
         let k = springs(40e9, 16e9, thickness);
         for (softening, curve) in curves() {
             let law = Cohesive {
-                strength: Strength {
-                    tension: 2e6,
-                    cohesion: 10e6,
-                    ..STRENGTH
-                },
+                strength: Strength { tension: 2e6, cohesion: 10e6, ..STRENGTH },
                 energy: [50.0, 200.0],
                 softening,
                 curve,
@@ -209,10 +165,7 @@ fn work_to_full_separation_is_the_fracture_energy() {
                 let (sum, state) = work(k, &law, path);
                 assert_eq!(state.damage, 1.0);
                 let ratio = sum / law.energy[mode];
-                assert!(
-                    (ratio - 1.0).abs() < 1e-3,
-                    "{thickness} {softening:?}: {ratio}"
-                );
+                assert!((ratio - 1.0).abs() < 1e-3, "{thickness} {softening:?}: {ratio}");
             }
         }
     }
@@ -221,10 +174,7 @@ fn work_to_full_separation_is_the_fracture_energy() {
 #[test]
 fn mixed_modes_share_the_energy() {
     for (softening, curve) in curves() {
-        let law = Cohesive {
-            curve,
-            ..law(softening)
-        };
+        let law = Cohesive { curve, ..law(softening) };
         for angle in [0.2_f64, 0.7, 1.2] {
             let (mut at, mut t, mut state) = ([0.0; 3], NONE, State::default());
             let mut taken = [0.0; 2];
@@ -276,16 +226,11 @@ fn friction_comes_on_top_and_what_is_left_is_a_contact() {
 fn energy_is_only_lost() {
     let mut seed = 9_u64;
     let mut noise = || {
-        seed = seed
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     };
     for (softening, curve) in curves() {
-        let law = Cohesive {
-            curve,
-            ..law(softening)
-        };
+        let law = Cohesive { curve, ..law(softening) };
         let start = [-1e6, 2e6, 0.0];
         for _ in 0..20 {
             let mut at = [0.0; 3];
@@ -312,14 +257,7 @@ fn energy_is_only_lost() {
 
 #[test]
 fn the_slider_loses_what_it_rubs() {
-    let mut state = contact(
-        K,
-        &rubbing(0.5),
-        &NONE,
-        &[-1e-7, 1e-7, 0.0],
-        &State::default(),
-    )
-    .1;
+    let mut state = contact(K, &rubbing(0.5), &NONE, &[-1e-7, 1e-7, 0.0], &State::default()).1;
     let (mut at, mut t) = ([-1e-7, 1e-7, 0.0], [-1e7, 4e6, 0.0]);
     let mut total = 0.0;
     for k in 1..=1000 {
@@ -329,27 +267,16 @@ fn the_slider_loses_what_it_rubs() {
         (at, t, state) = (next, u, new);
     }
     // It slides from 1.25e-7 m on, at 5 MPa.
-    assert!(
-        (total / (5e6 * (1.1e-6 - 1.25e-7)) - 1.0).abs() < 1e-9,
-        "{total}"
-    );
+    assert!((total / (5e6 * (1.1e-6 - 1.25e-7)) - 1.0).abs() < 1e-9, "{total}");
 }
 
 /// A point that is pulled apart follows its curve: traction over strength at the opening past the peak.
 #[test]
 fn a_pulled_point_is_on_its_curve() {
-    let strength = Strength {
-        tension: 2e6,
-        ..STRENGTH
-    };
+    let strength = Strength { tension: 2e6, ..STRENGTH };
     let (rise, energy) = (2e6 / K[0], 50.0);
     for (softening, curve) in curves() {
-        let law = Cohesive {
-            strength,
-            energy: [energy, 200.0],
-            softening,
-            curve,
-        };
+        let law = Cohesive { strength, energy: [energy, 200.0], softening, curve };
         assert!((law.share(0.0) - 1.0).abs() < 1e-15 && law.share(1.0).abs() < 1e-15);
         let steps = 100_000_u32;
         let x = |k: u32| f64::from(k) / f64::from(steps);
@@ -361,10 +288,7 @@ fn a_pulled_point_is_on_its_curve() {
             let at = [rise + part * length, 0.0, 0.0];
             let (t, _) = cohesive(K, &law, &NONE, &at, &State::default());
             let wanted = 2e6 * law.share(part);
-            assert!(
-                (t[0] - wanted).abs() < 1e-3,
-                "{softening:?} {part}: {t:?} {wanted}"
-            );
+            assert!((t[0] - wanted).abs() < 1e-3, "{softening:?} {part}: {t:?} {wanted}");
         }
     }
 }
@@ -391,20 +315,14 @@ fn points_that_are_no_curve_are_refused() {
     assert_eq!(order, CurveError::Order { point: 3 });
     let rise = new(&[[0.0, 1.0], [0.5, 0.3], [0.6, 0.4], [1.0, 0.0]]);
     assert_eq!(rise, CurveError::Rise { point: 3 });
-    assert_eq!(
-        new(&[[0.0, 1.0], [f64::NAN, 0.0]]),
-        CurveError::Order { point: 2 }
-    );
+    assert_eq!(new(&[[0.0, 1.0], [f64::NAN, 0.0]]), CurveError::Order { point: 2 });
 }
 
 #[test]
 fn munjizas_curve_has_the_known_area() {
     let n = 100_000;
     let f = |k: i32| munjiza(f64::from(k) / f64::from(n));
-    let sum: f64 = (0..n)
-        .step_by(2)
-        .map(|k| f(k) + 4.0 * f(k + 1) + f(k + 2))
-        .sum();
+    let sum: f64 = (0..n).step_by(2).map(|k| f(k) + 4.0 * f(k + 1) + f(k + 2)).sum();
     let area = sum / (3.0 * f64::from(n));
     assert!((area - cohesive::MUNJIZA_AREA).abs() < 1e-7, "{area:.9}");
     assert!((area - 0.38631).abs() < 1e-5);
@@ -416,9 +334,7 @@ fn munjizas_curve_has_the_known_area() {
 fn eight_points_are_eight_single_ones() {
     let mut seed = 5_u64;
     let mut noise = || {
-        seed = seed
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
     };
     let mut lanes =
@@ -460,13 +376,8 @@ fn eight_points_are_eight_single_ones() {
 #[test]
 fn a_point_at_its_strength_is_never_passed_over() {
     let n = [Lanes::all(0.6), Lanes::all(0.0), Lanes::all(0.8)];
-    let strength = Strength {
-        tension: 5e6,
-        cohesion: 8e6,
-        friction: 0.5,
-        residual_friction: 0.5,
-        ..STRENGTH
-    };
+    let strength =
+        Strength { tension: 5e6, cohesion: 8e6, friction: 0.5, residual_friction: 0.5, ..STRENGTH };
     for (sigma, tau) in [(5e6, 0.0), (-1e9, 5.08e8), (0.0, 8e6), (4e6, 6e6)] {
         for share in [1.0 - 1e-12, 1.0, 1.0 + 1e-12] {
             let t = [
@@ -477,11 +388,7 @@ fn a_point_at_its_strength_is_never_passed_over() {
             assert!(near_eight(&strength, &n, &t), "{sigma} {tau} {share}");
         }
         let less = |x: f64| Lanes::all(0.999 * x);
-        let t = [
-            less(0.6 * sigma - 0.8 * tau),
-            Lanes::all(0.0),
-            less(0.8 * sigma + 0.6 * tau),
-        ];
+        let t = [less(0.6 * sigma - 0.8 * tau), Lanes::all(0.0), less(0.8 * sigma + 0.6 * tau)];
         assert!(!near_eight(&strength, &n, &t), "{sigma} {tau}");
     }
 }

@@ -36,11 +36,7 @@ pub fn face(
         } else {
             let t: Traction =
                 std::array::from_fn(|k| trial[p][k] - springs[k.min(1)] * moved[p][k]);
-            if memory[p].broken {
-                [t[0].min(0.0), t[1], t[2]]
-            } else {
-                t
-            }
+            if memory[p].broken { [t[0].min(0.0), t[1], t[2]] } else { t }
         }
     });
     let sums = Sums::of(&t, half_spacing);
@@ -66,11 +62,7 @@ pub fn face(
     let closed = pressed > 0.0;
     let limit = if closed { law.residual(-pressed) } else { 0.0 };
     let measure = sums.shear_measure(half_spacing);
-    let keep = if measure > limit {
-        limit / measure
-    } else {
-        1.0
-    };
+    let keep = if measure > limit { limit / measure } else { 1.0 };
     let slides = keep < 1.0;
     for p in 0..4 {
         let [b, c] = [SIGNS[0][p] * half_spacing[0], SIGNS[1][p] * half_spacing[1]];
@@ -151,15 +143,7 @@ mod tests {
             let mut memory = [Memory::default(); 4];
             let at = twist(share * limit / (1e10 * radius));
             let moved = [[0.0; 3]; 4];
-            let (t, _) = face(
-                &law,
-                springs,
-                &start,
-                &at,
-                &moved,
-                half_spacing,
-                &mut memory,
-            );
+            let (t, _) = face(&law, springs, &start, &at, &moved, half_spacing, &mut memory);
             assert_eq!(memory[0].broken, broken);
             let size = norm(t[0][1], t[0][2]);
             let residual = law.residual(-1e6);

@@ -8,11 +8,7 @@ use super::*;
 /// Table 1 of the paper.
 /// Angle of friction, rad.
 const ANGLE: f64 = std::f64::consts::FRAC_PI_6;
-const ROCK: Rock = Rock {
-    tension: 5e6,
-    cohesion: 8e6,
-    friction: 0.577_350_269_189_625_8,
-};
+const ROCK: Rock = Rock { tension: 5e6, cohesion: 8e6, friction: 0.577_350_269_189_625_8 };
 
 /// Normal and shear stress on the plane at the angle psi to s1.
 fn on_plane(s1: f64, s3: f64, psi: f64) -> (f64, f64) {
@@ -29,44 +25,23 @@ fn worst(s1: f64, s3: f64, f: impl Fn(f64, f64) -> f64) -> (f64, f64) {
             let (sigma, tau) = on_plane(s1, s3, psi);
             (psi, f(sigma, tau))
         })
-        .fold(
-            (0.0, f64::NEG_INFINITY),
-            |a, b| if b.1 > a.1 { b } else { a },
-        )
+        .fold((0.0, f64::NEG_INFINITY), |a, b| if b.1 > a.1 { b } else { a })
 }
 
 fn plain(s1: f64, s2: f64, s3: f64) -> Principal {
-    Principal {
-        values: [s1, s2, s3],
-        axes: [Vec3::Y, Vec3::Z, Vec3::X],
-    }
+    Principal { values: [s1, s2, s3], axes: [Vec3::Y, Vec3::Z, Vec3::X] }
 }
 
 #[test]
 fn rock_without_tensile_strength_is_cut_in_shear() {
-    let rock = Rock {
-        tension: 0.0,
-        ..ROCK
-    };
-    let margins = |tension| Margins {
-        tension,
-        shear: 0.0,
-    };
-    let assess = |margin, s1, s3| {
-        assess(
-            &rock,
-            Criterion::Larger,
-            &margins(margin),
-            &plain(s1, s3, s3),
-        )
-    };
+    let rock = Rock { tension: 0.0, ..ROCK };
+    let margins = |tension| Margins { tension, shear: 0.0 };
+    let assess =
+        |margin, s1, s3| assess(&rock, Criterion::Larger, &margins(margin), &plain(s1, s3, s3));
     for margin in [0.0, 1e6] {
         // Pressed all round, far beyond Mohr-Coulomb's limit.
         let shear = assess(margin, 100e6, 2e6);
-        assert!(
-            shear.cut() && shear.mode == FractureMode::Shear,
-            "{shear:?}"
-        );
+        assert!(shear.cut() && shear.mode == FractureMode::Shear, "{shear:?}");
         // Within it, nothing is cut.
         let none = assess(margin, 10e6, 2e6);
         assert!(!none.cut() && none.utilisation < 1.0, "{none:?}");
@@ -98,11 +73,7 @@ fn griffith_is_continuous_and_the_printed_form_is_not() {
         assert!((griffith(s1, s3) / st - 1.0).abs() < 1e-12);
         let (psi, most) = worst(s1, s3, |sigma, tau| tau * tau - 4.0 * st * (sigma + st));
         assert!(most.abs() < 1e-6 * st * st, "{most}");
-        let angle = plane_angle(
-            &ROCK,
-            FractureMode::Griffith,
-            &plain(s1, 0.5 * (s1 + s3), s3),
-        );
+        let angle = plane_angle(&ROCK, FractureMode::Griffith, &plain(s1, 0.5 * (s1 + s3), s3));
         assert!((angle - psi).abs() < 1e-3, "{angle} {psi}");
         // Printed (14) with s1 - s2 depends on the stress that lies in the plane.
         let wrong = 0.5 * ((s1 - 0.5 * (s1 + s3)) / (2.0 * (s1 + s3))).acos();
@@ -111,10 +82,7 @@ fn griffith_is_continuous_and_the_printed_form_is_not() {
     let uniaxial = plane_angle(&ROCK, FractureMode::Griffith, &plain(8.0 * st, 0.0, 0.0));
     assert!((uniaxial.to_degrees() - 30.0).abs() < 1e-12);
     assert!(plane_angle(&ROCK, FractureMode::Griffith, &plain(3.0 * st, 0.0, -st)).abs() < 1e-7);
-    assert_eq!(
-        plane_angle(&ROCK, FractureMode::Griffith, &plain(st, 0.0, -st)),
-        0.0
-    );
+    assert_eq!(plane_angle(&ROCK, FractureMode::Griffith, &plain(st, 0.0, -st)), 0.0);
 }
 
 #[test]
@@ -168,45 +136,27 @@ fn criteria_and_margins() {
         let v = verdict(criterion, &none, 0.0, -5.1e6);
         assert!(v.cut() && v.mode == FractureMode::Tension && v.utilisation > 1.0);
         assert!(!verdict(criterion, &none, 0.0, -4.9e6).cut());
-        let early = Margins {
-            tension: 0.2e6,
-            shear: 0.0,
-        };
+        let early = Margins { tension: 0.2e6, shear: 0.0 };
         assert!(verdict(criterion, &early, 0.0, -4.9e6).cut());
     }
     // Compression: 30 MPa is over Mohr-Coulomb's 27.71 and below Griffith's 40.
-    assert_eq!(
-        verdict(Criterion::Source, &none, 30e6, 0.0).mode,
-        FractureMode::Shear
-    );
+    assert_eq!(verdict(Criterion::Source, &none, 30e6, 0.0).mode, FractureMode::Shear);
     assert!(verdict(Criterion::Source, &none, 30e6, 0.0).cut());
     assert!(verdict(Criterion::Source, &none, 27.72e6, 0.0).cut());
     assert!(!verdict(Criterion::Source, &none, 27.70e6, 0.0).cut());
-    let early = Margins {
-        tension: 0.0,
-        shear: 2e6,
-    };
+    let early = Margins { tension: 0.0, shear: 2e6 };
     assert!(verdict(Criterion::Source, &early, 21e6, 0.0).cut());
     assert!(!verdict(Criterion::Griffith, &none, 39e6, 0.0).cut());
     let v = verdict(Criterion::Griffith, &none, 41e6, 0.0);
     assert!(v.cut() && v.mode == FractureMode::Griffith);
-    assert_eq!(
-        verdict(Criterion::MohrCoulomb, &none, 0.0, -9e6).mode,
-        FractureMode::Shear
-    );
+    assert_eq!(verdict(Criterion::MohrCoulomb, &none, 0.0, -9e6).mode, FractureMode::Shear);
     // The gap of (17): s3 below -st with s1 + 3 s3 > 0.
-    let weak = Rock {
-        tension: 1e6,
-        ..ROCK
-    };
+    let weak = Rock { tension: 1e6, ..ROCK };
     let p = plain(5e6, 0.0, -1.2e6);
     assert!(!assess(&weak, Criterion::Source, &none, &p).cut());
     assert!(assess(&weak, Criterion::Larger, &none, &p).cut());
     // A margin above all strength cuts everything.
-    let all = Margins {
-        tension: 6e6,
-        shear: 9e6,
-    };
+    let all = Margins { tension: 6e6, shear: 9e6 };
     let v = assess(&ROCK, Criterion::Larger, &all, &plain(0.0, 0.0, 0.0));
     assert!(v.cut() && v.utilisation == f64::INFINITY);
 }
@@ -246,47 +196,31 @@ fn rotation_chooses_the_conjugate() {
         assert!((v.y.abs() - 0.5).abs() < 1e-12 && v.z.abs() < 1e-12);
         assert!((v.length() - 1.0).abs() < 1e-12);
     }
-    assert!(
-        (n.x * n.y + m.x * m.y).abs() < 1e-12 && n.x * n.y != 0.0,
-        "{n} {m}"
-    );
+    assert!((n.x * n.y + m.x * m.y).abs() < 1e-12 && n.x * n.y != 0.0, "{n} {m}");
     // Without rotation: always the same.
     let tie = cut_normal(&ROCK, FractureMode::Shear, &p, &turned(0.0), None);
-    assert_eq!(
-        tie,
-        cut_normal(&ROCK, FractureMode::Shear, &p, &turned(1e-16), None)
-    );
+    assert_eq!(tie, cut_normal(&ROCK, FractureMode::Shear, &p, &turned(1e-16), None));
     // The chosen plane slides more: its normal and that mirrored.
     let slide = |n: Vec3, w: f64| {
         let s = Vec3::new(n.y, -n.x, 0.0);
         let h = turned(w).map(Vec3::from_array);
-        s.dot(Vec3::new(h[0].dot(n), h[1].dot(n), h[2].dot(n)))
-            .abs()
+        s.dot(Vec3::new(h[0].dot(n), h[1].dot(n), h[2].dot(n))).abs()
     };
     assert!(slide(n, 1e-4) > slide(m, 1e-4));
 }
 
 #[test]
 fn equal_stresses_follow_the_hint() {
-    let p = Principal {
-        values: [30e6, 4.1e6, 4e6],
-        axes: [Vec3::Y, Vec3::X, Vec3::Z],
-    };
+    let p = Principal { values: [30e6, 4.1e6, 4e6], axes: [Vec3::Y, Vec3::X, Vec3::Z] };
     let hint = Vec3::new(0.3, 0.2, 1.0);
     let s = settle(&p, hint);
     let across = Vec3::new(0.3, 0.0, 1.0).normalize();
     assert!(s.axes[1].distance(across) < 1e-12 && s.axes[0] == Vec3::Y);
     assert!(s.axes[2].dot(across).abs() < 1e-12 && s.axes[2].y.abs() < 1e-12);
-    let apart = Principal {
-        values: [30e6, 15e6, 4e6],
-        ..p
-    };
+    let apart = Principal { values: [30e6, 15e6, 4e6], ..p };
     assert_eq!(settle(&apart, hint), apart);
     assert_eq!(settle(&p, Vec3::Y), p);
-    let upper = Principal {
-        values: [30e6, 29.9e6, -4e6],
-        ..p
-    };
+    let upper = Principal { values: [30e6, 29.9e6, -4e6], ..p };
     assert_eq!(settle(&upper, hint).axes[2], Vec3::Z);
     let n = cut_normal(&ROCK, FractureMode::Shear, &p, &[[0.0; 3]; 3], Some(hint));
     assert!(n.dot(across).abs() < 1e-12);

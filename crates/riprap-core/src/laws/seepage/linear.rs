@@ -143,11 +143,7 @@ impl Equations {
         let alpha = dot(&q, b) / qq;
         let r: Vec<f64> = b.iter().zip(&q).map(|(b, q)| b - alpha * q).collect();
         let is_enough = dot(&r, &r) <= ENOUGH * ENOUGH * dot(b, b);
-        let z = if is_enough {
-            Vec::new()
-        } else {
-            self.cycle(level, &r)
-        };
+        let z = if is_enough { Vec::new() } else { self.cycle(level, &r) };
         if is_enough {
             x.iter_mut().for_each(|x| *x *= alpha);
             return x;

@@ -88,19 +88,13 @@ impl Rows {
                 sizes.push(1);
             }
         }
-        Join {
-            of,
-            count: sizes.len(),
-        }
+        Join { of, count: sizes.len() }
     }
 
     /// The matrix of joined unknowns: sums of rows and columns.
     pub(super) fn joined(&self, join: &Join) -> Rows {
         let (starts, members) = join.members();
-        let mut out = Rows {
-            first: vec![0],
-            ..Rows::default()
-        };
+        let mut out = Rows { first: vec![0], ..Rows::default() };
         // Where the entry of a column is in the row at hand.
         let mut place = vec![NONE; join.count];
         for k in 0..join.count {
@@ -164,9 +158,6 @@ impl Join {
     /// First this, then another.
     pub(super) fn then(&self, other: &Join) -> Join {
         let after = |of: &u32| other.of.get(*of as usize).copied().unwrap_or(NONE);
-        Join {
-            of: self.of.iter().map(after).collect(),
-            count: other.count,
-        }
+        Join { of: self.of.iter().map(after).collect(), count: other.count }
     }
 }

@@ -252,9 +252,8 @@ impl<'a> Search<'a> {
     /// What flows out of each node more than in; nothing where the head is given.
     fn residual(&self) -> Vec<f64> {
         let water: Vec<Water> = (0..self.values.len()).map(|n| self.present(n)).collect();
-        let mut out: Vec<f64> = (0..self.values.len())
-            .map(|n| self.own(n, self.values[n])[0])
-            .collect();
+        let mut out: Vec<f64> =
+            (0..self.values.len()).map(|n| self.own(n, self.values[n])[0]).collect();
         for f in &self.falls {
             let rate = f.rate(water[f.upper], water[f.lower].pressure);
             out[f.upper] += rate;
@@ -325,8 +324,7 @@ impl<'a> Search<'a> {
             _ => self.own(n, self.values[n])[1],
         };
         let own: Vec<f64> = (0..nodes).map(own).collect();
-        self.equations
-            .fill(&weights, &own, |n| states[n] == State::Full);
+        self.equations.fill(&weights, &own, |n| states[n] == State::Full);
         let step = self.equations.solve(rest, tolerance);
         let mut same = true;
         for (n, step) in step.iter().enumerate() {
@@ -354,11 +352,7 @@ impl<'a> Search<'a> {
     fn sweep(&mut self, times: usize) {
         for k in 0..times {
             for n in 0..self.values.len() {
-                let n = if k % 2 == 0 {
-                    n
-                } else {
-                    self.values.len() - 1 - n
-                };
+                let n = if k % 2 == 0 { n } else { self.values.len() - 1 - n };
                 if !self.places[n].is_held {
                     self.values[n] = self.balanced(n);
                 }
@@ -401,11 +395,7 @@ impl<'a> Search<'a> {
                 low = v;
             }
             let next = v - out / slope;
-            v = if next > low && next < high {
-                next
-            } else {
-                0.5 * (low + high)
-            };
+            v = if next > low && next < high { next } else { 0.5 * (low + high) };
         }
         v
     }
@@ -431,20 +421,13 @@ impl<'a> Search<'a> {
                 State::Dry => (below - (1.0 - upper.share) * f.drop).min(0.0),
             };
             let rate = f.rate(upper, below);
-            (flow.ends[f.pipe], flow.rates[f.pipe]) = if f.is_first_upper {
-                ([above, below], rate)
-            } else {
-                ([below, above], -rate)
-            };
+            (flow.ends[f.pipe], flow.rates[f.pipe]) =
+                if f.is_first_upper { ([above, below], rate) } else { ([below, above], -rate) };
         }
         if self.most > 0.0 {
             for rest in self.residual() {
                 let missed = rest.abs() / self.most;
-                flow.left = flow.left.max(if missed.is_nan() {
-                    f64::INFINITY
-                } else {
-                    missed
-                });
+                flow.left = flow.left.max(if missed.is_nan() { f64::INFINITY } else { missed });
             }
         }
         flow
@@ -478,14 +461,9 @@ fn heads(network: &Network, reached: &[bool]) -> (f64, f64) {
         Edge::Head(head) => head.max(*z),
         Edge::Inside | Edge::Outlet(_) => *z,
     });
-    let (low, high) = heads.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| {
-        (low.min(h), high.max(h))
-    });
-    if high > low {
-        (high - low, high)
-    } else {
-        (1.0, high)
-    }
+    let (low, high) =
+        heads.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)));
+    if high > low { (high - low, high) } else { (1.0, high) }
 }
 
 fn size(rest: &[f64]) -> f64 {

@@ -65,11 +65,7 @@ pub fn sheet(rim: &[Rim], area: f64) -> Sheet {
     }
     let usual = 2.0 * squares / (n as f64 * area);
     let serves = low <= high;
-    let factor = if serves {
-        usual.clamp(low, high)
-    } else {
-        usual
-    };
+    let factor = if serves { usual.clamp(low, high) } else { usual };
     let mut matrix = Square::of(n, |i, j| {
         let own = if i == j { 1.0 } else { 0.0 };
         direct(i, j) + factor * (own + rest(i, j))
@@ -85,10 +81,7 @@ pub fn sheet(rim: &[Rim], area: f64) -> Sheet {
     let negative = all.iter().map(|p| p.2).filter(|c| *c < -NEARLY * largest);
     let lost = negative.sum::<f64>().abs() / whole.max(f64::MIN_POSITIVE);
     let kept = all.into_iter().filter(|p| p.2 > ROUND_OFF * largest);
-    Sheet {
-        pipes: kept.map(|(i, j, c)| (i as u16, j as u16, c)).collect(),
-        lost,
-    }
+    Sheet { pipes: kept.map(|(i, j, c)| (i as u16, j as u16, c)).collect(), lost }
 }
 
 /// A square matrix, by rows.
@@ -108,20 +101,14 @@ impl Square {
     }
 
     fn times(&self, other: &Self) -> Self {
-        Self::of(self.n, |i, j| {
-            (0..self.n).map(|k| self.at(i, k) * other.at(k, j)).sum()
-        })
+        Self::of(self.n, |i, j| (0..self.n).map(|k| self.at(i, k) * other.at(k, j)).sum())
     }
 
     /// Goes to the nearest matrix `fixed + free X free` whose entries beside the diagonal are not positive, by turns.
     fn project(&mut self, fixed: &Self, free: &Self) {
         for _ in 0..MOST_TURNS {
             let change = Self::of(self.n, |i, j| {
-                let clipped = if i == j {
-                    self.at(i, j)
-                } else {
-                    self.at(i, j).min(0.0)
-                };
+                let clipped = if i == j { self.at(i, j) } else { self.at(i, j).min(0.0) };
                 clipped - fixed.at(i, j)
             });
             let inside = free.times(&change).times(free);
@@ -168,10 +155,9 @@ mod tests {
         let n = corners.len();
         let next = |k: usize| corners[(k + 1) % n];
         let twice: f64 = (0..n).map(|k| corners[k].perp_dot(next(k))).sum();
-        let centre = (0..n)
-            .map(|k| (corners[k] + next(k)) * corners[k].perp_dot(next(k)))
-            .sum::<Vec2>()
-            / (3.0 * twice);
+        let centre =
+            (0..n).map(|k| (corners[k] + next(k)) * corners[k].perp_dot(next(k))).sum::<Vec2>()
+                / (3.0 * twice);
         let rim = (0..n).map(|k| Rim {
             middle: 0.5 * (corners[k] + next(k)) - centre,
             normal: -(next(k) - corners[k]).perp(),
@@ -209,12 +195,7 @@ mod tests {
         let shapes: [&[Vec2]; 5] = [
             &points([[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [0.0, 1.0]]),
             // 60 deg.
-            &points([
-                [0.0, 0.0],
-                [2.0, 0.0],
-                [3.0, 3.0f64.sqrt()],
-                [1.0, 3.0f64.sqrt()],
-            ]),
+            &points([[0.0, 0.0], [2.0, 0.0], [3.0, 3.0f64.sqrt()], [1.0, 3.0f64.sqrt()]]),
             // Acute.
             &points([[0.0, 0.0], [1.0, 0.1], [0.4, 0.9]]),
             // A side of a square that two stretches share.
@@ -223,10 +204,7 @@ mod tests {
         ];
         for corners in shapes {
             let (error, sheet) = error(corners);
-            assert!(
-                error < 1e-5 && sheet.lost == 0.0,
-                "{error:e} {corners:?} {sheet:?}"
-            );
+            assert!(error < 1e-5 && sheet.lost == 0.0, "{error:e} {corners:?} {sheet:?}");
             assert!(corners.len() > 4 || error < 1e-12, "{error:e} {corners:?}");
         }
     }

@@ -1,10 +1,7 @@
 use super::*;
 
 fn pipe(a: u32, b: u32, conductance: f64) -> Pipe {
-    Pipe {
-        ends: [a, b],
-        conductance,
-    }
+    Pipe { ends: [a, b], conductance }
 }
 
 /// Three joints each way: lines 0, 1, 2 from left to right with unit conductance for each of four stretches, upright ones between them.
@@ -25,11 +22,7 @@ fn lattice(closed: Option<usize>) -> Network {
         4 => Edge::Head(0.0),
         _ => Edge::Inside,
     };
-    Network {
-        heights: vec![-10.0; 15],
-        edges: (0..15).map(edge).collect(),
-        pipes,
-    }
+    Network { heights: vec![-10.0; 15], edges: (0..15).map(edge).collect(), pipes }
 }
 
 /// What comes in on the left.
@@ -50,12 +43,7 @@ fn a_network_of_joints_carries_what_kirchhoff_says() {
 fn a_part_that_no_water_reaches_is_dry() {
     let network = Network {
         heights: vec![0.0, 1.0, 2.0, 3.0],
-        edges: vec![
-            Edge::Head(5.0),
-            Edge::Inside,
-            Edge::Inside,
-            Edge::Outlet(3.0),
-        ],
+        edges: vec![Edge::Head(5.0), Edge::Inside, Edge::Inside, Edge::Outlet(3.0)],
         pipes: vec![pipe(0, 1, 1.0), pipe(2, 3, 1.0)],
     };
     let flow = network.steady();
@@ -135,16 +123,12 @@ fn standing_water_is_level() {
     let (mut network, _) = dam(20);
     let mut random = 1u64;
     for pipe in &mut network.pipes {
-        random = random
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         pipe.conductance *= 0.1 + (random >> 33) as f64 / 2e8;
     }
     for (edge, z) in network.edges.iter_mut().zip(&mut network.heights) {
         // Nodes lie beside the levels of the lattice.
-        random = random
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         *z += 0.2 * (random >> 33) as f64 / (1u64 << 31) as f64;
         *edge = match *edge {
             Edge::Inside => Edge::Inside,
@@ -173,9 +157,7 @@ fn unlike(n: usize, seed: u64) -> Network {
     let (mut network, _) = dam(n);
     let mut random = seed;
     let mut draw = || {
-        random = random
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1);
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
         (random >> 33) as f64 / (1u64 << 31) as f64
     };
     for pipe in &mut network.pipes {
@@ -197,12 +179,7 @@ fn unlike_joints_have_an_answer() {
     for (n, seed) in small.chain([(20, 6), (40, 4)]) {
         let network = unlike(n, seed);
         let flow = network.steady();
-        assert!(
-            flow.is_found(),
-            "{seed}: {} after {}",
-            flow.left,
-            flow.turns
-        );
+        assert!(flow.is_found(), "{seed}: {} after {}", flow.left, flow.turns);
         assert!(flow.turns < 150, "{seed}: {} turns", flow.turns);
         let mut out = vec![0.0; network.heights.len()];
         for (pipe, rate) in network.pipes.iter().zip(&flow.rates) {
@@ -247,12 +224,7 @@ fn a_bowl_overflows() {
     // Reservoir, bowl, rim, outlet.
     let network = Network {
         heights: vec![3.0, 0.0, 2.0, 1.0],
-        edges: vec![
-            Edge::Head(5.0),
-            Edge::Inside,
-            Edge::Inside,
-            Edge::Outlet(1.0),
-        ],
+        edges: vec![Edge::Head(5.0), Edge::Inside, Edge::Inside, Edge::Outlet(1.0)],
         pipes: vec![pipe(0, 1, 1.0), pipe(1, 2, 100.0), pipe(2, 3, 100.0)],
     };
     let flow = network.steady();
@@ -271,11 +243,7 @@ fn time_of_many_joints() {
         let begin = std::time::Instant::now();
         let flow = network.steady();
         let pipes = network.pipes.len();
-        println!(
-            "{pipes} joints: {} turns, {:?}",
-            flow.turns,
-            begin.elapsed()
-        );
+        println!("{pipes} joints: {} turns, {:?}", flow.turns, begin.elapsed());
         assert!(flow.is_found());
     }
 }

@@ -25,11 +25,7 @@ impl Stiffness {
     pub fn new(mesh: &Tetrahedra, law: &Elastic) -> Self {
         let size = 3 * mesh.nodes.len();
         let packets = size.div_ceil(LANES);
-        let mut all = Self {
-            columns: vec![Lanes::default(); size * packets],
-            packets,
-            size,
-        };
+        let mut all = Self { columns: vec![Lanes::default(); size * packets], packets, size };
         entries(mesh, law, |row, column, block| {
             all.add([row, column], block);
         });
@@ -157,13 +153,9 @@ pub fn row_sums(mesh: &Tetrahedra, law: &Elastic) -> Vec<f64> {
             }
         }
     });
-    let sums: Vec<f64> = matrix
-        .chunks_exact(size)
-        .map(|row| row.iter().map(|x| x.abs()).sum())
-        .collect();
-    sums.chunks_exact(3)
-        .map(|xyz| xyz[0].max(xyz[1]).max(xyz[2]))
-        .collect()
+    let sums: Vec<f64> =
+        matrix.chunks_exact(size).map(|row| row.iter().map(|x| x.abs()).sum()).collect();
+    sums.chunks_exact(3).map(|xyz| xyz[0].max(xyz[1]).max(xyz[2])).collect()
 }
 
 /// Visits the contributions of all tetrahedra: nodes of row and column, their block of the matrix.
@@ -179,11 +171,7 @@ fn entries(mesh: &Tetrahedra, law: &Elastic, mut add: impl FnMut(u32, u32, Mat3)
                     value[j] += dot;
                     *volume * value
                 };
-                add(
-                    tet[a],
-                    tet[b],
-                    Mat3::from_cols(column(0), column(1), column(2)),
-                );
+                add(tet[a], tet[b], Mat3::from_cols(column(0), column(1), column(2)));
             }
         }
     }

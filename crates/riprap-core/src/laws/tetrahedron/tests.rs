@@ -11,18 +11,12 @@ fn law() -> Elastic {
 }
 
 fn cube() -> Tetrahedra {
-    Tetrahedra::new(&Polyhedron::brick(
-        Vec3::splat(0.1),
-        Vec3::new(0.015, 0.02, 0.01),
-    ))
-    .unwrap()
+    Tetrahedra::new(&Polyhedron::brick(Vec3::splat(0.1), Vec3::new(0.015, 0.02, 0.01))).unwrap()
 }
 
 /// Numbers in -0.5 to 0.5, always the same.
 fn noise(state: &mut u64) -> f64 {
-    *state = state
-        .wrapping_mul(6364136223846793005)
-        .wrapping_add(1442695040888963407);
+    *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
     (*state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
 }
 
@@ -43,22 +37,12 @@ fn field(mesh: &Tetrahedra, mut u: impl FnMut(Vec3) -> Vec3) -> Vec<[f64; 3]> {
 
 fn random(mesh: &Tetrahedra, size: f64, seed: u64) -> Vec<[f64; 3]> {
     let mut state = seed;
-    field(mesh, |_| {
-        size * Vec3::new(noise(&mut state), noise(&mut state), noise(&mut state))
-    })
+    field(mesh, |_| size * Vec3::new(noise(&mut state), noise(&mut state), noise(&mut state)))
 }
 
 fn run(groups: &Groups, strain: Strain, u: &[[f64; 3]], width: Width) -> Vec<[f64; 3]> {
     let mut f = vec![[0.0; 3]; u.len()];
-    forces(
-        width,
-        groups,
-        &law(),
-        strain,
-        &StartStress::default(),
-        u,
-        &mut f,
-    );
+    forces(width, groups, &law(), strain, &StartStress::default(), u, &mut f);
     f
 }
 
@@ -124,9 +108,7 @@ fn uniform_strain_gives_hookes_stress_and_no_force_inside() {
     let mesh = stone(5, 12);
     let groups = Groups::new(&mesh);
     let h = [[1e-4, 2e-4, 0.0], [-1e-4, 3e-4, 5e-5], [2e-5, 0.0, -2e-4]];
-    let u = field(&mesh, |x| {
-        Vec3::from_array(h.map(|row| Vec3::from_array(row).dot(x)))
-    });
+    let u = field(&mesh, |x| Vec3::from_array(h.map(|row| Vec3::from_array(row).dot(x))));
     let none = StartStress::default();
     let (s, slope) = groups.average(&law(), Strain::Small, &none, &u);
     let Elastic { lambda, mu } = law();
@@ -177,9 +159,8 @@ fn forces_are_the_slope_of_the_energy() {
     let mesh = cube();
     let groups = Groups::new(&mesh);
     let u = random(&mesh, 1e-3, 11);
-    let stresses: Vec<Symmetric> = (0..groups.tets())
-        .map(|k| [1e6 * k as f64, 2e6, -3e6, 1e5, -4e5, 7e5])
-        .collect();
+    let stresses: Vec<Symmetric> =
+        (0..groups.tets()).map(|k| [1e6 * k as f64, 2e6, -3e6, 1e5, -4e5, 7e5]).collect();
     let start = StartStress::new(&stresses);
     for strain in [Strain::Small, Strain::Large] {
         let mut f = vec![[0.0; 3]; u.len()];
@@ -221,10 +202,8 @@ fn a_turned_block_has_no_large_strain_and_balanced_moments() {
         .collect();
     let still = run(&groups, Strain::Large, &noise, Width::detect());
     let turned = run(&groups, Strain::Large, &both, Width::detect());
-    let expected: Vec<[f64; 3]> = still
-        .iter()
-        .map(|f| (turn * Vec3::from_array(*f)).to_array())
-        .collect();
+    let expected: Vec<[f64; 3]> =
+        still.iter().map(|f| (turn * Vec3::from_array(*f)).to_array()).collect();
     assert!(apart(&turned, &expected) < 1e-11);
     let (mut sum, mut moment) = (Vec3::ZERO, Vec3::ZERO);
     for ((x, u), f) in mesh.nodes.iter().zip(&both).zip(&turned) {
@@ -249,24 +228,14 @@ fn a_spinning_cube_keeps_its_size_and_angular_momentum() {
     let mut u = vec![Vec3::ZERO; 15];
     let mut v: Vec<Vec3> = mesh.nodes.iter().map(|x| omega.cross(*x)).collect();
     let spin = |u: &[Vec3], v: &[Vec3]| -> Vec3 {
-        (0..15)
-            .map(|k| (mesh.nodes[k] + u[k]).cross(masses[k] * v[k]))
-            .sum()
+        (0..15).map(|k| (mesh.nodes[k] + u[k]).cross(masses[k] * v[k])).sum()
     };
     let before = spin(&u, &v);
     for _ in 0..steps {
         let flat: Vec<[f64; 3]> = u.iter().map(Vec3::to_array).collect();
         let mut f = vec![[0.0; 3]; 15];
         let none = StartStress::default();
-        forces(
-            Width::detect(),
-            &groups,
-            &law,
-            Strain::Large,
-            &none,
-            &flat,
-            &mut f,
-        );
+        forces(Width::detect(), &groups, &law, Strain::Large, &none, &flat, &mut f);
         for k in 0..15 {
             v[k] += dt / masses[k] * Vec3::from_array(f[k]);
             u[k] += dt * v[k];

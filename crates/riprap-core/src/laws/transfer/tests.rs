@@ -5,9 +5,7 @@ use crate::geom::polyhedron::Polyhedron;
 use crate::geom::polyhedron::cut::{Limits, Planes, cut};
 
 fn noise(state: &mut u64) -> f64 {
-    *state = state
-        .wrapping_mul(6364136223846793005)
-        .wrapping_add(1442695040888963407);
+    *state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
     (*state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
 }
 
@@ -64,11 +62,7 @@ fn momenta_are_kept_and_no_energy_is_made() {
         let places: Vec<Place> = at.iter().map(|x| location.locate(*x)).collect();
         for inertial in [true, false] {
             let masses = |mesh: &Tetrahedra| {
-                let shares = if inertial {
-                    mesh.inertial()
-                } else {
-                    mesh.lumped()
-                };
+                let shares = if inertial { mesh.inertial() } else { mesh.lumped() };
                 shares.into_iter().map(|s| 2400.0 * s).collect::<Vec<f64>>()
             };
             let before = motion(&masses(&parent), &parent.nodes, &v);
@@ -90,10 +84,7 @@ fn momenta_are_kept_and_no_energy_is_made() {
         }
     }
     assert!(worst <= 1.005, "{worst}");
-    assert!(
-        lumped_worst > 1.01,
-        "plain lumped masses would do: {lumped_worst}"
-    );
+    assert!(lumped_worst > 1.01, "plain lumped masses would do: {lumped_worst}");
 }
 
 /// The mean of any stress stays; a linear one stays linear, with a little less slope than it had.
@@ -102,11 +93,8 @@ fn the_mean_stress_stays() {
     let mut state = 9;
     for _ in 0..10 {
         let (parent, parts) = random_cut(&mut state);
-        let rough: Vec<Symmetric> = parent
-            .tets
-            .iter()
-            .map(|_| [0; 6].map(|_| noise(&mut state)))
-            .collect();
+        let rough: Vec<Symmetric> =
+            parent.tets.iter().map(|_| [0; 6].map(|_| noise(&mut state))).collect();
         let total = |mesh: &Tetrahedra, stresses: &[Symmetric], k: usize| -> f64 {
             let pairs = mesh.volumes.iter().zip(stresses);
             pairs.map(|(v, s)| v * s[k]).sum()
@@ -145,18 +133,12 @@ fn mean_stresses_never_gain_energy() {
         for _ in 0..40 {
             let (parent, parts) = random_cut(&mut state);
             let groups = Groups::new(&parent);
-            let u: Vec<[f64; 3]> = parent
-                .nodes
-                .iter()
-                .map(|_| (1e-5 * vector(&mut state)).to_array())
-                .collect();
+            let u: Vec<[f64; 3]> =
+                parent.nodes.iter().map(|_| (1e-5 * vector(&mut state)).to_array()).collect();
             let none = StartStress::default();
             let old = stresses(&groups, &law, strain, &none, &u);
             let energy = |s: &[Symmetric], v: &[f64]| -> f64 {
-                s.iter()
-                    .zip(v)
-                    .map(|(s, v)| v * stress_energy(&law, s))
-                    .sum()
+                s.iter().zip(v).map(|(s, v)| v * stress_energy(&law, s)).sum()
             };
             let before = energy(&old, &parent.volumes);
             assert!((before / groups.energy(&law, strain, &none, &u) - 1.0).abs() < 1e-12);
@@ -165,11 +147,8 @@ fn mean_stresses_never_gain_energy() {
             let location = PointLocation::new(&parent);
             for part in &parts {
                 let groups = Groups::new(part);
-                let new_u: Vec<[f64; 3]> = part
-                    .nodes
-                    .iter()
-                    .map(|x| interpolate(&location.locate(*x), &u))
-                    .collect();
+                let new_u: Vec<[f64; 3]> =
+                    part.nodes.iter().map(|x| interpolate(&location.locate(*x), &u)).collect();
                 let wanted = field.means(part);
                 let start = start_stresses(&groups, &law, strain, &new_u, &wanted);
                 let carried = stresses(&groups, &law, strain, &start, &new_u);

@@ -49,9 +49,8 @@ impl Grid {
     pub fn steepest(&self) -> f64 {
         let infinite = [f64::NEG_INFINITY, f64::INFINITY].map(|v| [v; 2]);
         let pieces = self.pieces(infinite[0], infinite[1]);
-        let slopes = pieces
-            .iter()
-            .map(|p| (p.slope[0] * p.slope[0] + p.slope[1] * p.slope[1]).sqrt());
+        let slopes =
+            pieces.iter().map(|p| (p.slope[0] * p.slope[0] + p.slope[1] * p.slope[1]).sqrt());
         slopes.fold(0.0, f64::max)
     }
 
@@ -101,20 +100,12 @@ impl Grid {
             bounds.push([0.0, -1.0, c.y]);
         }
         let rise = |from: Vec3, to: Vec3, run: f64| {
-            if run > 0.0 {
-                (to.z - from.z) / run
-            } else {
-                0.0
-            }
+            if run > 0.0 { (to.z - from.z) / run } else { 0.0 }
         };
         let (dx, dy) = (c.x - a.x, c.y - a.y);
         if i0 == i1 || j0 == j1 {
             let slope = [rise(a, b, dx), rise(a, d, dy)];
-            out.push(Piece {
-                bounds,
-                corner: a,
-                slope,
-            });
+            out.push(Piece { bounds, corner: a, slope });
             return;
         }
         // To the right of the diagonal from `from` to `to` and to its left.
@@ -130,11 +121,7 @@ impl Grid {
         for (sign, slope) in [(1.0, right), (-1.0, left)] {
             let mut bounds = bounds.clone();
             bounds.push(side.map(|v| sign * v));
-            out.push(Piece {
-                bounds,
-                corner: from,
-                slope,
-            });
+            out.push(Piece { bounds, corner: from, slope });
         }
     }
 
@@ -177,10 +164,8 @@ impl Grid {
         volume: f64,
         faces: Faces<'_>,
     ) -> (Vec3, Vec3) {
-        let (low, high) = (
-            [centre.x - radius, centre.y - radius],
-            [centre.x + radius, centre.y + radius],
-        );
+        let (low, high) =
+            ([centre.x - radius, centre.y - radius], [centre.x + radius, centre.y + radius]);
         let pieces = self.pieces(low, high);
         if let [piece] = pieces.as_slice() {
             let [p, q] = piece.slope;

@@ -14,14 +14,7 @@ fn table(points: &[[f64; 2]]) -> WaterTable {
 
 /// A concave polygon (an L), from its centroid, and its area.
 fn ell() -> (Vec<Vec2>, f64) {
-    let outline = [
-        [0.0, 0.0],
-        [3.0, 0.0],
-        [3.0, 1.0],
-        [1.0, 1.0],
-        [1.0, 4.0],
-        [0.0, 4.0],
-    ];
+    let outline = [[0.0, 0.0], [3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 4.0], [0.0, 4.0]];
     let corners = outline.map(Vec2::from);
     let (area, centroid) = wet_part(&corners, [f64::NEG_INFINITY, f64::INFINITY], 0.0, 100.0);
     assert!((area - 6.0).abs() < 1e-14);
@@ -30,15 +23,7 @@ fn ell() -> (Vec<Vec2>, f64) {
 
 fn on(table: &WaterTable, corners: &[Vec2], area: f64, centre: Vec2) -> (Vec2, f64) {
     let radius = corners.iter().map(|c| c.length()).fold(0.0, f64::max);
-    table.on_polygon(
-        G,
-        centre,
-        radius,
-        area,
-        corners.len(),
-        |k| corners[k],
-        &|r| centre + r,
-    )
+    table.on_polygon(G, centre, radius, area, corners.len(), |k| corners[k], &|r| centre + r)
 }
 
 /// Force and moment by many thin pieces of the edges.
@@ -61,14 +46,7 @@ fn by_edges(table: &WaterTable, corners: &[Vec2], centre: Vec2) -> (Vec2, f64) {
 #[test]
 fn the_table_is_found_at_any_distance() {
     let table = table(&[[0.0, 1.0], [2.0, 5.0], [3.0, 4.0]]);
-    let heights = [
-        (-9.0, 1.0),
-        (0.0, 1.0),
-        (1.0, 3.0),
-        (2.0, 5.0),
-        (2.5, 4.5),
-        (7.0, 4.0),
-    ];
+    let heights = [(-9.0, 1.0), (0.0, 1.0), (1.0, 3.0), (2.0, 5.0), (2.5, 4.5), (7.0, 4.0)];
     for (x, h) in heights {
         assert_eq!(table.height(x), h, "at {x}");
     }
@@ -88,34 +66,20 @@ fn what_is_under_level_water_loses_the_weight_of_the_water() {
         assert!((force - Vec2::new(0.0, 1000.0 * G * area)).length() < 1e-12 * force.length());
         assert!(moment.abs() < 1e-12 * force.length());
     }
-    assert_eq!(
-        on(&level, &corners, area, Vec2::new(0.0, 10.5)).0,
-        Vec2::ZERO
-    );
+    assert_eq!(on(&level, &corners, area, Vec2::new(0.0, 10.5)).0, Vec2::ZERO);
 }
 
 #[test]
 fn the_push_is_the_sum_of_the_pressures_on_the_edges() {
     let (corners, area) = ell();
     let bent = table(&[[-1.0, 0.5], [0.4, 0.2], [1.3, 2.0], [4.0, 1.0]]);
-    for (x, y, turn) in [
-        (0.0, 0.0, 0.0),
-        (0.7, 0.3, 0.4),
-        (-1.5, -0.4, 2.0),
-        (2.0, -3.0, -0.7),
-    ] {
-        let turned: Vec<Vec2> = corners
-            .iter()
-            .map(|c| Vec2::from_angle(turn).rotate(*c))
-            .collect();
+    for (x, y, turn) in [(0.0, 0.0, 0.0), (0.7, 0.3, 0.4), (-1.5, -0.4, 2.0), (2.0, -3.0, -0.7)] {
+        let turned: Vec<Vec2> = corners.iter().map(|c| Vec2::from_angle(turn).rotate(*c)).collect();
         let centre = Vec2::new(x, y);
         let (force, moment) = on(&bent, &turned, area, centre);
         let (expected, about) = by_edges(&bent, &turned, centre);
         let scale = expected.length();
-        assert!(
-            (force - expected).length() < 1e-6 * scale,
-            "{force} {expected}"
-        );
+        assert!((force - expected).length() < 1e-6 * scale, "{force} {expected}");
         assert!((moment - about).abs() < 1e-6 * scale, "{moment} {about}");
     }
 }
@@ -213,14 +177,9 @@ fn a_long_brick_across_the_table_is_pushed_as_its_section() {
 /// Nodes of a grid on a plane, and one that bends.
 fn grid(height: impl Fn(f64, f64) -> f64) -> WaterTable {
     let (x, y) = (vec![-3.0, -1.0, 0.3, 2.0, 4.0], vec![-2.0, 0.1, 1.0, 3.0]);
-    let z = y
-        .iter()
-        .flat_map(|y| x.iter().map(|x| height(*x, *y)).collect::<Vec<_>>());
+    let z = y.iter().flat_map(|y| x.iter().map(|x| height(*x, *y)).collect::<Vec<_>>());
     let z = z.collect();
-    WaterTable {
-        grid: Some(Box::new(Grid { x, y, z })),
-        ..table(&[])
-    }
+    WaterTable { grid: Some(Box::new(Grid { x, y, z })), ..table(&[]) }
 }
 
 #[test]
@@ -231,26 +190,14 @@ fn heights_on_a_plane_are_those_of_a_slope() {
     let steep = 0.13_f64.sqrt();
     let mut slope = table(&[[-60.0, 1.0 - 60.0 * steep], [60.0, 1.0 + 60.0 * steep]]);
     slope.along = [0.3 / steep, -0.2 / steep];
-    for centre in [
-        Vec3::new(0.5, 0.4, 1.0),
-        Vec3::new(1.0, 0.5, -9.0),
-        Vec3::new(0.0, 0.0, 9.0),
-    ] {
+    for centre in [Vec3::new(0.5, 0.4, 1.0), Vec3::new(1.0, 0.5, -9.0), Vec3::new(0.0, 0.0, 9.0)] {
         let (force, moment) = on_faces(&plane, &faces, 3.0, centre);
         let (expected, about) = on_faces(&slope, &faces, 3.0, centre);
-        assert!(
-            (force - expected).length() < 1e-11 * 3e4,
-            "{force} {expected}"
-        );
+        assert!((force - expected).length() < 1e-11 * 3e4, "{force} {expected}");
         assert!((moment - about).length() < 1e-11 * 3e4, "{moment} {about}");
     }
     // Beyond the rim it goes on as the nearest place of the rim.
-    for (x, y, height) in [
-        (0.0, 0.0, 1.0),
-        (9.0, 0.5, 2.1),
-        (9.0, -7.0, 2.6),
-        (1.0, 5.0, 0.7),
-    ] {
+    for (x, y, height) in [(0.0, 0.0, 1.0), (9.0, 0.5, 2.1), (9.0, -7.0, 2.6), (1.0, 5.0, 0.7)] {
         assert!((plane.level(x, y) - height).abs() < 1e-12, "{x} {y}");
     }
 }
@@ -280,19 +227,12 @@ fn a_bent_grid_presses_by_the_depth_below_it() {
     let turn = riprap_geom::Quat::from_scaled_axis(Vec3::new(0.4, -0.7, 1.1));
     let half = Vec3::new(1.0, 0.5, 0.75);
     let bent = grid(|x, y| 1.0 + 0.2 * x * y - 0.1 * x * x);
-    for centre in [
-        Vec3::new(0.5, 0.4, 0.8),
-        Vec3::new(3.5, 2.5, 0.0),
-        Vec3::new(-1.0, 0.2, 0.3),
-    ] {
+    for centre in [Vec3::new(0.5, 0.4, 0.8), Vec3::new(3.5, 2.5, 0.0), Vec3::new(-1.0, 0.2, 0.3)] {
         let faces = brick(half, turn);
         let (force, moment) = on_faces(&bent, &faces, 3.0, centre);
         let (expected, about) = by_faces(&bent, half, turn, centre);
         assert!(expected.length() > 1e3);
-        assert!(
-            (force - expected).length() < 1e-4 * 3e4,
-            "{force} {expected}"
-        );
+        assert!((force - expected).length() < 1e-4 * 3e4, "{force} {expected}");
         assert!((moment - about).length() < 1e-4 * 3e4, "{moment} {about}");
         // And so do its triangles.
         let (mut sum, mut turning) = (Vec3::ZERO, Vec3::ZERO);
@@ -322,14 +262,8 @@ fn tables_act_where_they_say() {
     let (upper, lower) = (table(&[[0.0, 2.0]]), table(&[[-9.0, 0.0], [9.0, 1.8]]));
     let both = WaterTable {
         parts: vec![
-            WaterTable {
-                zone: zone(0.5, 50.0),
-                ..upper
-            },
-            WaterTable {
-                zone: zone(-50.0, 0.4),
-                ..lower
-            },
+            WaterTable { zone: zone(0.5, 50.0), ..upper },
+            WaterTable { zone: zone(-50.0, 0.4), ..lower },
         ],
         ..WaterTable::default()
     };
@@ -340,10 +274,7 @@ fn tables_act_where_they_say() {
         let centre = Vec3::new(0.5, 0.4, z);
         let (force, moment) = on_faces(&both, &faces, 3.0, centre);
         let (expected, about) = by_faces(&both, half, turn, centre);
-        assert!(
-            (force - expected).length() < 2e-3 * 3e4,
-            "{force} {expected}"
-        );
+        assert!((force - expected).length() < 2e-3 * 3e4, "{force} {expected}");
         assert!((moment - about).length() < 2e-3 * 3e4, "{moment} {about}");
         let mut sum = Vec3::ZERO;
         for face in &faces {
@@ -360,10 +291,7 @@ fn tables_act_where_they_say() {
         let centre = Vec2::new(0.3, y);
         let (force, moment) = on(&both, &corners, area, centre);
         let (expected, about) = by_edges(&both, &corners, centre);
-        assert!(
-            (force - expected).length() < 1e-3 * 6e4,
-            "{force} {expected}"
-        );
+        assert!((force - expected).length() < 1e-3 * 6e4, "{force} {expected}");
         assert!((moment - about).abs() < 1e-3 * 6e4, "{moment} {about}");
     }
 }
@@ -372,10 +300,7 @@ fn tables_act_where_they_say() {
 #[test]
 fn both_sides_of_a_joint_go_on_with_one_table() {
     let table = WaterTable {
-        zone: Some(Zone {
-            low: Vec3::new(-9.0, -9.0, -1e-6),
-            high: Vec3::splat(9.0),
-        }),
+        zone: Some(Zone { low: Vec3::new(-9.0, -9.0, -1e-6), high: Vec3::splat(9.0) }),
         ..table(&[[0.0, 4.0]])
     };
     let level =
@@ -384,9 +309,7 @@ fn both_sides_of_a_joint_go_on_with_one_table() {
     let sunk = |by: f64| {
         let each = |each: &mut dyn FnMut(&[Vec3])| below.iter().for_each(|face| each(face));
         let at_start = |r: Vec3| r;
-        table
-            .on_polyhedron(G, Vec3::new(0.0, 0.0, -by), 2.0, 1.0, each, &at_start)
-            .0
+        table.on_polyhedron(G, Vec3::new(0.0, 0.0, -by), 2.0, 1.0, each, &at_start).0
     };
     assert!((sunk(0.0).z + 4.0 * 4000.0 * G).abs() < 1e-6);
     assert!((sunk(0.01).z + 4.0 * 4010.0 * G).abs() < 1e-6);
@@ -416,13 +339,7 @@ fn triangles_of_a_surface_add_up_to_what_its_faces_get() {
             }
         }
         let scale = 3e4;
-        assert!(
-            (force - expected).length() < 1e-11 * scale,
-            "{force} {expected}"
-        );
-        assert!(
-            (moment - about).length() < 1e-11 * scale,
-            "{moment} {about}"
-        );
+        assert!((force - expected).length() < 1e-11 * scale, "{force} {expected}");
+        assert!((moment - about).length() < 1e-11 * scale, "{moment} {about}");
     }
 }

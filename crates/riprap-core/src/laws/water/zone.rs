@@ -43,11 +43,7 @@ impl Zone {
         }
         let misses =
             (centre + reach).cmplt(self.low).any() || (centre - reach).cmpgt(self.high).any();
-        if misses {
-            Share::Nothing
-        } else {
-            Share::Part(*self)
-        }
+        if misses { Share::Nothing } else { Share::Part(*self) }
     }
 
     /// The part of a flat convex polygon that lay in it at the start.
@@ -68,10 +64,9 @@ impl Zone {
     #[must_use]
     pub fn shares(&self, from: Vec2, to: Vec2) -> [f64; 2] {
         let (mut s, mut t) = (0.0_f64, 1.0_f64);
-        for (low, high, a, b) in [
-            (self.low.x, self.high.x, from.x, to.x),
-            (self.low.z, self.high.z, from.y, to.y),
-        ] {
+        for (low, high, a, b) in
+            [(self.low.x, self.high.x, from.x, to.x), (self.low.z, self.high.z, from.y, to.y)]
+        {
             let run = b - a;
             // Along a bound it is in or out as a whole.
             if run == 0.0 {

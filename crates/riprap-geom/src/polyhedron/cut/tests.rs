@@ -12,9 +12,8 @@ fn direction(chance: &mut Chance) -> Vec3 {
 
 fn stone(chance: &mut Chance) -> Polyhedron {
     let corners = chance.whole(5, 16);
-    let points: Vec<Vec3> = (0..corners)
-        .map(|_| direction(chance) + Vec3::new(3.0, -2.0, 1.0))
-        .collect();
+    let points: Vec<Vec3> =
+        (0..corners).map(|_| direction(chance) + Vec3::new(3.0, -2.0, 1.0)).collect();
     hull(&points).unwrap()
 }
 
@@ -22,9 +21,7 @@ fn stone(chance: &mut Chance) -> Polyhedron {
 fn part(solid: &Polyhedron) -> Part {
     Part {
         solid: solid.clone(),
-        origins: (0..solid.faces.len() as u32)
-            .map(FaceOrigin::Parent)
-            .collect(),
+        origins: (0..solid.faces.len() as u32).map(FaceOrigin::Parent).collect(),
         mesh: Tetrahedra::new(solid).unwrap(),
     }
 }
@@ -67,17 +64,10 @@ fn plane(family: Family, solid: &Polyhedron, chance: &mut Chance) -> (Vec3, f64)
         Family::Vertex => through(direction(chance), any(chance)),
         Family::Edge | Family::ThreeVertices => {
             let (p, q) = (any(chance), any(chance));
-            let r = if family == Family::Edge {
-                centre + 0.3 * direction(chance)
-            } else {
-                any(chance)
-            };
+            let r =
+                if family == Family::Edge { centre + 0.3 * direction(chance) } else { any(chance) };
             let n = (q - p).cross(r - p).normalize_or_zero();
-            if n == Vec3::ZERO {
-                through(Vec3::X, p)
-            } else {
-                through(n, p)
-            }
+            if n == Vec3::ZERO { through(Vec3::X, p) } else { through(n, p) }
         }
         Family::OnFace => solid.plane(chance.whole(0, solid.faces.len() - 1)),
         Family::NearFace => {
@@ -116,10 +106,7 @@ fn cut_many(count: usize, seed: u64, families: &[Family]) -> Tally {
     let mut cuts = 0;
     while cuts < count {
         let mut at = if chance.unit() < 0.3 {
-            part(&Polyhedron::brick(
-                Vec3::splat(0.7),
-                Vec3::new(1.0, 1.0, 1.5),
-            ))
+            part(&Polyhedron::brick(Vec3::splat(0.7), Vec3::new(1.0, 1.0, 1.5)))
         } else {
             part(&stone(&mut chance))
         };
@@ -129,9 +116,7 @@ fn cut_many(count: usize, seed: u64, families: &[Family]) -> Tally {
             let snap = least_snap(&at.solid);
             cuts += 1;
             let phi = || at.solid.vertices.iter().map(|v| n.dot(*v) - d);
-            let depth = phi()
-                .fold(0.0, f64::max)
-                .min(phi().map(|p| -p).fold(0.0, f64::max));
+            let depth = phi().fold(0.0, f64::max).min(phi().map(|p| -p).fold(0.0, f64::max));
             let Ok([below, above]) = halve(&at, n, d, snap, 0) else {
                 tally.refused += usize::from(depth > 1e-6);
                 continue;
@@ -178,10 +163,7 @@ fn planes_at_any_distance_from_vertices_and_faces() {
 #[test]
 fn slivers_are_refused() {
     let cube = Polyhedron::brick(Vec3::ZERO, Vec3::ONE);
-    let limits = Limits {
-        snap: 0.0,
-        sliver: 1e-3,
-    };
+    let limits = Limits { snap: 0.0, sliver: 1e-3 };
     let at = Vec3::new(0.0, 0.0, -0.999);
     let planes = Planes::Anchored { count: 1, at };
     // Dropped: too near the end.
@@ -193,10 +175,7 @@ fn slivers_are_refused() {
     let planes = Planes::Anchored { count: 1, at };
     let parts = cut(&cube, n, planes, &limits).unwrap();
     assert_eq!(parts.offsets.len(), 1);
-    let strict = Limits {
-        sliver: 0.01,
-        ..limits
-    };
+    let strict = Limits { sliver: 0.01, ..limits };
     let parts = cut(&cube, n, planes, &strict).unwrap();
     assert_eq!((parts.parts.len(), parts.refused.len()), (1, 1));
 }
@@ -256,13 +235,7 @@ fn anchored_planes_go_through_the_point() {
     let limits = Limits::default();
     let at = Vec3::new(0.3, 0.0, 0.25);
     let made = |count| {
-        cut(
-            &brick,
-            Vec3::new(0.0, 0.0, 5.0),
-            Planes::Anchored { count, at },
-            &limits,
-        )
-        .unwrap()
+        cut(&brick, Vec3::new(0.0, 0.0, 5.0), Planes::Anchored { count, at }, &limits).unwrap()
     };
     assert_eq!(made(1).offsets, [0.25]);
     assert_eq!(made(3).offsets, [-0.75, 0.25, 1.25]);
@@ -307,24 +280,12 @@ fn bad_cuts_are_errors() {
     let cube = Polyhedron::brick(Vec3::ZERO, Vec3::ONE);
     let limits = Limits::default();
     let spaced = |count| Planes::Spaced { count };
-    assert!(matches!(
-        cut(&cube, Vec3::ZERO, spaced(3), &limits),
-        Err(CutError::Normal { .. })
-    ));
-    assert!(matches!(
-        cut(&cube, Vec3::NAN, spaced(3), &limits),
-        Err(CutError::Normal { .. })
-    ));
+    assert!(matches!(cut(&cube, Vec3::ZERO, spaced(3), &limits), Err(CutError::Normal { .. })));
+    assert!(matches!(cut(&cube, Vec3::NAN, spaced(3), &limits), Err(CutError::Normal { .. })));
     for count in [0, 8] {
-        assert_eq!(
-            cut(&cube, Vec3::X, spaced(count), &limits),
-            Err(CutError::Count { count })
-        );
+        assert_eq!(cut(&cube, Vec3::X, spaced(count), &limits), Err(CutError::Count { count }));
     }
-    assert_eq!(
-        cut(&cube, Vec3::X, spaced(7), &limits).unwrap().parts.len(),
-        8
-    );
+    assert_eq!(cut(&cube, Vec3::X, spaced(7), &limits).unwrap().parts.len(), 8);
 }
 
 /// Snapping: the quality of random cuts with and without, and volumes that stay exact.

@@ -82,12 +82,7 @@ pub(super) fn lengthened(
             }
         }
     }
-    Err(GeomError::ShortEdges {
-        count: last.0,
-        shortest: last.1,
-        wanted: smallest,
-        rounds: ROUNDS,
-    })
+    Err(GeomError::ShortEdges { count: last.0, shortest: last.1, wanted: smallest, rounds: ROUNDS })
 }
 
 /// The planes that can bound the cell of site `k`: halfway to the sites `near`, and the faces of the whole.
@@ -95,17 +90,9 @@ fn planes(sites: &[Vec3], k: usize, near: &[u32], walls: &[(Vec3, f64)]) -> Vec<
     let site = sites[k];
     let halfway = near.iter().map(|&other| {
         let row = sites[other as usize] - site;
-        Plane {
-            row,
-            offset: row.dot(0.5 * (site + sites[other as usize])),
-            site: Some(other),
-        }
+        Plane { row, offset: row.dot(0.5 * (site + sites[other as usize])), site: Some(other) }
     });
-    let faces = walls.iter().map(|&(row, offset)| Plane {
-        row,
-        offset,
-        site: None,
-    });
+    let faces = walls.iter().map(|&(row, offset)| Plane { row, offset, site: None });
     halfway.chain(faces).collect()
 }
 
@@ -120,9 +107,7 @@ fn short(
     let near = ON_PLANE * cell.size();
     let on = |v: Vec3| -> Vec<usize> {
         let off = |p: &Plane| (p.row.dot(v) - p.offset).abs() / p.row.length();
-        (0..planes.len())
-            .filter(|k| off(&planes[*k]) <= near)
-            .collect()
+        (0..planes.len()).filter(|k| off(&planes[*k]) <= near).collect()
     };
     let all = cell.faces.iter().flat_map(|f| edges_of(f));
     let ends = all
@@ -131,11 +116,7 @@ fn short(
     let mut found = Vec::new();
     for [from, to] in ends.filter(|[from, to]| from.distance(*to) < smallest) {
         let at = [on(from), on(to)];
-        let both: Vec<usize> = at[0]
-            .iter()
-            .filter(|k| at[1].contains(k))
-            .copied()
-            .collect();
+        let both: Vec<usize> = at[0].iter().filter(|k| at[1].contains(k)).copied().collect();
         let mut others = both.iter().filter_map(|k| planes[*k].site);
         if others.any(|other| (other as usize) < own) {
             continue;
@@ -222,10 +203,7 @@ mod tests {
             assert!(shortest(&cells) >= share * 0.4, "{}", shortest(&cells));
             assert!(cells.iter().all(|c| c.validate().is_ok()));
             let sum: f64 = cells.iter().map(|c| c.moments().volume).sum();
-            assert!(
-                (sum / (max - min).element_product() - 1.0).abs() < 1e-12,
-                "{sum}"
-            );
+            assert!((sum / (max - min).element_product() - 1.0).abs() < 1e-12, "{sum}");
             shared(&cells, min, max);
         }
     }
@@ -237,9 +215,7 @@ mod tests {
             for f in 0..cell.faces.len() {
                 let outline = cell.outline(f);
                 let middle = outline.iter().sum::<Vec3>() / outline.len() as f64;
-                let inside = (middle - min)
-                    .min_element()
-                    .min((max - middle).min_element());
+                let inside = (middle - min).min_element().min((max - middle).min_element());
                 if inside > 1e-9 {
                     faces.push((middle, cell.area_vector(f)));
                 }
@@ -270,10 +246,7 @@ mod tests {
         let whole = Polyhedron::brick(0.5 * max, 0.5 * max);
         let sites = random_sites(min, max, 0.34, 1);
         let error = cells_within(&whole, &sites, 2, 0.3).unwrap_err();
-        assert!(
-            matches!(error, GeomError::ShortEdges { count, .. } if count > 3),
-            "{error}"
-        );
+        assert!(matches!(error, GeomError::ShortEdges { count, .. } if count > 3), "{error}");
         assert!(cells_within(&whole, &sites, 2, f64::NAN).is_err());
     }
 }

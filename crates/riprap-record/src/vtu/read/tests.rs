@@ -40,11 +40,7 @@ fn many_zlib_blocks_are_the_same_for_any_number_of_threads() {
         points: (0..3 * n).map(|i| [noise(i), noise(i + 7), 0.0]).collect(),
         block_columns: vec![
             Column::scalar("id", "-", (0..n).map(f64::from).collect()),
-            Column::vector(
-                "flat",
-                "m",
-                (0..n).map(|i| [noise(i), -1.0]).collect::<Vec<_>>(),
-            ),
+            Column::vector("flat", "m", (0..n).map(|i| [noise(i), -1.0]).collect::<Vec<_>>()),
         ],
         ..Frame::default()
     };
@@ -83,14 +79,8 @@ fn every_truncation_is_told_and_no_flip_panics() {
 fn messages_name_the_file_and_the_fault() {
     let bytes = blocks(&sample(), &Exec::serial()).unwrap();
     let cut = parsed(&bytes[..bytes.len() - 3]).unwrap_err().to_string();
-    assert!(
-        cut.contains("x.vtu is damaged") && cut.contains("cut off"),
-        "{cut}"
-    );
-    assert!(matches!(
-        parsed(b"solid stl"),
-        Err(ReadError::Foreign { .. })
-    ));
+    assert!(cut.contains("x.vtu is damaged") && cut.contains("cut off"), "{cut}");
+    assert!(matches!(parsed(b"solid stl"), Err(ReadError::Foreign { .. })));
     let mut huge = bytes;
     let at = huge.windows(2).position(|w| w == b"\n_").unwrap() + 2;
     huge[at..at + 8].copy_from_slice(&u64::MAX.to_le_bytes());
@@ -109,14 +99,8 @@ fn pvd_round_trip() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("run.pvd");
     let entries = vec![
-        PvdEntry {
-            time: 0.0,
-            file: "frames/frame_000000.vtu".to_owned(),
-        },
-        PvdEntry {
-            time: 0.1,
-            file: "frames/a & b.vtu".to_owned(),
-        },
+        PvdEntry { time: 0.0, file: "frames/frame_000000.vtu".to_owned() },
+        PvdEntry { time: 0.1, file: "frames/a & b.vtu".to_owned() },
     ];
     let text = write_pvd(&entries);
     std::fs::write(&path, &text).unwrap();
@@ -166,17 +150,11 @@ fn only_what_is_wanted_is_unpacked() {
     let path = dir.path().join("b.vtu");
     let whole = solid_sample();
     std::fs::write(&path, blocks(&whole, &Exec::serial()).unwrap()).unwrap();
-    let level = Wanted {
-        geometry: false,
-        column: &|name| name == "level",
-    };
+    let level = Wanted { geometry: false, column: &|name| name == "level" };
     let some = read_some(&path, level).unwrap();
     assert_eq!((some.step, some.points.len()), (7, 0));
     assert_eq!(some.cell_columns, whole.block_columns[1..]);
-    let bare = Wanted {
-        geometry: true,
-        column: &|_| false,
-    };
+    let bare = Wanted { geometry: true, column: &|_| false };
     let frame = read_blocks(&path, bare).unwrap();
     assert!(frame.block_columns.is_empty());
     assert_eq!((frame.points, frame.solids), (whole.points, whole.solids));
@@ -206,8 +184,5 @@ fn counts_bound_what_is_unpacked() {
     let many = said(&claiming(&bytes, "NumberOfCells", u64::MAX));
     assert!(many.contains("which a file of"), "{many}");
     let few = said(&claiming(&bytes, "NumberOfPoints", 5999));
-    assert!(
-        few.contains("more than the counts of the file allow"),
-        "{few}"
-    );
+    assert!(few.contains("more than the counts of the file allow"), "{few}");
 }

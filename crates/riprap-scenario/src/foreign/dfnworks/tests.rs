@@ -105,11 +105,7 @@ fn any_of_the_files_or_their_folder_names_the_network() {
     let place = |name: &str| run.path().join(name);
     let read = |name: &str| read_dfnworks(&place(name)).unwrap();
     let shapes = |network: &Network| -> Vec<Shape> {
-        network
-            .fractures
-            .iter()
-            .map(|(shape, _)| shape.clone())
-            .collect()
+        network.fractures.iter().map(|(shape, _)| shape.clone()).collect()
     };
     let first = shapes(&read("dfnGen_output/radii_Final.dat"));
     for name in [
@@ -123,11 +119,7 @@ fn any_of_the_files_or_their_folder_names_the_network() {
     ] {
         assert_eq!(shapes(&read(name)), first, "{name}");
     }
-    assert!(
-        read("dfnGen_output/radii.dat")
-            .note()
-            .contains("from radii.dat, normals.dat")
-    );
+    assert!(read("dfnGen_output/radii.dat").note().contains("from radii.dat, normals.dat"));
     let beside = companions(&place("dfnGen_output/radii_Final.dat"));
     let names: Vec<String> = beside.iter().map(|file| named(file)).collect();
     assert_eq!(names, ["normals.dat", "translations.dat", "families.dat"]);
@@ -136,10 +128,7 @@ fn any_of_the_files_or_their_folder_names_the_network() {
     let polygons = "nPolygons: 1\n3 {0, 0, 0} {1, 0, 0} {0, 0, 1}\n";
     std::fs::write(place("dfnGen_output/polygons.dat"), polygons).unwrap();
     assert_eq!(read("").note(), "read 1 of 1 fractures from polygons.dat");
-    assert_eq!(
-        companions(&place("")),
-        [place("dfnGen_output/polygons.dat")]
-    );
+    assert_eq!(companions(&place("")), [place("dfnGen_output/polygons.dat")]);
     let note = read("dfnGen_output/polygons.dat").note();
     assert_eq!(note, "read 1 of 1 fractures");
     assert!(companions(&place("dfnGen_output/polygons.dat")).is_empty());
@@ -157,73 +146,21 @@ fn says_what_is_wrong() {
         assert_ne!(text, files[file].1, "{from}");
         files[file].1 = &text;
         let folder = folder(&files);
-        read_dfnworks(&folder.path().join("radii_Final.dat"))
-            .unwrap_err()
-            .message
+        read_dfnworks(&folder.path().join("radii_Final.dat")).unwrap_err().message
     };
     for (file, from, to, says) in [
         (0, "2 1 1\n", "", "radii_Final.dat` has 4 fractures, "),
-        (
-            0,
-            "2 1 1\n",
-            "2 1\n",
-            "radii_Final.dat`, line 3: a row has three numbers",
-        ),
-        (
-            0,
-            "3 3 2\n",
-            "3 x 2\n",
-            "radii_Final.dat`, line 4: `x` is no finite number",
-        ),
-        (
-            0,
-            "3 3 2\n",
-            "3 -3 2\n",
-            "radii_Final.dat`, line 4: radii are above 0",
-        ),
-        (
-            0,
-            "3 3 2\n",
-            "3 0 2\n",
-            "radii_Final.dat`, line 4: radii are above 0",
-        ),
-        (
-            0,
-            "3 3 2\n",
-            "3 3 2.5\n",
-            "radii_Final.dat`, line 4: the third number",
-        ),
-        (
-            1,
-            "0 0 -1",
-            "0 0 0",
-            "normal_vectors.dat`, line 3: a normal has a length",
-        ),
-        (
-            1,
-            "0 0 -1",
-            "0 0 nan",
-            "normal_vectors.dat`, line 3: `nan` is no finite",
-        ),
+        (0, "2 1 1\n", "2 1\n", "radii_Final.dat`, line 3: a row has three numbers"),
+        (0, "3 3 2\n", "3 x 2\n", "radii_Final.dat`, line 4: `x` is no finite number"),
+        (0, "3 3 2\n", "3 -3 2\n", "radii_Final.dat`, line 4: radii are above 0"),
+        (0, "3 3 2\n", "3 0 2\n", "radii_Final.dat`, line 4: radii are above 0"),
+        (0, "3 3 2\n", "3 3 2.5\n", "radii_Final.dat`, line 4: the third number"),
+        (1, "0 0 -1", "0 0 0", "normal_vectors.dat`, line 3: a normal has a length"),
+        (1, "0 0 -1", "0 0 nan", "normal_vectors.dat`, line 3: `nan` is no finite"),
         (2, "9 9 9 R", "9 9 9", "and `"),
-        (
-            2,
-            "9 9 9 R",
-            "9 9 9 Q",
-            "translations.dat`, line 3: `Q` is no finite number",
-        ),
-        (
-            3,
-            "Vertices: 8",
-            "Vertices: 2",
-            "families.dat`, line 11: `2` is no number of corners",
-        ),
-        (
-            3,
-            "Vertices: 8",
-            "Vertices: 4000000000",
-            "`4000000000` is no number of corners",
-        ),
+        (2, "9 9 9 R", "9 9 9 Q", "translations.dat`, line 3: `Q` is no finite number"),
+        (3, "Vertices: 8", "Vertices: 2", "families.dat`, line 11: `2` is no number of corners"),
+        (3, "Vertices: 8", "Vertices: 4000000000", "`4000000000` is no number of corners"),
         (3, "-rad: 1.57", "-rad: y", "families.dat`, line 6: `y07963"),
         (
             3,
@@ -243,13 +180,8 @@ fn says_what_is_wrong() {
     let error = read_dfnworks(folder(&[]).path()).unwrap_err().message;
     assert!(error.contains("radii_Final.dat"), "{error}");
     std::fs::write(lone.path().join("radii_All.dat"), RADII_TEXT).unwrap();
-    let error = read_dfnworks(&lone.path().join("radii_All.dat"))
-        .unwrap_err()
-        .message;
-    assert!(
-        error.contains("line 1: `nPolygons:` and a number are expected"),
-        "{error}"
-    );
+    let error = read_dfnworks(&lone.path().join("radii_All.dat")).unwrap_err().message;
+    assert!(error.contains("line 1: `nPolygons:` and a number are expected"), "{error}");
     let many = "1 1 1\n".repeat(MOST_ROWS + 1);
     let error = parse_rows(many.as_bytes()).unwrap_err().to_string();
     assert!(error.contains("more than 1000000 rows"), "{error}");

@@ -45,14 +45,7 @@ impl Curve {
         // Arcs run anticlockwise, over the angle 0 where they end before it.
         let turn = (to - from).rem_euclid(TAU);
         let whole = !(1e-9..=TAU - 1e-9).contains(&turn);
-        Some(Curve {
-            centre: [x, y],
-            a,
-            b,
-            from,
-            turn: if whole { TAU } else { turn },
-            whole,
-        })
+        Some(Curve { centre: [x, y], a, b, from, turn: if whole { TAU } else { turn }, whole })
     }
 }
 
@@ -94,10 +87,8 @@ pub(super) fn arc(
     let piece = 2.0 * libm::acos(1.0 - share.clamp(0.0, 1.0));
     let pieces = (angle.abs() / piece).ceil();
     let to_centre = (1.0 - bulge * bulge) / (4.0 * bulge);
-    let centre = [
-        0.5 * (from[0] + to[0]) - to_centre * dy,
-        0.5 * (from[1] + to[1]) + to_centre * dx,
-    ];
+    let centre =
+        [0.5 * (from[0] + to[0]) - to_centre * dy, 0.5 * (from[1] + to[1]) + to_centre * dx];
     // A bulge of next to nothing has its centre at infinity: the arc is the straight piece.
     if !(radius.is_finite() && centre.iter().all(|x| x.is_finite())) {
         return;

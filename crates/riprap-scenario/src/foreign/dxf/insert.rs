@@ -65,11 +65,7 @@ struct Frame {
 }
 
 impl Frame {
-    const WORLD: Frame = Frame {
-        x: [1.0, 0.0],
-        y: [0.0, 1.0],
-        at: [0.0, 0.0],
-    };
+    const WORLD: Frame = Frame { x: [1.0, 0.0], y: [0.0, 1.0], at: [0.0, 0.0] };
 
     fn turned(&self, p: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|k| p[0] * self.x[k] + p[1] * self.y[k])
@@ -86,19 +82,12 @@ impl Frame {
         let mirror = if insert.mirrored { -1.0 } else { 1.0 };
         let local = |x: f64, y: f64| [mirror * (cos * x - sin * y), sin * x + cos * y];
         let shift = [0, 1].map(|k| f64::from(copy[k]) * insert.spacing[k]);
-        let (shift, x, y) = (
-            local(shift[0], shift[1]),
-            local(insert.scale[0], 0.0),
-            local(0.0, insert.scale[1]),
-        );
+        let (shift, x, y) =
+            (local(shift[0], shift[1]), local(insert.scale[0], 0.0), local(0.0, insert.scale[1]));
         let back = [0, 1].map(|k| base[0] * x[k] + base[1] * y[k]);
         let at = [mirror * insert.at[0], insert.at[1]];
         let at = [0, 1].map(|k| at[k] + shift[k] - back[k]);
-        Frame {
-            x: self.turned(x),
-            y: self.turned(y),
-            at: self.place(at),
-        }
+        Frame { x: self.turned(x), y: self.turned(y), at: self.place(at) }
     }
 }
 
@@ -152,20 +141,12 @@ pub(super) fn expand(
     blocks: &BTreeMap<String, Block>,
     reading: &mut Reading,
 ) -> Result<(), FileError> {
-    let Content {
-        lines,
-        inserts,
-        left_out,
-    } = content;
+    let Content { lines, inserts, left_out } = content;
     drawing.lines.extend(lines);
     for (what, count) in left_out {
         *drawing.left_out.entry(what).or_default() += count;
     }
-    let mut work = Work {
-        drawing,
-        blocks,
-        room: reading.room,
-    };
+    let mut work = Work { drawing, blocks, room: reading.room };
     for insert in &inserts {
         work.insert(insert, "0", &Frame::WORLD, &mut Vec::new())?;
     }
@@ -214,11 +195,7 @@ impl<'a> Work<'a> {
         }
         // The layer 0 in a block is that of the place where it stands.
         let own = |of: &str| {
-            if of == "0" {
-                layer.to_owned()
-            } else {
-                of.to_owned()
-            }
+            if of == "0" { layer.to_owned() } else { of.to_owned() }
         };
         let here = own(&insert.layer);
         inside.push(name);
@@ -229,17 +206,10 @@ impl<'a> Work<'a> {
                 let needed = points + block.content.inserts.len() + 1;
                 let room = self.room.checked_sub(needed);
                 self.room = room.ok_or_else(|| {
-                    wrong(format!(
-                        "inserted blocks make more than {} points",
-                        super::MAX_POINTS
-                    ))
+                    wrong(format!("inserted blocks make more than {} points", super::MAX_POINTS))
                 })?;
                 for line in &block.content.lines {
-                    let layer = if line.layer == "0" {
-                        &here
-                    } else {
-                        &line.layer
-                    };
+                    let layer = if line.layer == "0" { &here } else { &line.layer };
                     self.drawing.lines.push(Polyline {
                         layer: layer.clone(),
                         points: line.points.iter().map(|p| frame.place(*p)).collect(),

@@ -94,16 +94,9 @@ impl Drawing {
     fn partners(&self, open: &[usize]) -> (Vec<Option<usize>>, bool) {
         let end = |e: usize| {
             let points = &self.lines[open[e / 2]].points;
-            if e.is_multiple_of(2) {
-                points[0]
-            } else {
-                points[points.len() - 1]
-            }
+            if e.is_multiple_of(2) { points[0] } else { points[points.len() - 1] }
         };
-        let reach: Vec<f64> = open
-            .iter()
-            .map(|k| GAP * extent(&self.lines[*k].points))
-            .collect();
+        let reach: Vec<f64> = open.iter().map(|k| GAP * extent(&self.lines[*k].points)).collect();
         let along = |p: [f64; 2]| p[0] * SORTED[0] + p[1] * SORTED[1];
         let mut order: Vec<(f64, usize)> =
             (0..2 * open.len()).map(|e| (along(end(e)), e)).collect();
@@ -156,11 +149,7 @@ impl Drawing {
         if points.len() < 3 {
             return None;
         }
-        let line = Polyline {
-            closed: true,
-            points,
-            ..first.clone()
-        };
+        let line = Polyline { closed: true, points, ..first.clone() };
         Some((line, gap))
     }
 }
@@ -172,10 +161,7 @@ impl Outlines {
         } else {
             "open, their ends not at those of one other line"
         };
-        *self
-            .left_out
-            .entry((line.kind.to_owned(), why))
-            .or_default() += 1;
+        *self.left_out.entry((line.kind.to_owned(), why)).or_default() += 1;
         if line.points.len() > 2 {
             let gap = gap_of(line);
             self.smallest_open = Some(self.smallest_open.map_or(gap, |least| least.min(gap)));

@@ -29,10 +29,7 @@ fn soft(mut setup: Setup, blocks: &[u32]) -> Setup {
         ..Deformables::default()
     };
     setup.interfaces[0].bond = Some(BondLaw {
-        springs: BondSprings::Thickness {
-            thickness: 1e-3,
-            moduli: None,
-        },
+        springs: BondSprings::Thickness { thickness: 1e-3, moduli: None },
         strength: None,
         cohesive: None,
         failure: BondFailure::Spring,
@@ -46,9 +43,7 @@ fn shift(world: &mut World, block: u32, u: Vec3) {
     match body.copied() {
         None => {
             let now = world.bodies.displacement(block as usize);
-            world
-                .bodies
-                .set_displacement(block as usize, now + u, Vec3::ZERO);
+            world.bodies.set_displacement(block as usize, now + u, Vec3::ZERO);
         }
         Some(body) => {
             let nodes = &mut world.deform.as_mut().unwrap().nodes;
@@ -82,22 +77,8 @@ fn differ(a: &[f64], b: &[f64]) -> f64 {
 
 #[test]
 fn blocks_that_move_as_a_whole_hold_a_bolt_as_rigid_ones() {
-    let plated = Design {
-        dowel: DOWEL,
-        plate: Some(f64::INFINITY),
-        pretension: 40e3,
-        ..design()
-    };
-    let bolts = [
-        (-0.3, plated),
-        (
-            0.2,
-            Design {
-                dowel: DOWEL,
-                ..design()
-            },
-        ),
-    ];
+    let plated = Design { dowel: DOWEL, plate: Some(f64::INFINITY), pretension: 40e3, ..design() };
+    let bolts = [(-0.3, plated), (0.2, Design { dowel: DOWEL, ..design() })];
     let moved = |blocks: &[u32]| {
         let mut setup = stack(3, &bolts, Kinematics::Automatic);
         // A plate lies on the face.
@@ -113,11 +94,7 @@ fn blocks_that_move_as_a_whole_hold_a_bolt_as_rigid_ones() {
     assert!(rigid.iter().any(|f| f.abs() > 60e3) && lost > 1.0);
     for blocks in [vec![0, 1, 2], vec![1], vec![0, 2]] {
         let (soft, soft_lost, soft_stored) = moved(&blocks);
-        assert!(
-            differ(&rigid, &soft) < 1e-3,
-            "{blocks:?} {}",
-            differ(&rigid, &soft)
-        );
+        assert!(differ(&rigid, &soft) < 1e-3, "{blocks:?} {}", differ(&rigid, &soft));
         assert!((soft_lost / lost - 1.0).abs() < 1e-7);
         assert!((soft_stored / stored - 1.0).abs() < 1e-7);
     }
@@ -126,16 +103,9 @@ fn blocks_that_move_as_a_whole_hold_a_bolt_as_rigid_ones() {
 /// A bar of rock between two ends that part, all of it strained alike: a bolt in stiff grout goes along, `N = EA_b (1 - cosh(l x)/cosh(l L/2)) u/L`.
 #[test]
 fn a_bolt_shares_the_strain_of_the_rock_around_it() {
-    let elastic = Design {
-        bond: f64::INFINITY,
-        yields: f64::INFINITY,
-        piece: 0.02,
-        ..design()
-    };
-    let (mut world, mut scratch) = world(
-        soft(stack(1, &[(0.0, elastic)], Kinematics::Small), &[0]),
-        Exec::serial(),
-    );
+    let elastic = Design { bond: f64::INFINITY, yields: f64::INFINITY, piece: 0.02, ..design() };
+    let (mut world, mut scratch) =
+        world(soft(stack(1, &[(0.0, elastic)], Kinematics::Small), &[0]), Exec::serial());
     let strain = 1e-4;
     let nodes = &mut world.deform.as_mut().unwrap().nodes;
     for (u, x) in nodes.displacement.iter_mut().zip(&nodes.place) {
@@ -167,25 +137,13 @@ fn a_bolt_shares_the_strain_of_the_rock_around_it() {
 
 #[test]
 fn rigid_and_deformable_blocks_on_bolts_keep_momentum_and_energy() {
-    let bolts = [
-        (-0.3, design()),
-        (
-            0.2,
-            Design {
-                dowel: DOWEL,
-                ..design()
-            },
-        ),
-    ];
+    let bolts = [(-0.3, design()), (0.2, Design { dowel: DOWEL, ..design() })];
     let setup = soft(stack(4, &bolts, Kinematics::Automatic), &[1, 2]);
     let (mut world, mut scratch) = world(setup, Exec::serial());
     let v = Vec3::new(0.3, -0.1, 1.5);
     world.bodies.set_velocity(3, v, Vec3::new(0.1, 0.2, 0.3));
     let view = |w: &World, s: &Scratch| {
-        let view = View {
-            world: w,
-            scratch: s,
-        };
+        let view = View { world: w, scratch: s };
         (view.momentum(), view.balance())
     };
     let dt = 0.5 * stable_step(&world, &scratch, 0.0).dt;
@@ -222,9 +180,8 @@ fn a_bolt_is_straight_and_without_force_in_the_rock_as_it_is_then() {
     let mut bent = 0.0;
     for pin in &world.bolts[0].pins {
         // The point hangs where the rock was before it moved: on the line it is now.
-        let start: Vec3 = (pin.anchor.nodes())
-            .map(|(n, w)| w * deform.nodes.place[n as usize])
-            .sum();
+        let start: Vec3 =
+            (pin.anchor.nodes()).map(|(n, w)| w * deform.nodes.place[n as usize]).sum();
         let now = start + freedoms.displacement_inside(&pin.anchor);
         let line = spec.head + pin.along * (spec.toe - spec.head).normalize();
         assert!((now - line).length() < 1e-12, "{now} {line}");
@@ -300,10 +257,7 @@ fn fictitious_masses_count_bolts_on_nodes() {
 /// A cut through the rock on a bolt: the bolt goes on with the forces it had, hangs on the parts, and dowels the crack.
 #[test]
 fn a_bolt_goes_on_through_a_block_that_is_cut() {
-    let all = Design {
-        dowel: DOWEL,
-        ..design()
-    };
+    let all = Design { dowel: DOWEL, ..design() };
     let setup = soft(stack(2, &[(0.1, all)], Kinematics::Small), &[0, 1]);
     let (mut world, mut scratch) = world(setup, Exec::serial());
     let nodes = &mut world.deform.as_mut().unwrap().nodes;

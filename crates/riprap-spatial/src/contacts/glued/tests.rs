@@ -32,15 +32,9 @@ fn solid((low, high): Box3, shift: Vec3) -> Polyhedron {
 fn glued(parts: &[Box3], shift: Vec3) -> BlockSpec {
     let parts = parts.iter().map(|part| {
         let solid = solid(*part, shift);
-        Solid {
-            vertices: solid.vertices,
-            faces: solid.faces,
-        }
+        Solid { vertices: solid.vertices, faces: solid.faces }
     });
-    BlockSpec {
-        shape: setup::Shape::Glued(parts.collect()),
-        ..brick([0.0; 3], [1.0; 3])
-    }
+    BlockSpec { shape: setup::Shape::Glued(parts.collect()), ..brick([0.0; 3], [1.0; 3]) }
 }
 
 /// Turns a block of parts about a point.
@@ -73,15 +67,8 @@ fn force(blocks: [&Glued; 2], poses: [Pose; 2]) -> (Vec3, Vec3) {
 /// A bar of two bricks and a pillar, as an L: whatever touches only the bar feels the bar as one brick, at the seam too.
 #[test]
 fn a_seam_in_the_middle_of_a_contact_is_not_felt() {
-    let (whole, pillar) = (
-        ([0.0, 0.0, 0.0], [3.0, 1.0, 1.0]),
-        ([0.0, 0.0, 1.0], [0.6, 1.0, 3.0]),
-    );
-    let parts = [
-        ([0.0, 0.0, 0.0], [1.7, 1.0, 1.0]),
-        ([1.7, 0.0, 0.0], [3.0, 1.0, 1.0]),
-        pillar,
-    ];
+    let (whole, pillar) = (([0.0, 0.0, 0.0], [3.0, 1.0, 1.0]), ([0.0, 0.0, 1.0], [0.6, 1.0, 3.0]));
+    let parts = [([0.0, 0.0, 0.0], [1.7, 1.0, 1.0]), ([1.7, 0.0, 0.0], [3.0, 1.0, 1.0]), pillar];
     let parts = parts.map(|part| solid(part, Vec3::ZERO));
     let centre = Vec3::new(1.5, 0.5, 0.5);
     let l = Glued::new(&parts, centre).unwrap();
@@ -91,13 +78,7 @@ fn a_seam_in_the_middle_of_a_contact_is_not_felt() {
     for k in 0..40 {
         let at = Vec3::new(1.2 + 0.025 * f64::from(k), 0.45, -0.19);
         let rotation = Quat::from_axis_angle(Vec3::new(0.6, 0.64, 0.48), 0.02 * f64::from(k));
-        let poses = [
-            Pose::at(centre),
-            Pose {
-                position: at,
-                rotation,
-            },
-        ];
+        let poses = [Pose::at(centre), Pose { position: at, rotation }];
         let mut normals = [Vec::new(), Vec::new()];
         let turns = [
             turn(&bar, poses[0].rotation, &mut normals[0]),
@@ -133,10 +114,7 @@ fn a_seam_in_the_middle_of_a_contact_is_not_felt() {
 /// The force is the gradient of an energy: no work along a closed way of a brick about the reflex edge of an L.
 #[test]
 fn a_closed_way_about_a_reflex_edge_takes_no_work() {
-    let parts = [
-        ([0.0, 0.0, 0.0], [3.0, 1.0, 1.0]),
-        ([0.0, 0.0, 1.0], [1.0, 1.0, 3.0]),
-    ];
+    let parts = [([0.0, 0.0, 0.0], [3.0, 1.0, 1.0]), ([0.0, 0.0, 1.0], [1.0, 1.0, 3.0])];
     let parts = parts.map(|part| solid(part, Vec3::ZERO));
     let l = Glued::new(&parts, Vec3::ZERO).unwrap();
     let tool = Glued::convex(&Shape::brick(Vec3::new(0.4, 0.3, 0.35)).unwrap());
@@ -224,11 +202,7 @@ fn a_flat_terrain_is_a_floor_for_glued_parts() {
 /// With dashpots: four legs come to rest, each with its share of the weight.
 #[test]
 fn a_table_stands_on_terrain() {
-    let mut run = Run::new(
-        above_ground(vec![table()], 0.5, 0.3, 13, |_, _| 0.0),
-        1,
-        5e-5,
-    );
+    let mut run = Run::new(above_ground(vec![table()], 0.5, 0.3, 13, |_, _| 0.0), 1, 5e-5);
     run.until(0.5);
     let weight = run.world.solid_of(1).mass * 9.81;
     let facets = &run.world.found.terrain[1].facets;
@@ -280,10 +254,7 @@ fn rough_ground_does_not_feel_seams_and_takes_no_work_along_a_closed_way() {
         Vec3::new(0.2, 0.3, height) + 0.1 * Vec3::new(libm::cos(angle), 0.3, libm::sin(angle))
     };
     for k in 0..steps {
-        let mut pose = Pose {
-            position: place(k, 0.45),
-            rotation,
-        };
+        let mut pose = Pose { position: place(k, 0.45), rotation };
         let [(f, m), (g, n)] = [&l, &bar].map(|block| force(block, &pose));
         assert!((f - g).length() < 1e-9 * g.length(), "{f} {g}");
         assert!((m - n).length() < 1e-9 * g.length(), "{m} {n}");
@@ -301,10 +272,7 @@ fn rough_ground_does_not_feel_seams_and_takes_no_work_along_a_closed_way() {
 
 #[test]
 fn an_l_rests_slides_and_is_stopped_by_friction() {
-    let l = [
-        ([0.0, 0.0, 0.0], [0.9, 0.3, 0.3]),
-        ([0.0, 0.0, 0.3], [0.3, 0.3, 0.9]),
-    ];
+    let l = [([0.0, 0.0, 0.0], [0.9, 0.3, 0.3]), ([0.0, 0.0, 0.3], [0.3, 0.3, 0.9])];
     let mut block = glued(&l, Vec3::new(-0.5, 0.0, -1e-5));
     block.velocity = Vec3::new(0.8, 0.0, 0.0);
     let mut run = Run::new(above_floor(vec![block], 0.5, 0.3), 1, 5e-5);
@@ -376,10 +344,7 @@ fn interlocked_us_keep_energy_and_momentum() {
 
 #[test]
 fn an_l_tumbles_freely() {
-    let l = [
-        ([0.0, 0.0, 0.0], [0.9, 0.3, 0.3]),
-        ([0.0, 0.0, 0.3], [0.3, 0.4, 0.9]),
-    ];
+    let l = [([0.0, 0.0, 0.0], [0.9, 0.3, 0.3]), ([0.0, 0.0, 0.3], [0.3, 0.4, 0.9])];
     // They share a face only in part: one is wider.
     let mut block = glued(&l, Vec3::new(0.0, 0.0, 3.0));
     block.spin = Vec3::new(2.0, 3.0, -1.0);
@@ -422,10 +387,7 @@ fn what_takes_no_glued_parts_refuses_them_by_name() {
     };
     let off = refused(&|setup| setup.found_contacts = false);
     assert!(off.starts_with("the block `rock.2`"), "{off}");
-    let plane = setup::FaceSet::Plane {
-        normal: Vec3::NEG_Z,
-        offset: -1.0,
-    };
+    let plane = setup::FaceSet::Plane { normal: Vec3::NEG_Z, offset: -1.0 };
     let boundary = refused(&|setup| {
         setup.boundaries.push(setup::Boundary {
             name: "side".into(),

@@ -17,14 +17,10 @@ pub(crate) fn above_ground(
     height: impl Fn(f64, f64) -> f64,
 ) -> Setup {
     let mut setup = above_floor(blocks, friction, damping);
-    let line: Vec<f64> = (0..=cells)
-        .map(|k| -4.0 + 8.0 * k as f64 / cells as f64)
-        .collect();
+    let line: Vec<f64> = (0..=cells).map(|k| -4.0 + 8.0 * k as f64 / cells as f64).collect();
     let field = HeightField::grid(&line, &line, |i, j| Some(height(line[i], line[j]))).unwrap();
-    setup.blocks[0].shape = Shape::Terrain(Box::new(Surface {
-        points: field.points,
-        triangles: field.triangles,
-    }));
+    setup.blocks[0].shape =
+        Shape::Terrain(Box::new(Surface { points: field.points, triangles: field.triangles }));
     // Terrain needs no support.
     setup.supports.clear();
     setup
@@ -55,11 +51,7 @@ fn a_flat_terrain_is_a_floor() {
     }
     let [a, b] = [&floor, &ground].map(|run| run.view().balance());
     assert!((a.works.friction / b.works.friction - 1.0).abs() < 1e-8);
-    assert!(
-        b.residual_relative().abs() < 1e-4,
-        "{:e}",
-        b.residual_relative()
-    );
+    assert!(b.residual_relative().abs() < 1e-4, "{:e}", b.residual_relative());
     let force = floor.world.found.pairs.iter().find(|p| p.ends == [0, 2]);
     let force = force.map_or(Vec3::ZERO, |p| p.force);
     let facet = &ground.world.found.terrain[2].facets[0];
@@ -83,10 +75,7 @@ fn what_comes_from_outside_meets_a_wall() {
         let loss = most.residual().abs() / start;
         assert!(loss < 2e-3, "{at:?}: {loss:e}");
         let kinetic = run.view().kinetic_energy();
-        assert!(
-            (kinetic / start - 1.0).abs() < 5e-3,
-            "{at:?}: {kinetic} {start}"
-        );
+        assert!((kinetic / start - 1.0).abs() < 5e-3, "{at:?}: {kinetic} {start}");
         let (before, after) = (Vec3::from_array(velocity), run.world.bodies.velocity(1));
         assert!(after.dot(before) < 0.0, "{at:?}: {after}");
     };
@@ -123,10 +112,7 @@ fn a_block_on_a_slope() {
     let (acceleration, way) = run(20.0, 0.3);
     let down = Vec3::new(-cosine, 0.0, -sine);
     let exact = 9.81 * (sine - cosine * libm::tan(20_f64.to_radians()));
-    assert!(
-        (acceleration.dot(down) / exact - 1.0).abs() < 1e-5,
-        "{acceleration} {exact}"
-    );
+    assert!((acceleration.dot(down) / exact - 1.0).abs() < 1e-5, "{acceleration} {exact}");
     assert!(way.y.abs() < 1e-9 && way.length() > 0.05, "{way}");
     let (_, way) = run(31.0, 0.4);
     assert!(way.length() < 1e-9, "{:e}", way.length());
@@ -181,29 +167,16 @@ fn threads_and_restart_change_no_bit_on_terrain() {
     one.until(0.2);
     let world = one.world.clone();
     one.until(0.26);
-    let touching = one
-        .world
-        .found
-        .terrain
-        .iter()
-        .filter(|on| !on.facets.is_empty());
+    let touching = one.world.found.terrain.iter().filter(|on| !on.facets.is_empty());
     assert!(touching.count() > 30);
     let mut two = Run::new(setup(), 2, 2e-4);
     two.until(0.26);
     assert_eq!(one.world.hash(), two.world.hash(), "threads change bits");
     let mut world = world;
     let scratch = Scratch::new(&mut world, Exec::serial());
-    let mut again = Run {
-        world,
-        scratch,
-        dt: 2e-4,
-    };
+    let mut again = Run { world, scratch, dt: 2e-4 };
     again.until(0.26);
-    assert_eq!(
-        one.world.hash(),
-        again.world.hash(),
-        "a restart changes bits"
-    );
+    assert_eq!(one.world.hash(), again.world.hash(), "a restart changes bits");
 }
 
 /// Without friction and dashpots a rock keeps its energy over many impacts on rough ground.
@@ -242,9 +215,6 @@ fn a_plate_slides_over_ridges_with_dashpots() {
         let exact = 9.81 * (0.6 - 0.8 * friction);
         let measured = acceleration(friction, damping) / exact;
         // Measured: within 0.0062; the plate rocks as its ends go over crests.
-        assert!(
-            (measured - 1.0).abs() < 0.01,
-            "{friction} {damping}: {measured}"
-        );
+        assert!((measured - 1.0).abs() < 0.01, "{friction} {damping}: {measured}");
     }
 }

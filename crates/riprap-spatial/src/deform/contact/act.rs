@@ -19,25 +19,9 @@ use crate::world::{Bodies, World};
 
 /// Finds what all pairs exert and pushes blocks and nodes with it, in the order of the pairs.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
-    let Scratch {
-        deformable: desk,
-        desk: rigid,
-        deform: work,
-        exec,
-        pushes,
-        ..
-    } = scratch;
+    let Scratch { deformable: desk, desk: rigid, deform: work, exec, pushes, .. } = scratch;
     let World {
-        found,
-        deform,
-        bodies,
-        turned,
-        reference,
-        alive,
-        works,
-        pending,
-        start_energy,
-        ..
+        found, deform, bodies, turned, reference, alive, works, pending, start_energy, ..
     } = &mut *world;
     let (Some(deform), Some(work)) = (deform.as_deref(), work.as_deref()) else {
         return;
@@ -129,12 +113,7 @@ fn put(
                 deform.nodes.place[n] + Vec3::from_array(deform.nodes.displacement[n])
             };
             let class = work.class(body);
-            star.put(
-                class.depths(),
-                &class.mesh.tets,
-                place(body.count - 1),
-                place,
-            );
+            star.put(class.depths(), &class.mesh.tets, place(body.count - 1), place);
         }
         None => {
             let Some((field, nodes)) = &member.rigid else {
@@ -190,14 +169,7 @@ impl Evaluation<'_> {
         let known = std::mem::replace(&mut pair.known, true);
         let before = std::mem::take(&mut pair.energy);
         if stars[0].bounds.meets(&stars[1].bounds) {
-            press(
-                stars,
-                &sides,
-                constants.law.normal_stiffness,
-                pair,
-                slot,
-                workspace,
-            );
+            press(stars, &sides, constants.law.normal_stiffness, pair, slot, workspace);
         } else {
             slot.touching = false;
         }
@@ -213,17 +185,9 @@ impl Evaluation<'_> {
         }
         if !slot.touching {
             workspace.friction += pair.stored;
-            let depth = if pair.depth == f64::INFINITY {
-                pair.depth
-            } else {
-                0.0
-            };
-            *pair = DeformablePair {
-                ends: pair.ends,
-                known: true,
-                depth,
-                ..DeformablePair::default()
-            };
+            let depth = if pair.depth == f64::INFINITY { pair.depth } else { 0.0 };
+            *pair =
+                DeformablePair { ends: pair.ends, known: true, depth, ..DeformablePair::default() };
             slot.spots.clear();
             return;
         }
@@ -236,12 +200,7 @@ impl Evaluation<'_> {
         let elastic = pair.force;
         let reply = respond(
             &law,
-            &Asked {
-                surface: &workspace.surface,
-                elastic,
-                sides,
-                dt: self.dt,
-            },
+            &Asked { surface: &workspace.surface, elastic, sides, dt: self.dt },
             &mut slot.spots,
             &mut workspace.shares,
             &mut pair.memory,
@@ -279,22 +238,14 @@ fn press(
     for (list, star) in workspace.lists.iter_mut().zip(stars) {
         list.clear();
         let boxes = star.boxes.iter().enumerate();
-        list.extend(
-            boxes
-                .filter(|(_, b)| b.meets(&common))
-                .map(|(k, _)| k as u32),
-        );
+        list.extend(boxes.filter(|(_, b)| b.meets(&common)).map(|(k, _)| k as u32));
     }
     // About the centre of the first block: far from the origin overlaps would lose their digits.
     let shift = stars[1].origin - stars[0].origin;
     workspace.shifted.clear();
-    let second = workspace.lists[1]
-        .iter()
-        .map(|k| stars[1].cells[*k as usize].shifted(shift));
+    let second = workspace.lists[1].iter().map(|k| stars[1].cells[*k as usize].shifted(shift));
     workspace.shifted.extend(second);
-    slot.forces
-        .iter_mut()
-        .for_each(|list| list.fill(Vec3::ZERO));
+    slot.forces.iter_mut().for_each(|list| list.fill(Vec3::ZERO));
     slot.spots.clear();
     workspace.surface = Piece::default();
     slot.touching = false;

@@ -81,14 +81,9 @@ impl Sides<'_> {
                 let first = self.deform.bodies[body as usize].first;
                 let rates = &self.deform.nodes.velocity;
                 let mut sum = Vec3::ZERO;
-                self.share(
-                    body,
-                    spot.cells[side],
-                    &spot.weights[side],
-                    |node, weight| {
-                        sum += weight * Vec3::from_array(rates[(first + node) as usize]);
-                    },
-                );
+                self.share(body, spot.cells[side], &spot.weights[side], |node, weight| {
+                    sum += weight * Vec3::from_array(rates[(first + node) as usize]);
+                });
                 sum
             }
             None => {
@@ -221,14 +216,9 @@ impl Contact {
             shares.clear();
             shares.resize(own.count as usize, 0.0);
             for spot in spots {
-                sides.share(
-                    body,
-                    spot.cells[side],
-                    &spot.weights[side],
-                    |node, weight| {
-                        shares[node as usize] += weight * spot.pressure / self.pressure;
-                    },
-                );
+                sides.share(body, spot.cells[side], &spot.weights[side], |node, weight| {
+                    shares[node as usize] += weight * spot.pressure / self.pressure;
+                });
             }
             let masses = sides.work.class(own).masses();
             let parts = shares.iter().zip(masses).map(|(w, m)| w * w / m);
@@ -250,16 +240,9 @@ pub(super) fn respond(
         memory.forget();
         return Reply::default();
     };
-    let mut reply = Reply {
-        area: c.area,
-        ..Reply::default()
-    };
+    let mut reply = Reply { area: c.area, ..Reply::default() };
     let damped = law.damping_ratio > 0.0;
-    let mass = if damped {
-        1.0 / c.ease(asked, spots, shares)
-    } else {
-        0.0
-    };
+    let mass = if damped { 1.0 / c.ease(asked, spots, shares) } else { 0.0 };
     let dashpot = |k: f64| {
         // Between blocks that nothing can move there is no mass to tune to.
         if damped && mass.is_finite() {
@@ -326,10 +309,7 @@ fn limit(
         return false;
     }
     let radius = c.gyration.sqrt();
-    let (f, m) = (
-        shear.length() / largest,
-        *torsion / (largest * MEAN_RADIUS * radius),
-    );
+    let (f, m) = (shear.length() / largest, *torsion / (largest * MEAN_RADIUS * radius));
     // A NaN lets nothing through.
     if largest.is_nan() || largest <= 0.0 || m.abs() <= NO_MOMENT {
         let excess = (f * f + m * m).sqrt();

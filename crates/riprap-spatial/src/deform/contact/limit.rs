@@ -37,10 +37,7 @@ pub(super) fn longest_step(world: &World, desk: &CellDesk) -> f64 {
         let square = squares[0].max(squares[1]);
         longest = longest.min(SAFETY * 2.0 * loss / square.sqrt());
         // v t + g t²/2 = way, in the form without cancellation.
-        let speed: f64 = two
-            .map(|m| fastest(world, deform, m.block as usize))
-            .iter()
-            .sum();
+        let speed: f64 = two.map(|m| fastest(world, deform, m.block as usize)).iter().sum();
         let way = TRANSIT * constants.peak;
         longest = longest.min(2.0 * way / (speed + (speed * speed + 2.0 * gravity * way).sqrt()));
     }
@@ -52,11 +49,7 @@ fn ease(world: &World, member: &Member, area: f64) -> f64 {
     let b = member.block as usize;
     let [free, turns] = world.freedoms(b);
     let solid = world.solid_of(b);
-    let inverse = Vec3::new(
-        solid.inverse.x_axis.x,
-        solid.inverse.y_axis.y,
-        solid.inverse.z_axis.z,
-    );
+    let inverse = Vec3::new(solid.inverse.x_axis.x, solid.inverse.y_axis.y, solid.inverse.z_axis.z);
     let arm = solid.radius * solid.radius + 2.0 * area / 3.0;
     free.max_element() / solid.mass + arm * turns.max_element() * inverse.max_element()
 }

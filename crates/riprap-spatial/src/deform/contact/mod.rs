@@ -42,12 +42,7 @@ pub(crate) fn between(
 ) -> Result<ContactLaw, BuildError> {
     let materials = ends.map(|b| usize::from(setup.blocks[b as usize].material));
     let row = setup.pair_table[materials[0] * setup.materials.len() + materials[1]];
-    let InterfaceLaw {
-        joint,
-        bond,
-        friction,
-        ..
-    } = &setup.interfaces[usize::from(row)];
+    let InterfaceLaw { joint, bond, friction, .. } = &setup.interfaces[usize::from(row)];
     // What is elastic neither opens nor slides; a found contact under its law must open, and slides if it is told when.
     let elastic = friction.unwrap_or(f64::INFINITY);
     let (springs, friction, cohesion) = match bond {

@@ -28,11 +28,7 @@ const GAPES: f64 = 0.02;
 
 /// Lets facets go that no longer describe where their blocks touch: every [`LOOK`] steps, while relaxing only in equilibrium.
 pub(crate) fn part(world: &mut World, scratch: &mut Scratch) {
-    let Some(deform) = world
-        .deform
-        .as_deref()
-        .filter(|_| world.setup.found_contacts)
-    else {
+    let Some(deform) = world.deform.as_deref().filter(|_| world.setup.found_contacts) else {
         return;
     };
     let look = world.pending > 0.0
@@ -149,19 +145,12 @@ fn hand_over(world: &mut World, facet: &Facet) {
         torsion -= n.dot(arm.cross(force));
         polar += point.area * (arm - arm.dot(n) * n).length_squared();
     }
-    let forward: f64 = if facet.blocks[0] < facet.blocks[1] {
-        1.0
-    } else {
-        -1.0
-    };
+    let forward: f64 = if facet.blocks[0] < facet.blocks[1] { 1.0 } else { -1.0 };
     let ends = sorted(facet.blocks);
     let pairs = &mut world.found.deformable.pairs;
     let at = pairs.partition_point(|pair| pair.ends < ends);
     if pairs.get(at).is_none_or(|pair| pair.ends != ends) {
-        let fresh = DeformablePair {
-            ends,
-            ..DeformablePair::default()
-        };
+        let fresh = DeformablePair { ends, ..DeformablePair::default() };
         pairs.insert(at, fresh);
     }
     let pair = &mut pairs[at];

@@ -57,12 +57,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         world.found.deformable.longest_step = Some(f64::INFINITY);
         return false;
     }
-    renew |= outdated(
-        world,
-        &mut scratch.deformable.outside,
-        scratch.coming_dt,
-        &scratch.exec,
-    );
+    renew |= outdated(world, &mut scratch.deformable.outside, scratch.coming_dt, &scratch.exec);
     if renew {
         take_over(world);
         scratch.deformable.ready = false;
@@ -108,9 +103,7 @@ fn roles(world: &World) -> Vec<Role> {
         whole[b as usize] = false;
     }
     let lattice = sets.largest(|b| world.alive[b]);
-    let lattice = lattice
-        .filter(|(_, members)| *members > 1)
-        .map(|(leader, _)| leader);
+    let lattice = lattice.filter(|(_, members)| *members > 1).map(|(leader, _)| leader);
     let role = |b: usize| {
         if !world.alive[b] || world.is_terrain(b) {
             Role::Absent
@@ -182,10 +175,7 @@ fn take_over(world: &mut World) {
     let roles = &world.found.deformable.roles;
     let there = |b: &usize| roles[*b] != Role::Absent;
     let count = world.alive.len();
-    let mut radii: Vec<f64> = (0..count)
-        .filter(there)
-        .map(|b| world.solid_of(b).radius)
-        .collect();
+    let mut radii: Vec<f64> = (0..count).filter(there).map(|b| world.solid_of(b).radius).collect();
     let middle = radii.len() / 2;
     let median = if radii.is_empty() {
         0.0
@@ -195,9 +185,7 @@ fn take_over(world: &mut World) {
     let lookahead = LOOKAHEAD * world.last_dt;
     let margin = |b: usize| {
         let size = world.solid_of(b).radius.min(2.0 * median);
-        (fastest(world, deform, b) * lookahead)
-            .min(FAST_MARGIN * size)
-            .max(MARGIN * size)
+        (fastest(world, deform, b) * lookahead).min(FAST_MARGIN * size).max(MARGIN * size)
     };
     let search = DeformableSearch {
         displacement: deform.nodes.displacement.clone(),
@@ -233,10 +221,7 @@ fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
         }
     }
     let margin = Vec3::splat(search.margins[b]);
-    Box3 {
-        low: around.low - margin,
-        high: around.high + margin,
-    }
+    Box3 { low: around.low - margin, high: around.high + margin }
 }
 
 /// Notes the blocks that have gone over the rim of all terrain since the last look.
@@ -279,9 +264,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
         Role::Target | Role::Seeker => grown_box(world, deform, b),
     }));
     let facets = deform.facets.iter().filter(|f| !f.parted);
-    let ends = facets
-        .map(|f| f.blocks)
-        .chain(world.patches.ends.iter().copied());
+    let ends = facets.map(|f| f.blocks).chain(world.patches.ends.iter().copied());
     let mut joined: Vec<[u32; 2]> = ends.map(|[i, j]| [i.min(j), i.max(j)]).collect();
     joined.sort_unstable();
     let close = desk.grid.close_pairs(
@@ -305,9 +288,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
     if !terrain.blocks.is_empty() {
         close.sort_unstable();
     }
-    let mut old = std::mem::take(&mut world.found.deformable.pairs)
-        .into_iter()
-        .peekable();
+    let mut old = std::mem::take(&mut world.found.deformable.pairs).into_iter().peekable();
     let mut pairs = Vec::with_capacity(close.len());
     let works = &mut world.works;
     let mut lost = |pair: DeformablePair| {
@@ -318,10 +299,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
         while let Some(gone) = old.next_if(|pair| pair.ends < ends) {
             lost(gone);
         }
-        let fresh = DeformablePair {
-            ends,
-            ..DeformablePair::default()
-        };
+        let fresh = DeformablePair { ends, ..DeformablePair::default() };
         pairs.push(old.next_if(|pair| pair.ends == ends).unwrap_or(fresh));
     }
     old.for_each(lost);
@@ -359,10 +337,7 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk, terrain: &Terra
     blocks.dedup();
     // Many blocks are of one class: what follows from it is found once.
     let mut bounds: BTreeMap<u32, f64> = BTreeMap::new();
-    desk.members = blocks
-        .iter()
-        .map(|b| member(world, deform, work, *b, &mut bounds))
-        .collect();
+    desk.members = blocks.iter().map(|b| member(world, deform, work, *b, &mut bounds)).collect();
     desk.stars.clear();
     desk.stars.resize_with(blocks.len(), Star::default);
     let place = |b: u32| blocks.partition_point(|other| *other < b) as u32;
@@ -410,15 +385,9 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk, terrain: &Terra
             let count = body.map_or(2, |k| deform.bodies[k as usize].count);
             vec![Vec3::ZERO; count as usize]
         };
-        PairSlot {
-            forces: c.members.map(room),
-            ..PairSlot::default()
-        }
+        PairSlot { forces: c.members.map(room), ..PairSlot::default() }
     }));
-    desk.workspaces.resize_with(
-        pairs.len().div_ceil(piece(pairs.len())),
-        PairWorkspace::default,
-    );
+    desk.workspaces.resize_with(pairs.len().div_ceil(piece(pairs.len())), PairWorkspace::default);
 }
 
 /// Terrain under a block: it has no far side, and counts as deep as the block.
@@ -448,9 +417,8 @@ fn member(
         let mesh = Tetrahedra::new(&solid).ok();
         let half = mesh.as_ref().map_or(f64::NAN, Tetrahedra::height);
         let rigid = mesh.map(|mesh| (DepthCells::new(&mesh), mesh.nodes));
-        let largest = (0..solid.faces.len())
-            .map(|f| solid.area_vector(f).length())
-            .fold(0.0, f64::max);
+        let largest =
+            (0..solid.faces.len()).map(|f| solid.area_vector(f).length()).fold(0.0, f64::max);
         return Member {
             block,
             body: None,
@@ -477,9 +445,7 @@ fn member(
         largest,
         areas,
         ease,
-        own: *bounds
-            .entry(body.class)
-            .or_insert_with(|| own_frequency(class)),
+        own: *bounds.entry(body.class).or_insert_with(|| own_frequency(class)),
     }
 }
 

@@ -36,11 +36,7 @@ fn brick(low: [f64; 3], size: [f64; 3]) -> BlockSpec {
 
 /// A cube of a metre, turned.
 fn cube(centre: Vec3, turn: Quat) -> BlockSpec {
-    shaped(
-        Polyhedron::brick(Vec3::ZERO, Vec3::splat(0.5)),
-        centre,
-        turn,
-    )
+    shaped(Polyhedron::brick(Vec3::ZERO, Vec3::splat(0.5)), centre, turn)
 }
 
 /// A solid, turned.
@@ -69,10 +65,7 @@ fn model(blocks: Vec<BlockSpec>, deformable: &[u32], friction: f64, damping: f64
     setup.interfaces.push(InterfaceLaw {
         name: "default".into(),
         bond: Some(BondLaw {
-            springs: BondSprings::Thickness {
-                thickness: 1e-3,
-                moduli: Some([1e6, 5e5]),
-            },
+            springs: BondSprings::Thickness { thickness: 1e-3, moduli: Some([1e6, 5e5]) },
             strength: Some(Strength {
                 tension: 0.0,
                 cohesion: 0.0,
@@ -104,10 +97,7 @@ fn model(blocks: Vec<BlockSpec>, deformable: &[u32], friction: f64, damping: f64
 fn fixed(mut setup: Setup, blocks: &[u32]) -> Setup {
     setup.supports.push(Support {
         blocks: blocks.to_vec(),
-        motion: Motion::Fixed {
-            translation: [true; 3],
-            rotation: [true; 3],
-        },
+        motion: Motion::Fixed { translation: [true; 3], rotation: [true; 3] },
     });
     setup
 }
@@ -150,10 +140,7 @@ impl Run {
     }
 
     fn view(&self) -> View<'_> {
-        View {
-            world: &self.world,
-            scratch: &self.scratch,
-        }
+        View { world: &self.world, scratch: &self.scratch }
     }
 
     fn residual(&self) -> f64 {
@@ -195,12 +182,8 @@ fn elastic_collisions_keep_energy_and_momenta() {
         Quat::from_scaled_axis(Vec3::new(0.3, -0.7, 0.5)),
     ];
     for turn in turns {
-        let blocks = || {
-            vec![
-                cube(Vec3::ZERO, Quat::IDENTITY),
-                cube(Vec3::new(0.15, 0.2, 1.45), turn),
-            ]
-        };
+        let blocks =
+            || vec![cube(Vec3::ZERO, Quat::IDENTITY), cube(Vec3::new(0.15, 0.2, 1.45), turn)];
         let found = [4e-5, 2e-5].map(|dt| collision(blocks(), dt));
         println!("{found:?}");
         let [[worst, drift, spin], [finer, ..]] = found;
@@ -214,12 +197,7 @@ fn elastic_collisions_keep_energy_and_momenta() {
 /// The same for blocks whose cells are not their own tetrahedra: a long brick on a slab, a needle on its edge, a cell with many faces.
 #[test]
 fn blocks_of_any_shape_keep_energy_and_momenta() {
-    let needle = [
-        [0.0, 0.0, -0.5],
-        [0.5, 0.1, 0.0],
-        [-0.3, 0.4, 0.1],
-        [0.0, 0.1, 2.0],
-    ];
+    let needle = [[0.0, 0.0, -0.5], [0.5, 0.1, 0.0], [-0.3, 0.4, 0.1], [0.0, 0.1, 2.0]];
     let cell = (0..14).map(|k| {
         let (height, turn) = (1.0 - (f64::from(k) + 0.5) / 7.0, 2.4 * f64::from(k));
         let (sine, cosine) = libm::sincos(turn);
@@ -231,11 +209,8 @@ fn blocks_of_any_shape_keep_energy_and_momenta() {
     let long = Polyhedron::brick(Vec3::ZERO, Vec3::new(0.3, 0.3, 1.2));
     let slab = Polyhedron::brick(Vec3::ZERO, Vec3::new(0.8, 1.0, 0.25));
     let turn = Quat::from_scaled_axis(Vec3::new(0.3, -0.2, 0.5));
-    for (lower, upper, height) in [
-        (&slab, &long, 1.7),
-        (&cell, &needle, 1.4),
-        (&long, &cell, 2.0),
-    ] {
+    for (lower, upper, height) in [(&slab, &long, 1.7), (&cell, &needle, 1.4), (&long, &cell, 2.0)]
+    {
         let blocks = || {
             vec![
                 shaped(lower.clone(), Vec3::ZERO, Quat::IDENTITY),
@@ -254,10 +229,8 @@ fn blocks_of_any_shape_keep_energy_and_momenta() {
 
 #[test]
 fn a_cube_comes_to_rest_with_its_weight_on_a_rigid_floor() {
-    let blocks = vec![
-        brick([-2.0, -2.0, -0.5], [4.0, 4.0, 0.5]),
-        brick([-0.1, 0.15, 0.02], [0.5; 3]),
-    ];
+    let blocks =
+        vec![brick([-2.0, -2.0, -0.5], [4.0, 4.0, 0.5]), brick([-0.1, 0.15, 0.02], [0.5; 3])];
     let mut setup = fixed(model(blocks, &[1], 0.5, 0.3), &[0]);
     setup.gravity = Vec3::new(0.0, 0.0, -9.81);
     let mut run = Run::new(setup, 1, 5e-5);
@@ -286,10 +259,7 @@ fn a_cube_comes_to_rest_with_its_weight_on_a_rigid_floor() {
 /// A cube that lies on another one, joined without strength, slides off its edge and falls.
 #[test]
 fn a_cube_that_slides_off_another_one_falls() {
-    let mut blocks = vec![
-        brick([0.0, 0.0, 0.0], [0.5; 3]),
-        brick([0.0, 0.0, 0.5], [0.5; 3]),
-    ];
+    let mut blocks = vec![brick([0.0, 0.0, 0.0], [0.5; 3]), brick([0.0, 0.0, 0.5], [0.5; 3])];
     blocks[1].velocity = Vec3::new(4.0, 0.0, 0.0);
     let mut setup = fixed(model(blocks, &[0, 1], 0.1, 0.0), &[0]);
     setup.gravity = Vec3::new(0.0, 0.0, -9.81);
@@ -310,10 +280,7 @@ fn a_cube_that_slides_off_another_one_falls() {
 
 #[test]
 fn friction_stops_a_cube_that_slides_on_a_rigid_floor_and_on_terrain() {
-    for floor in [
-        brick([-1.0, -1.0, -0.5], [4.0, 2.0, 0.5]),
-        ground(|_, _| 0.0),
-    ] {
+    for floor in [brick([-1.0, -1.0, -0.5], [4.0, 2.0, 0.5]), ground(|_, _| 0.0)] {
         let mut block = brick([-0.5, -0.2, 0.0], [0.4, 0.4, 0.2]);
         block.velocity = Vec3::new(2.0, 0.0, 0.0);
         let mut setup = fixed(model(vec![floor, block], &[1], 0.5, 0.1), &[0]);
@@ -371,29 +338,16 @@ fn threads_and_restart_change_no_bit() {
     one.until(0.03);
     let world = one.world.clone();
     one.until(0.045);
-    let touching = one
-        .world
-        .found
-        .deformable
-        .pairs
-        .iter()
-        .filter(|p| p.depth > 0.0);
+    let touching = one.world.found.deformable.pairs.iter().filter(|p| p.depth > 0.0);
     assert!(touching.count() > 30);
     let mut two = Run::new(setup(), 2, 1e-4);
     two.until(0.045);
     assert!(one.world.hash() == two.world.hash(), "threads change bits");
     let mut world = world;
     let scratch = Scratch::new(&mut world, Exec::serial());
-    let mut again = Run {
-        world,
-        scratch,
-        dt: 1e-4,
-    };
+    let mut again = Run { world, scratch, dt: 1e-4 };
     again.until(0.045);
-    assert!(
-        one.world.hash() == again.world.hash(),
-        "a restart changes bits"
-    );
+    assert!(one.world.hash() == again.world.hash(), "a restart changes bits");
     assert_eq!(one.world.works, again.world.works);
 }
 
@@ -418,10 +372,7 @@ fn a_whole_lattice_has_no_pairs() {
 fn ground(height: impl Fn(f64, f64) -> f64) -> BlockSpec {
     let line: Vec<f64> = (0..=16).map(|k| 0.5 * f64::from(k) - 4.0).collect();
     let field = HeightField::grid(&line, &line, |i, j| Some(height(line[i], line[j]))).unwrap();
-    spec(Shape::Terrain(Box::new(Surface {
-        points: field.points,
-        triangles: field.triangles,
-    })))
+    spec(Shape::Terrain(Box::new(Surface { points: field.points, triangles: field.triangles })))
 }
 
 /// A cube that falls askew and spins: on terrain as on a floor of one brick. (Springs along a contact act at the centres of its pieces, of which there are
@@ -499,10 +450,7 @@ fn threads_and_restart_change_no_bit_on_terrain() {
     let dt = 8e-5;
     let mut again = Run { world, scratch, dt };
     again.until(0.1);
-    assert!(
-        one.world.hash() == again.world.hash(),
-        "a restart changes bits"
-    );
+    assert!(one.world.hash() == again.world.hash(), "a restart changes bits");
 }
 
 /// A block that comes from outside, half of it below the surface, meets the side of the terrain and goes back: no energy is made.
@@ -510,11 +458,7 @@ fn threads_and_restart_change_no_bit_on_terrain() {
 fn the_side_of_terrain_is_a_wall() {
     let mut block = cube(Vec3::new(-5.0, 0.3, -0.1), Quat::from_rotation_x(0.3));
     block.velocity = Vec3::new(5.0, 0.4, 0.0);
-    let mut run = Run::new(
-        model(vec![ground(|_, _| 0.0), block], &[1], 0.0, 0.0),
-        1,
-        2e-5,
-    );
+    let mut run = Run::new(model(vec![ground(|_, _| 0.0), block], &[1], 0.0, 0.0), 1, 2e-5);
     run.evaluate();
     let start = run.view().kinetic_energy();
     let (mut worst, mut deepest) = (0.0_f64, 0.0_f64);
@@ -533,11 +477,7 @@ fn the_side_of_terrain_is_a_wall() {
 #[test]
 fn a_cube_below_the_surface_stops_the_run() {
     let below = cube(Vec3::new(0.1, 0.2, -2.0), Quat::IDENTITY);
-    let mut run = Run::new(
-        model(vec![ground(|_, _| 0.0), below], &[1], 0.5, 0.1),
-        1,
-        1e-5,
-    );
+    let mut run = Run::new(model(vec![ground(|_, _| 0.0), below], &[1], 0.5, 0.1), 1, 1e-5);
     run.evaluate();
     let worst = run.view().worst_overlap();
     assert_eq!(worst, Some((f64::INFINITY, 0, 1)));

@@ -19,10 +19,8 @@ pub(super) fn append(world: &mut World, deform: &mut Deform, families: &[Family]
             block(world, family.cut, k);
             body(world, deform, family, part);
             let nodes = first..first + part.mesh.nodes.len();
-            let (displacement, velocity) = (
-                &handed.displacement[nodes.clone()],
-                &handed.velocity[nodes.clone()],
-            );
+            let (displacement, velocity) =
+                (&handed.displacement[nodes.clone()], &handed.velocity[nodes.clone()]);
             deform.nodes.displacement.extend_from_slice(displacement);
             deform.nodes.velocity.extend_from_slice(velocity);
             deform.start.push(handed.starts[k].clone());
@@ -70,23 +68,14 @@ fn block(world: &mut World, cut: &Cut, number: usize) {
     world.solid.push(world.solids.len() as u32 - 1);
     world.setup.blocks.push(spec);
     let level = world.lineage[parent].level + 1;
-    world.lineage.push(Origin {
-        parent: parent as u32,
-        octant: number as u8,
-        level,
-    });
+    world.lineage.push(Origin { parent: parent as u32, octant: number as u8, level });
     world.reference.push(centre + moments.centroid);
     world.turned.push(None);
     world.alive.push(true);
     world.motion.push(world.motion[parent].clone());
-    world
-        .peak_speed_squared
-        .push(world.peak_speed_squared[parent]);
+    world.peak_speed_squared.push(world.peak_speed_squared[parent]);
     let child = world.bodies.push(
-        [
-            world.bodies.displacement(parent),
-            world.bodies.rotation(parent),
-        ],
+        [world.bodies.displacement(parent), world.bodies.rotation(parent)],
         [world.bodies.velocity(parent), world.bodies.spin(parent)],
     );
     if !world.datum.is_empty() {

@@ -76,20 +76,11 @@ pub(super) fn rebuild(
     let is_open = |facet: &Facet| facet.blocks.iter().any(|b| of[*b as usize] != WHOLE);
     let facets = deform.facets.iter().enumerate();
     let open: Vec<usize> = facets.filter(|(_, f)| is_open(f)).map(|(k, _)| k).collect();
-    let maker = Maker {
-        world,
-        deform,
-        work,
-        families,
-        of: &of,
-        conditioned: &conditioned,
-    };
+    let maker = Maker { world, deform, work, families, of: &of, conditioned: &conditioned };
     let mut counts = vec![[0; 2]; families.len()];
     let mut lists = Lists::default();
     // Runs come back in their order, so that the lists are the same on any number of threads.
-    let between = exec.map(&open, RUN, |some| {
-        made_of(some, |lists, k| maker.anew(lists, *k))
-    });
+    let between = exec.map(&open, RUN, |some| made_of(some, |lists, k| maker.anew(lists, *k)));
     let mut olds = open.iter();
     for made in between {
         let (new, made) = made?;
@@ -103,9 +94,8 @@ pub(super) fn rebuild(
         }
         lists.append(new);
     }
-    let inside = exec.map(families, RUN, |some| {
-        made_of(some, |lists, family| maker.inside(lists, family))
-    });
+    let inside =
+        exec.map(families, RUN, |some| made_of(some, |lists, family| maker.inside(lists, family)));
     let mut own = counts.iter_mut();
     for made in inside {
         let (new, made) = made?;
@@ -145,10 +135,7 @@ fn drop_facets(deform: &mut Deform, gone: &[usize]) {
             continue;
         }
         let facet = deform.facets[k];
-        deform.facets[to] = Facet {
-            first: point as u32,
-            ..facet
-        };
+        deform.facets[to] = Facet { first: point as u32, ..facet };
         deform.worn[to] = deform.worn[k];
         deform.points.copy_within(facet.points(), point);
         deform.memory.copy_within(facet.points(), point);
@@ -164,10 +151,7 @@ fn drop_facets(deform: &mut Deform, gone: &[usize]) {
 impl Lists {
     fn append(&mut self, new: Self) {
         let first = self.points.len() as u32;
-        self.facets.extend(new.facets.into_iter().map(|f| Facet {
-            first: first + f.first,
-            ..f
-        }));
+        self.facets.extend(new.facets.into_iter().map(|f| Facet { first: first + f.first, ..f }));
         self.points.extend(new.points);
         self.memory.extend(new.memory);
         self.covered.extend(new.covered);
@@ -176,10 +160,9 @@ impl Lists {
     /// Appends everything to the lists of the model. New facets are joined under load.
     fn hand_over(self, deform: &mut Deform) {
         let first = deform.points.len() as u32;
-        deform.facets.extend(self.facets.into_iter().map(|f| Facet {
-            first: first + f.first,
-            ..f
-        }));
+        deform
+            .facets
+            .extend(self.facets.into_iter().map(|f| Facet { first: first + f.first, ..f }));
         deform.worn.resize(deform.facets.len(), true);
         deform.points.extend(self.points);
         deform.memory.extend(self.memory);
@@ -240,10 +223,7 @@ impl Maker<'_> {
                 if joints.is_empty() {
                     continue;
                 }
-                let facet = Facet {
-                    blocks: [a.block, b.block],
-                    ..*old
-                };
+                let facet = Facet { blocks: [a.block, b.block], ..*old };
                 let (facet, points) = self.place(lists, facet, &joints, shift);
                 let freedoms = self.world.freedoms_with(self.deform);
                 for (joint, point) in joints.iter().zip(&points) {
@@ -289,17 +269,11 @@ impl Maker<'_> {
                 let block = facet.blocks[side];
                 return Anchor::Block { block, arm };
             }
-            Anchor::Nodes {
-                nodes: joint.sides[side].nodes,
-                weights: joint.sides[side].weights,
-            }
+            Anchor::Nodes { nodes: joint.sides[side].nodes, weights: joint.sides[side].weights }
         };
         let points: Vec<Point> = joints
             .iter()
-            .map(|j| Point {
-                anchors: [anchor(j, 0), anchor(j, 1)],
-                area: j.area,
-            })
+            .map(|j| Point { anchors: [anchor(j, 0), anchor(j, 1)], area: j.area })
             .collect();
         let area: f64 = joints.iter().map(|j| j.area).sum();
         let first: Vec3 = joints.iter().map(|j| j.area * j.at).sum();
@@ -363,10 +337,7 @@ impl Maker<'_> {
             own + 2 * usize::from(has(&(middle + f as u32)))
         };
         // The first of the best.
-        (0..kind.faces.len())
-            .rev()
-            .max_by_key(|f| shared(*f))
-            .unwrap_or(0)
+        (0..kind.faces.len()).rev().max_by_key(|f| shared(*f)).unwrap_or(0)
     }
 
     /// A face of a body as it is now: itself, or what the parts of the body have of it.
@@ -405,11 +376,7 @@ impl Maker<'_> {
         };
         let at = |side| place(self.world, self.deform, point, side);
         let shift = at(0) - at(1);
-        if self.world.setup.periodic == [None; 3] {
-            Vec3::ZERO
-        } else {
-            shift
-        }
+        if self.world.setup.periodic == [None; 3] { Vec3::ZERO } else { shift }
     }
 
     /// Facets between the parts of a block, under the traction of its stress; their number.
@@ -467,10 +434,7 @@ impl Maker<'_> {
                     let stiff = if k == 0 { kn } else { ks };
                     facet.now[k].dot(t) - stiff * facet.now[k].dot(jump)
                 });
-                lists.memory.push(Memory {
-                    start,
-                    ..Memory::default()
-                });
+                lists.memory.push(Memory { start, ..Memory::default() });
             }
             lists.points.extend(points);
             made += 1;
@@ -512,12 +476,7 @@ impl Maker<'_> {
                     }
                 }
                 if !nodes.is_empty() {
-                    made.push(Surface {
-                        body: slot,
-                        nodes,
-                        heights,
-                        ..surface.clone()
-                    });
+                    made.push(Surface { body: slot, nodes, heights, ..surface.clone() });
                 }
             }
         }

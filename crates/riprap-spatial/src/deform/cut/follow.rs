@@ -13,11 +13,8 @@ use crate::setup::{Load, LoadKind, Setup};
 pub(super) fn follow(setup: &mut Setup, families: &[Family]) {
     let of: BTreeMap<u32, &Family> = families.iter().map(|f| (f.cut.block, f)).collect();
     let extend = |blocks: &mut Vec<u32>| {
-        let found: Vec<u32> = blocks
-            .iter()
-            .filter_map(|b| of.get(b))
-            .flat_map(|f| f.children())
-            .collect();
+        let found: Vec<u32> =
+            blocks.iter().filter_map(|b| of.get(b)).flat_map(|f| f.children()).collect();
         blocks.extend(found);
         blocks.sort_unstable();
         blocks.dedup();
@@ -54,10 +51,7 @@ fn shares(setup: &Setup, load: &Load, family: &Family, made: &mut Vec<Load>) {
         });
     };
     match &load.kind {
-        LoadKind::Point {
-            force,
-            at: Some(point),
-        } => {
+        LoadKind::Point { force, at: Some(point) } => {
             let (_, centre) = centred(&setup.blocks[family.cut.block as usize].shape);
             let beyond = |part: &Part| {
                 let planes = (0..part.solid.faces.len()).map(|f| part.solid.plane(f));
@@ -67,10 +61,7 @@ fn shares(setup: &Setup, load: &Load, family: &Family, made: &mut Vec<Load>) {
             // The part that holds it, or comes nearest to it.
             let nearest = |a: &usize, b: &usize| beyond(&parts[*a]).total_cmp(&beyond(&parts[*b]));
             let holder = (0..parts.len()).min_by(nearest).unwrap_or(0);
-            let kind = LoadKind::Point {
-                force: *force,
-                at: Some(*point),
-            };
+            let kind = LoadKind::Point { force: *force, at: Some(*point) };
             push(holder, kind);
         }
         LoadKind::Point { force, at: None } => {

@@ -35,10 +35,7 @@ impl<'a> Pressed<'a> {
                 }
             }
         });
-        Self {
-            mesh: &kind.mesh,
-            stress: stress.collect(),
-        }
+        Self { mesh: &kind.mesh, stress: stress.collect() }
     }
 
     /// At a point about the centroid; the mean of several where it lies between tetrahedra.

@@ -69,13 +69,7 @@ impl<'a> Planner<'a> {
             Anchor::Spacing => None,
             Anchor::Tip => Some(tip::Front::new(world, deform)),
         };
-        Some(Self {
-            world,
-            deform,
-            work,
-            rules,
-            tips,
-        })
+        Some(Self { world, deform, work, rules, tips })
     }
 
     /// What planes make of a block whose criterion is met, and why they are cut there.
@@ -98,11 +92,8 @@ impl<'a> Planner<'a> {
         }
         let normal = fracture::cut_normal(&rock, verdict.mode, &principal, &gradient, None);
         // A part gets the plane that was missing, not a full set.
-        let planes = if tip.is_some() && generation(world, deform, block) > 0 {
-            1
-        } else {
-            rules.planes
-        };
+        let planes =
+            if tip.is_some() && generation(world, deform, block) > 0 { 1 } else { rules.planes };
         let at = tip.map(|t| t.at);
         let limits = (rules.snap, rules.smallest);
         let volume = work.class(body).mesh.volume();
@@ -112,11 +103,7 @@ impl<'a> Planner<'a> {
         {
             return None;
         }
-        let note = Note {
-            normal,
-            mode: verdict.mode,
-            excess: verdict.excess,
-        };
+        let note = Note { normal, mode: verdict.mode, excess: verdict.excess };
         Some((note, parts))
     }
 
@@ -161,14 +148,7 @@ pub(super) fn cut(
         // Nobody asks for them any more, and there may be very many parts.
         part.mesh.gradients = Vec::new();
     }
-    Cut {
-        block,
-        note,
-        parts,
-        shapes,
-        classes,
-        handed,
-    }
+    Cut { block, note, parts, shapes, classes, handed }
 }
 
 /// Whether a part would need a time step below the floor.
@@ -262,10 +242,7 @@ pub(super) fn divide(
         None => Planes::Spaced { count: planes },
         Some(at) => Planes::Anchored { count: planes, at },
     };
-    let limits = Limits {
-        snap,
-        ..Limits::default()
-    };
+    let limits = Limits { snap, ..Limits::default() };
     let made = cut::cut(&solid, normal, planes, &limits).map_err(|_| Uncut::Small)?;
     let height = at.map(|at| normal.normalize().dot(at));
     let near = |d: &f64| height.is_none_or(|h| (d - h).abs() <= 1e-9 * solid.size());
@@ -280,9 +257,5 @@ pub(super) fn divide(
     // Both: mass is that of the tetrahedra, and the shapes are what a restart begins with.
     let total: f64 = volumes.sum();
     let same = |whole: f64| (total - whole).abs() <= SAME_VOLUME * whole;
-    if same(solid.moments().volume) && same(volume) {
-        Ok(made.parts)
-    } else {
-        Err(Uncut::Crooked)
-    }
+    if same(solid.moments().volume) && same(volume) { Ok(made.parts) } else { Err(Uncut::Crooked) }
 }

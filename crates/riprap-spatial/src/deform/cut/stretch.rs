@@ -37,10 +37,7 @@ impl Stretch {
             areas.push(point.area);
         }
         let whole = points.iter().all(|p| p.1.law.damage == 0.0);
-        Self {
-            fit: whole.then(|| linear(facet, &points, &areas)),
-            points,
-        }
+        Self { fit: whole.then(|| linear(facet, &points, &areas)), points }
     }
 
     /// Memory of a new point whose jump is `at` (m).
@@ -59,11 +56,7 @@ impl Stretch {
             }
         };
         let [kn, ks] = facet.stiffness;
-        let start = [
-            kn * (wanted[0] - at[0]),
-            ks * (wanted[1] - at[1]),
-            ks * (wanted[2] - at[2]),
-        ];
+        let start = [kn * (wanted[0] - at[0]), ks * (wanted[1] - at[1]), ks * (wanted[2] - at[2])];
         Memory { start, ..*old }
     }
 }
@@ -95,13 +88,7 @@ fn linear(
     let det = xx * yy - xy * xy;
     let sound = det > 1e-9 * xx * yy;
     let slope = |u: [f64; 3], v: [f64; 3], p: f64, q: f64| {
-        std::array::from_fn(|k| {
-            if sound {
-                (p * u[k] - q * v[k]) / det
-            } else {
-                0.0
-            }
-        })
+        std::array::from_fn(|k| if sound { (p * u[k] - q * v[k]) / det } else { 0.0 })
     };
     let (b, c) = (slope(x_of, y_of, yy, xy), slope(y_of, x_of, xx, xy));
     (centre, [mean, b, c])

@@ -45,11 +45,8 @@ impl Front {
     #[must_use]
     pub fn new(world: &World, deform: &Deform) -> Self {
         let near = near(world, deform);
-        let areas: Vec<Area> = deform
-            .facets
-            .iter()
-            .map(|f| Area::new(outline(world, f), f.frame[0]))
-            .collect();
+        let areas: Vec<Area> =
+            deform.facets.iter().map(|f| Area::new(outline(world, f), f.frame[0])).collect();
         let broken: Vec<usize> = broken(deform).collect();
         let mut of: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
         for (k, facet) in deform.facets.iter().enumerate() {
@@ -65,10 +62,7 @@ impl Front {
                 let goes_on = broken.iter().any(|j| *j != k && areas[*j].holds(at, near));
                 let ends = deform.facets[k].blocks;
                 let n = areas[k].normal;
-                let inside = || {
-                    ends.iter()
-                        .all(|b| covered(world, *b, at, n, near, &of, &areas))
-                };
+                let inside = || ends.iter().all(|b| covered(world, *b, at, n, near, &of, &areas));
                 if !goes_on && inside() && !tips.iter().any(|t| t.at.distance(at) <= near) {
                     let heading = (at - areas[k].middle()).normalize_or_zero();
                     tips.push(Tip { at, heading });
@@ -87,15 +81,11 @@ impl Front {
         let (solid, centre) = centred(&world.setup.blocks[block as usize].shape);
         let beyond = |at: Vec3| {
             let planes = (0..solid.faces.len()).map(|f| solid.plane(f));
-            planes
-                .map(|(n, d)| n.dot(at - centre) - d)
-                .fold(f64::NEG_INFINITY, f64::max)
+            planes.map(|(n, d)| n.dot(at - centre) - d).fold(f64::NEG_INFINITY, f64::max)
         };
         let touched = self.tips.iter().filter(|t| beyond(t.at) <= self.near);
         let root = root(world, deform, block);
-        touched
-            .copied()
-            .find(|tip| !self.leads_on(world, deform, tip, root))
+        touched.copied().find(|tip| !self.leads_on(world, deform, tip, root))
     }
 
     /// Whether a facet that is not broken, between parts of the block `root`, leads on from a tip.
@@ -103,10 +93,7 @@ impl Front {
         let mut facets = deform.facets.iter().enumerate();
         facets.any(|(k, facet)| {
             let inside = facet.blocks[0] != facet.blocks[1]
-                && facet
-                    .blocks
-                    .iter()
-                    .all(|b| self::root(world, deform, *b) == root);
+                && facet.blocks.iter().all(|b| self::root(world, deform, *b) == root);
             if !inside || is_broken(deform, k) || !tip.leads_to(facet.centre) {
                 return false;
             }

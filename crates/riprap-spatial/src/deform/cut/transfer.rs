@@ -32,10 +32,8 @@ pub(super) fn hand_on(
     classes: &[BlockClass],
 ) -> Handed {
     let class = work.class(body);
-    let (displacement, velocity) = (
-        &deform.nodes.displacement[body.nodes()],
-        &deform.nodes.velocity[body.nodes()],
-    );
+    let (displacement, velocity) =
+        (&deform.nodes.displacement[body.nodes()], &deform.nodes.velocity[body.nodes()]);
     let at = |mesh: &Tetrahedra, displacement: &[[f64; 3]]| -> Vec<Vec3> {
         let pairs = mesh.nodes.iter().zip(displacement);
         pairs.map(|(x, u)| *x + Vec3::from_array(*u)).collect()
@@ -67,13 +65,7 @@ pub(super) fn hand_on(
         first = nodes.end;
         parent.of(part, own, &u[nodes])
     });
-    Handed {
-        starts: starts.collect(),
-        displacement: u,
-        velocity: v,
-        before,
-        after,
-    }
+    Handed { starts: starts.collect(), displacement: u, velocity: v, before, after }
 }
 
 /// A block with its stress.

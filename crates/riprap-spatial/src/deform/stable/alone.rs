@@ -109,10 +109,7 @@ fn ease(deform: &Deform, work: &Workspace, block: u32, anchor: &Anchor) -> f64 {
     };
     let masses = work.class(body).masses();
     let pairs = anchor.nodes();
-    pairs
-        .filter(|(_, w)| *w != 0.0)
-        .map(|(n, w)| w * w / masses[(n - body.first) as usize])
-        .sum()
+    pairs.filter(|(_, w)| *w != 0.0).map(|(n, w)| w * w / masses[(n - body.first) as usize]).sum()
 }
 
 /// Largest eigenvalue of a symmetric operator on `size` numbers without negative ones, by Lanczos's method. That

@@ -48,11 +48,7 @@ impl<'a> Limit<'a> {
     ) -> Self {
         Self {
             force,
-            cohesive: if cohesion > 0.0 {
-                (cohesion / force).min(1.0)
-            } else {
-                0.0
-            },
+            cohesive: if cohesion > 0.0 { (cohesion / force).min(1.0) } else { 0.0 },
             contact,
             pieces: q.pieces,
             motion,

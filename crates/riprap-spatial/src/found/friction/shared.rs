@@ -46,8 +46,5 @@ pub fn share(law: &ContactLaw, q: &Question, power: f64) -> Option<Shared> {
     let across = law.dashpot(law.normal_stiffness, c.area, met.mass, q.last_dt);
     let normal = (c.elastic - across * power / c.elastic).max(0.0);
     let rocking = against_rocking(across, c, &met.velocity, normal);
-    Some(Shared {
-        ratio: normal / c.elastic - 1.0,
-        rocking: about(met.arms, Vec3::ZERO, rocking),
-    })
+    Some(Shared { ratio: normal / c.elastic - 1.0, rocking: about(met.arms, Vec3::ZERO, rocking) })
 }

@@ -68,10 +68,7 @@ fn sides_that_pass_each_other_keep_the_energy() {
                 "{sideways} m/s, {dt:e} s: {passing:.2e}, straight {straight:.2e}, jump {jump:.1e}, bound {bound:.1e}"
             );
             assert!(passing < bound + jump, "{passing:e}");
-            assert!(
-                (passing - straight).abs() < jump,
-                "{passing:e} {straight:e}"
-            );
+            assert!((passing - straight).abs() < jump, "{passing:e} {straight:e}");
         }
     }
 }
@@ -119,12 +116,9 @@ fn corner_that_strikes_at_an_angle() {
     });
     println!("{errors:.5?}");
     // As measured with another program, to its digits.
-    for ((found, _), (wanted, digit)) in errors.iter().zip([
-        (2.6e-2, 5e-4),
-        (1.3e-2, 5e-4),
-        (6.7e-3, 5e-5),
-        (3.6e-3, 5e-5),
-    ]) {
+    for ((found, _), (wanted, digit)) in
+        errors.iter().zip([(2.6e-2, 5e-4), (1.3e-2, 5e-4), (6.7e-3, 5e-5), (3.6e-3, 5e-5)])
+    {
         assert!((found - wanted).abs() < 1.2 * digit, "{found} {wanted}");
     }
     // Three powers of kn^(-1/4) taken out one after the other: the fourth is 3e-4 at 1e10 and 3e-7 at 1e13 times a factor of some ten.

@@ -11,11 +11,7 @@ use super::*;
 fn shape(chance: &mut Chance) -> Shape {
     loop {
         let count = [0, 4, 8, 14, 20][chance.below(5)];
-        let half = Vec3::new(
-            0.1 + chance.unit(),
-            0.1 + chance.unit(),
-            0.1 + chance.unit(),
-        );
+        let half = Vec3::new(0.1 + chance.unit(), 0.1 + chance.unit(), 0.1 + chance.unit());
         let solid = if count == 0 {
             Polyhedron::brick(Vec3::ZERO, half)
         } else {
@@ -54,9 +50,8 @@ struct Heap {
 impl Heap {
     fn new(chance: &mut Chance, count: usize, ratio: f64) -> Self {
         let kinds: Vec<Shape> = (0..20).map(|_| shape(chance)).collect();
-        let shapes: Vec<Shape> = (0..count)
-            .map(|k| scaled(&kinds[k % 20], libm::pow(ratio, chance.unit())))
-            .collect();
+        let shapes: Vec<Shape> =
+            (0..count).map(|k| scaled(&kinds[k % 20], libm::pow(ratio, chance.unit()))).collect();
         // Most sit near an earlier one, so that small ones meet large ones too.
         let edge = libm::cbrt(count as f64) * libm::sqrt(ratio);
         let mut pose: Vec<Pose> = Vec::with_capacity(count);
@@ -69,25 +64,13 @@ impl Heap {
                 let way = chance.direction() * reach;
                 pose[other].position + way * (0.5 + 0.5 * chance.unit())
             };
-            pose.push(Pose {
-                position,
-                rotation: chance.rotation(),
-            });
+            pose.push(Pose { position, rotation: chance.rotation() });
         }
-        Self {
-            shape: (0..count as u32).collect(),
-            roles: vec![Role::Seeker; count],
-            pose,
-            shapes,
-        }
+        Self { shape: (0..count as u32).collect(), roles: vec![Role::Seeker; count], pose, shapes }
     }
 
     fn blocks(&self) -> Blocks<'_> {
-        Blocks {
-            shapes: &self.shapes,
-            shape: &self.shape,
-            roles: &self.roles,
-        }
+        Blocks { shapes: &self.shapes, shape: &self.shape, roles: &self.roles }
     }
 
     fn search(&self) -> Search {
@@ -123,11 +106,7 @@ impl Heap {
         let mut normals = [Vec::new(), Vec::new()];
         let ends = [i, j];
         let turns = [0, 1].map(|s: usize| {
-            turn(
-                &self.shapes[ends[s]],
-                self.pose[ends[s]].rotation,
-                &mut normals[s],
-            )
+            turn(&self.shapes[ends[s]], self.pose[ends[s]].rotation, &mut normals[s])
         });
         let bodies = [0, 1].map(|s: usize| Body {
             shape: &self.shapes[ends[s]],
@@ -165,9 +144,7 @@ fn nearest(planes: &Planes, range: std::ops::Range<usize>, x: Vec3) -> (usize, f
     let start = range.start;
     range
         .map(|k| (k, depth(k)))
-        .fold((start, f64::INFINITY), |best, one| {
-            if one.1 < best.1 { one } else { best }
-        })
+        .fold((start, f64::INFINITY), |best, one| if one.1 < best.1 { one } else { best })
 }
 
 #[test]
@@ -199,11 +176,7 @@ fn no_pair_and_no_face_is_missed_after_motions_within_the_margins() {
                             .map(|k| {
                                 let speed = planes.normal(k).dot(direction);
                                 let room = planes.d[k] - planes.normal(k).dot(at);
-                                if speed > 0.0 {
-                                    room / speed
-                                } else {
-                                    f64::INFINITY
-                                }
+                                if speed > 0.0 { room / speed } else { f64::INFINITY }
                             })
                             .fold(f64::INFINITY, f64::min);
                         let x = at + direction * (chance.unit() * reach);
@@ -269,10 +242,7 @@ fn blocks_apart_are_left_out_and_close_ones_are_not() {
             shapes: vec![shape.clone()],
             shape: vec![0; 2],
             roles: vec![Role::Seeker; 2],
-            pose: vec![
-                Pose::at(Vec3::ZERO),
-                Pose::at(Vec3::new(0.05, 1.0 + gap, 0.2)),
-            ],
+            pose: vec![Pose::at(Vec3::ZERO), Pose::at(Vec3::new(0.05, 1.0 + gap, 0.2))],
         };
         let candidates = heap.candidates(&heap.search(), 1);
         assert_eq!(candidates.pairs.len(), wanted);
@@ -299,13 +269,7 @@ fn the_list_is_the_same_for_any_number_of_threads_and_after_a_restart() {
     assert!(first.pairs.len() > 1400);
     // Made again in the same room after another list.
     let mut again = heap.candidates(&Heap::new(&mut chance, 1400, 5.0).search(), 1);
-    again.rebuild(
-        &heap.blocks(),
-        &search,
-        |_, _| false,
-        |_, _| false,
-        &Exec::serial(),
-    );
+    again.rebuild(&heap.blocks(), &search, |_, _| false, |_, _| false, &Exec::serial());
     assert_eq!((first.pairs, first.lists), (again.pairs, again.lists));
 }
 
@@ -372,13 +336,7 @@ fn margins_grow_with_speed_within_bounds() {
     let speeds = [0.0, 10.0, 1e9, f64::NAN, 0.0];
     let mut search = Search::default();
     search.renew(&heap.blocks(), |b| heap.pose[b], |b| speeds[b], 0.02);
-    let wanted = [
-        0.04,
-        0.2 / radius,
-        0.4,
-        0.4,
-        0.08 * radius / heap.shapes[4].radius,
-    ];
+    let wanted = [0.04, 0.2 / radius, 0.4, 0.4, 0.08 * radius / heap.shapes[4].radius];
     for (b, share) in wanted.into_iter().enumerate() {
         let margin = search.margin[b] / heap.shapes[b].radius;
         assert!((margin - share).abs() < 1e-12, "{b}: {margin}");
@@ -401,10 +359,7 @@ fn the_bound_of_the_way_holds_for_the_corners() {
     }
     // The same attitude has two quaternions.
     let q = chance.rotation();
-    let turned = |rotation: Quat| Pose {
-        position: Vec3::ZERO,
-        rotation,
-    };
+    let turned = |rotation: Quat| Pose { position: Vec3::ZERO, rotation };
     assert_eq!(path_bound(&turned(q), &turned(-q), 1.0), 0.0);
 }
 
@@ -421,9 +376,7 @@ fn cost_is_linear_in_the_number_of_blocks() {
             let (boxes, roles) = (&candidates.boxes, &heap.roles);
             let looks = candidates.grid.looks(boxes, roles);
             let serial = Exec::serial();
-            let close = candidates
-                .grid
-                .close_pairs(boxes, roles, |_, _| false, &serial);
+            let close = candidates.grid.close_pairs(boxes, roles, |_, _| false, &serial);
             let count = heap.pose.len() as f64;
             [looks, close.len(), candidates.pairs.len()].map(|n| n as f64 / count)
         });
@@ -456,10 +409,7 @@ fn time_of_the_search() {
             let whole = begin.elapsed().as_secs_f64();
             let (boxes, roles) = (&candidates.boxes, &heap.roles);
             let begin = std::time::Instant::now();
-            let close = candidates
-                .grid
-                .close_pairs(boxes, roles, |_, _| false, &exec)
-                .len();
+            let close = candidates.grid.close_pairs(boxes, roles, |_, _| false, &exec).len();
             let grid = begin.elapsed().as_secs_f64();
             let begin = std::time::Instant::now();
             assert!(!candidates.outdated(

@@ -33,17 +33,11 @@ impl Terrain {
     /// The prisms that meet a box, about its middle.
     #[must_use]
     pub fn prisms(&self, around: &Box3) -> Star {
-        let mut star = Star {
-            origin: 0.5 * (around.low + around.high),
-            ..Star::default()
-        };
+        let mut star = Star { origin: 0.5 * (around.low + around.high), ..Star::default() };
         let height = (around.high - around.low).max_element();
         for cell in self.below(around) {
             let top = cell.corners.map(|corner| corner - star.origin);
-            let floor = top
-                .iter()
-                .map(|c| c.z)
-                .fold(around.low.z - star.origin.z, f64::min);
+            let floor = top.iter().map(|c| c.z).fold(around.low.z - star.origin.z, f64::min);
             let bottom = top.map(|c| Vec3::new(c.x, c.y, floor - height));
             let ([a, b, c], [d, e, f]) = (top, bottom);
             for corners in [[d, a, b, c], [d, e, b, c], [d, e, f, c]] {

@@ -24,12 +24,7 @@ fn rough(x: f64, y: f64) -> f64 {
 fn find(treader: &mut Treader, terrain: &Terrain, shape: &Shape, pose: Pose) -> Reached {
     let mut normals = Vec::new();
     let turn = super::super::turn(shape, pose.rotation, &mut normals);
-    let body = Body {
-        shape,
-        normals: &normals,
-        turn,
-        position: pose.position,
-    };
+    let body = Body { shape, normals: &normals, turn, position: pose.position };
     treader.find(terrain, &body, shape.radius)
 }
 
@@ -65,10 +60,7 @@ fn a_flat_floor_of_triangles_is_a_floor_of_one_brick() {
             let pose = Pose { position, rotation };
             let sums =
                 Placed::new([&floor, &shape], [Pose::at(Vec3::ZERO), pose]).touch(&mut walker);
-            assert_eq!(
-                find(&mut treader, &terrain, &shape, pose),
-                Reached::Touching
-            );
+            assert_eq!(find(&mut treader, &terrain, &shape, pose), Reached::Touching);
             let on = &treader.facets[0].sums;
             touched += on.pieces;
             let scale = 1e-12 * sums.weight.max(1e-6);
@@ -113,11 +105,7 @@ fn a_slope_is_as_stiff_as_stated() {
         find(&mut treader, &terrain, &shape, Pose { position, rotation });
         let (force, _) = all(&treader);
         let exact = 0.8 * depth * DEPTH / (normal.z + DEPTH);
-        assert!(
-            (force / exact - normal).length() < 1e-5,
-            "{}",
-            force / exact
-        );
+        assert!((force / exact - normal).length() < 1e-5, "{}", force / exact);
     }
 }
 
@@ -135,11 +123,7 @@ fn edges_in_one_plane_are_not_felt() {
             let v = rotation * *v;
             v.z - 0.5 * v.x + 0.3 * v.y
         };
-        let low = shape
-            .vertices
-            .iter()
-            .map(above)
-            .fold(f64::INFINITY, f64::min);
+        let low = shape.vertices.iter().map(above).fold(f64::INFINITY, f64::min);
         let mut first = None;
         for _ in 0..200 {
             let (x, y) = (chance.between(-1.5, 1.5), chance.between(-1.5, 1.5));
@@ -147,10 +131,7 @@ fn edges_in_one_plane_are_not_felt() {
             find(&mut treader, &terrain, &shape, Pose { position, rotation });
             let sums = treader.facets[0].sums;
             let (force, moment) = *first.get_or_insert((sums.force, sums.moment));
-            assert!(
-                (sums.force - force).length() < 1e-12 * force.length(),
-                "{kind:?}"
-            );
+            assert!((sums.force - force).length() < 1e-12 * force.length(), "{kind:?}");
             assert!((sums.moment - moment).length() < 1e-12 * force.length());
             let across = sums.force.cross(Vec3::new(-0.5, 0.3, 1.0)).length();
             assert!(across < 1e-12 * force.length(), "{across:e}");
@@ -175,15 +156,7 @@ fn no_work_is_done_round_closed_paths_over_rough_ground() {
             let deep = |treader: &Treader| treader.facets.iter().any(|on| on.sums.depth > 0.06);
             while !deep(&treader) {
                 at.z -= 0.005;
-                find(
-                    &mut treader,
-                    &terrain,
-                    &shape,
-                    Pose {
-                        position: at,
-                        rotation,
-                    },
-                );
+                find(&mut treader, &terrain, &shape, Pose { position: at, rotation });
             }
             most = most.max(treader.facets.len());
             let amplitude: Vec<f64> = (0..12).map(|_| chance.between(-0.01, 0.01)).collect();
@@ -196,19 +169,14 @@ fn no_work_is_done_round_closed_paths_over_rough_ground() {
                     let (s, c) = libm::sincos(tau);
                     let place = |k: usize| amplitude[k] * (c - 1.0) + amplitude[k + 6] * s;
                     let rate = |k: usize| -amplitude[k] * s + amplitude[k + 6] * c;
-                    let [rx, ry] = [
-                        Quat::from_rotation_x(place(3)),
-                        Quat::from_rotation_y(place(4)),
-                    ];
+                    let [rx, ry] =
+                        [Quat::from_rotation_x(place(3)), Quat::from_rotation_y(place(4))];
                     let turned = rx * ry * Quat::from_rotation_z(place(5)) * rotation;
                     let spin = rate(3) * Vec3::X
                         + rx * (rate(4) * Vec3::Y)
                         + rx * (ry * (rate(5) * Vec3::Z));
                     let position = at + Vec3::new(place(0), place(1), place(2));
-                    let pose = Pose {
-                        position,
-                        rotation: turned,
-                    };
+                    let pose = Pose { position, rotation: turned };
                     find(&mut treader, &terrain, &shape, pose);
                     let (force, moment) = all(&treader);
                     let work = force.dot(Vec3::new(rate(0), rate(1), rate(2))) + moment.dot(spin);
@@ -246,10 +214,7 @@ fn gaps_are_bounds() {
                             &mut treader,
                             &terrain,
                             &shape,
-                            Pose {
-                                position: moved,
-                                rotation,
-                            },
+                            Pose { position: moved, rotation },
                         );
                         assert!(matches!(there, Reached::Apart(_)), "{there:?} {gap}");
                     }
@@ -266,22 +231,13 @@ fn gaps_are_bounds() {
 fn a_block_below_the_surface_is_swallowed() {
     let terrain = ground(4.0, 4, |_, _| 0.0);
     let shape = Shape::brick(Vec3::splat(0.5)).unwrap();
-    let at = |z: f64| {
-        find(
-            &mut Treader::default(),
-            &terrain,
-            &shape,
-            Pose::at(Vec3::new(0.1, 0.2, z)),
-        )
-    };
+    let at =
+        |z: f64| find(&mut Treader::default(), &terrain, &shape, Pose::at(Vec3::new(0.1, 0.2, z)));
     assert_eq!(at(0.4), Reached::Touching);
     assert_eq!(at(-3.0), Reached::Swallowed(3.0));
     assert!(matches!(at(1.0), Reached::Apart(gap) if (gap - 0.5).abs() < 1e-12));
     let beside = Pose::at(Vec3::new(5.0, 0.0, -1.0));
     let beside = find(&mut Treader::default(), &terrain, &shape, beside);
     // From the wall, which leans out a little.
-    assert!(
-        matches!(beside, Reached::Apart(gap) if gap <= 0.5 && gap > 0.499),
-        "{beside:?}"
-    );
+    assert!(matches!(beside, Reached::Apart(gap) if gap <= 0.5 && gap > 0.499), "{beside:?}");
 }

@@ -97,11 +97,7 @@ impl Under {
         // What earlier pieces have as well is left by round-off.
         let found = &mut self.facets;
         found.retain(|on| on.sums.weight > CANCELLED * on.all);
-        if nearest > 0.0 {
-            Reached::Apart(nearest)
-        } else {
-            Reached::Touching
-        }
+        if nearest > 0.0 { Reached::Apart(nearest) } else { Reached::Touching }
     }
 
     /// Shows the pieces that rub on a facet: those of the face of the piece of the block that carries most there.
@@ -115,21 +111,13 @@ fn place<'a>(term: &'a Term, pose: &Pose, normals: &'a mut Vec<Vec3>) -> (Body<'
     normals.clear();
     let turn = turn(&term.shape, pose.rotation, normals);
     let centre = turn * term.centre;
-    let body = Body {
-        shape: &term.shape,
-        normals,
-        turn,
-        position: pose.position + centre,
-    };
+    let body = Body { shape: &term.shape, normals, turn, position: pose.position + centre };
     (body, centre)
 }
 
 /// What a term has on a facet, counted `sign` times, about the centroid of its block.
 fn about_block(on: &OnFacet, piece: usize, centre: Vec3, sign: f64) -> OnFacet {
-    let mut sums = Sums {
-        depth: on.sums.depth,
-        ..Sums::default()
-    };
+    let mut sums = Sums { depth: on.sums.depth, ..Sums::default() };
     sums.plus(&on.sums, sign, centre);
     OnFacet {
         piece: piece as u16,

@@ -79,11 +79,7 @@ fn edge_of_any_half_angle() {
 /// The work on the way in is the energy of the prism.
 #[test]
 fn prism() {
-    for (lean, length) in [
-        ([20.0_f64, 65.0_f64], 1.3),
-        ([0.0, 50.0], 0.9),
-        ([-25.0, 60.0], 2.0),
-    ] {
+    for (lean, length) in [([20.0_f64, 65.0_f64], 1.3), ([0.0, 50.0], 0.9), ([-25.0, 60.0], 2.0)] {
         let [first, second] = lean.map(|angle| libm::sincos(angle.to_radians()));
         let alpha = 0.5 * (first.0 / first.1 + second.0 / second.1);
         let rho = 2.0 * alpha / (2.0 * alpha + 1.0 / first.1 + 1.0 / second.1);
@@ -103,10 +99,7 @@ fn prism() {
     let flat = |d: f64| {
         let half = 0.5 * Vec3::new(length, side, 1.0);
         let at = Pose::at(Vec3::new(0.2, -0.1, half.z - d));
-        2.0 * touch(&floor(), &(Shape::brick(half).unwrap(), at))
-            .0
-            .force
-            .z
+        2.0 * touch(&floor(), &(Shape::brick(half).unwrap(), at)).0.force.z
     };
     let radius = 0.5 * side;
     let stored = 2.0 * side * side * radius * (length / 3.0 - radius / 6.0);
@@ -184,12 +177,7 @@ fn corner_of_three_faces() {
 /// corner of a cube.
 #[test]
 fn corner_of_many_faces() {
-    for (sides, lean) in [
-        (3, 35.264_389_682_754_654_f64),
-        (4, 45.0),
-        (6, 20.0),
-        (9, 70.0),
-    ] {
+    for (sides, lean) in [(3, 35.264_389_682_754_654_f64), (4, 45.0), (6, 20.0), (9, 70.0)] {
         let (sin, cos) = libm::sincos(lean.to_radians());
         let (tan, rho) = (sin / cos, sin / (1.0 + sin));
         let half = std::f64::consts::PI / f64::from(sides);
@@ -225,11 +213,7 @@ fn whole_tetrahedron() {
             force.dot(Vec3::new(-0.3, 0.2, 1.0))
         };
         near(energy(1.0, push), 0.5 * volume * radius, EXACT);
-        near(
-            push(0.9999),
-            2.0 * volume * radius * 0.9999_f64.powi(3),
-            1e-9,
-        );
+        near(push(0.9999), 2.0 * volume * radius * 0.9999_f64.powi(3), 1e-9);
         match find(&floor(), &on_corner(edges, 1.1)) {
             Found::Swallowed(depth) => near(depth, radius, EXACT),
             other => panic!("{other:?}"),
@@ -241,12 +225,9 @@ fn whole_tetrahedron() {
 /// `F = 4 U/d = 2 kn V r/d` as for a corner; half the cross product of its two edges is the area.
 #[test]
 fn crossed_edges_of_any_angles() {
-    for (upper, lower, between) in [
-        (45.0_f64, 45.0_f64, 90.0_f64),
-        (30.0, 60.0, 90.0),
-        (20.0, 70.0, 40.0),
-        (75.0, 50.0, 25.0),
-    ] {
+    for (upper, lower, between) in
+        [(45.0_f64, 45.0_f64, 90.0_f64), (30.0, 60.0, 90.0), (20.0, 70.0, 40.0), (75.0, 50.0, 25.0)]
+    {
         let [upper, lower] = [upper, lower].map(|half| libm::tan(half.to_radians()));
         let (sin, cos) = libm::sincos(between.to_radians());
         // Edge of the upper block along x, of the lower one along u.
@@ -262,12 +243,7 @@ fn crossed_edges_of_any_angles() {
             let (sums, _) = touch(&below, &above);
             let (low, high) = (d * lower / sin, d * upper / sin);
             let tip = Vec3::new(0.0, 0.0, -d);
-            let overlap = [
-                tip - low * Vec3::X,
-                tip + low * Vec3::X,
-                -high * u,
-                high * u,
-            ];
+            let overlap = [tip - low * Vec3::X, tip + low * Vec3::X, -high * u, high * u];
             let (volume, radius) = ball(overlap);
             near(2.0 * sums.force.z, 2.0 * volume * radius / d, EXACT);
             near(sums.vector_area.length(), 2.0 * low * high * sin, EXACT);

@@ -20,11 +20,7 @@ impl Star {
         let mesh = Tetrahedra::new(solid).unwrap();
         let height = |g: &[Vec3; 3]| 1.0 / (g[0] + g[1] + g[2]).length();
         let peak = mesh.gradients.iter().map(height).fold(f64::MAX, f64::min);
-        Self {
-            nodes: mesh.nodes.clone(),
-            mesh,
-            peak,
-        }
+        Self { nodes: mesh.nodes.clone(), mesh, peak }
     }
 
     fn cube() -> Self {
@@ -183,9 +179,8 @@ fn cubes_in_line_keep_momentum() {
         });
         let forces = contact([&pair[0], &pair[1]]).forces;
         let all = || forces.iter().flatten();
-        let (sum, scale) = all().fold((Vec3::ZERO, 0.0), |(sum, scale), f| {
-            (sum + *f, scale + f.length())
-        });
+        let (sum, scale) =
+            all().fold((Vec3::ZERO, 0.0), |(sum, scale), f| (sum + *f, scale + f.length()));
         worst = worst.max(sum.length() / scale);
     }
     assert!(worst < 1e-8, "{worst:e}");
@@ -211,10 +206,7 @@ fn exchanged_blocks_feel_opposite_forces() {
 #[test]
 fn flat_faces_press_with_stiffness_times_area_and_depth() {
     for d in [1e-1, 1e-3, 1e-6] {
-        let (a, b) = (
-            Star::cube(),
-            Star::cube().map(|x| x + Vec3::new(0.0, 0.0, 1.0 - d)),
-        );
+        let (a, b) = (Star::cube(), Star::cube().map(|x| x + Vec3::new(0.0, 0.0, 1.0 - d)));
         let found = contact([&a, &b]);
         let force: Vec3 = found.forces[1].iter().copied().sum();
         // Equal faces, depth to the nearest face: rims give way.
@@ -238,10 +230,7 @@ fn a_corner_has_its_closed_form() {
     // Cube with its space diagonal down, pressed by d into a wide plate: (3 - sqrt 3)/2 kn d³.
     let turn = riprap_geom::Quat::from_rotation_arc(Vec3::ONE.normalize(), -Vec3::Z);
     let d = 0.01;
-    let plate = Star::new(&Polyhedron::brick(
-        Vec3::new(0.0, 0.0, -0.5),
-        Vec3::new(0.5, 0.5, 0.5),
-    ));
+    let plate = Star::new(&Polyhedron::brick(Vec3::new(0.0, 0.0, -0.5), Vec3::new(0.5, 0.5, 0.5)));
     let lift = Vec3::new(0.02, 0.03, 0.75f64.sqrt() - d);
     let cube = Star::cube().map(|x| turn * x + lift);
     let force: Vec3 = contact([&plate, &cube]).forces[1].iter().copied().sum();
@@ -295,10 +284,7 @@ fn cells_turned_inside_out_are_refused() {
     assert!(Cell::new([a, b, c, Vec3::NAN], [0.5; 4]).is_none());
     let moved = cell.shifted(Vec3::new(0.1, -0.2, 0.3));
     let at = Vec3::new(0.05, 0.02, -0.1);
-    let (near, far) = (
-        cell.weights(at),
-        moved.weights(at + Vec3::new(0.1, -0.2, 0.3)),
-    );
+    let (near, far) = (cell.weights(at), moved.weights(at + Vec3::new(0.1, -0.2, 0.3)));
     for (x, y) in near.iter().zip(far) {
         assert!((x - y).abs() < 1e-14);
     }
@@ -312,30 +298,15 @@ fn time_of_a_pair_of_tetrahedra() {
     let turn = chance.rotation();
     let a = Star::cube();
     for (name, b) in [
-        (
-            "face to face",
-            Star::cube().map(|x| x + Vec3::new(0.21, 0.13, 0.999)),
-        ),
-        (
-            "turned",
-            Star::cube().map(|x| turn * x + Vec3::new(0.1, 0.2, 1.2)),
-        ),
+        ("face to face", Star::cube().map(|x| x + Vec3::new(0.21, 0.13, 0.999))),
+        ("turned", Star::cube().map(|x| turn * x + Vec3::new(0.1, 0.2, 1.2))),
     ] {
-        let cells = [&a, &b].map(|s| {
-            (0..s.mesh.tets.len())
-                .map(|k| s.cell(k))
-                .collect::<Vec<_>>()
-        });
-        let pairs: Vec<[&Cell; 2]> = cells[0]
-            .iter()
-            .flat_map(|a| cells[1].iter().map(move |b| [a, b]))
-            .collect();
+        let cells = [&a, &b].map(|s| (0..s.mesh.tets.len()).map(|k| s.cell(k)).collect::<Vec<_>>());
+        let pairs: Vec<[&Cell; 2]> =
+            cells[0].iter().flat_map(|a| cells[1].iter().map(move |b| [a, b])).collect();
         let mut workspace = Workspace::default();
-        let touching: Vec<[&Cell; 2]> = pairs
-            .iter()
-            .copied()
-            .filter(|pair| workspace.overlap(*pair).is_some())
-            .collect();
+        let touching: Vec<[&Cell; 2]> =
+            pairs.iter().copied().filter(|pair| workspace.overlap(*pair).is_some()).collect();
         for (what, list) in [("touching", &touching), ("all", &pairs)] {
             let rounds = 2_000_000 / list.len();
             let start = std::time::Instant::now();

@@ -67,12 +67,8 @@ impl World {
     #[must_use]
     pub fn seepage_flow(&self, pair: [u32; 2], at: Vec3) -> Vec3 {
         let flows = self.seepage.as_ref().map_or(&[][..], |found| &found.flows);
-        let flow = self
-            .nearest_joint(pair, at)
-            .and_then(|(k, _, _)| flows.get(k));
-        flow.map_or(Vec3::ZERO, |[_, x, y, z]| {
-            self.conductivity() * Vec3::new(*x, *y, *z)
-        })
+        let flow = self.nearest_joint(pair, at).and_then(|(k, _, _)| flows.get(k));
+        flow.map_or(Vec3::ZERO, |[_, x, y, z]| self.conductivity() * Vec3::new(*x, *y, *z))
     }
 
     /// The joint between two blocks that is nearest to a place, and where in it that is at the start, m.
@@ -97,10 +93,9 @@ impl World {
             return self.pore_pressure(at);
         };
         let weight = table.density * -self.gravity.z;
-        self.nearest_joint(pair, at)
-            .map_or(0.0, |(k, joint, start)| {
-                weight * pressure(joint, &found.pressures[k], start).max(0.0)
-            })
+        self.nearest_joint(pair, at).map_or(0.0, |(k, joint, start)| {
+            weight * pressure(joint, &found.pressures[k], start).max(0.0)
+        })
     }
 }
 
@@ -111,14 +106,8 @@ pub(crate) fn update(world: &mut World) {
         return;
     };
     // Edits append blocks or take them out: each changes one of the two numbers, so that no network outlives them.
-    let blocks = [
-        world.alive.len(),
-        world.alive.iter().filter(|a| **a).count(),
-    ];
-    let known = world
-        .seepage
-        .as_ref()
-        .filter(|found| found.blocks == blocks);
+    let blocks = [world.alive.len(), world.alive.iter().filter(|a| **a).count()];
+    let known = world.seepage.as_ref().filter(|found| found.blocks == blocks);
     if known.is_some_and(|found| world.step < found.found_at.saturating_add(rules.every)) {
         return;
     }
@@ -173,11 +162,7 @@ fn solve(world: &World, rules: &Steady, found: &mut Seepage) {
         for k in 0..n {
             let (node, lever) = joint.rim[k];
             let node = node as usize;
-            let head = if weights[k] > 0.0 {
-                heads[k] / weights[k]
-            } else {
-                flow.pressures[node]
-            };
+            let head = if weights[k] > 0.0 { heads[k] / weights[k] } else { flow.pressures[node] };
             middle += joint.shares[k] * head;
             slope += head * lever;
             rate += rates[k].max(0.0);
@@ -221,11 +206,8 @@ pub(crate) fn on_block(world: &World, table: &WaterTable, b: usize) -> (Vec3, Ve
     let weight = table.density * -world.gravity.z;
     let (reference, pose) = (world.reference[b], world.pose(b));
     let open = found.open.get(b).copied().unwrap_or(true);
-    let (mut force, mut moment) = if open {
-        water::on_rigid(world, table, b)
-    } else {
-        (Vec3::ZERO, Vec3::ZERO)
-    };
+    let (mut force, mut moment) =
+        if open { water::on_rigid(world, table, b) } else { (Vec3::ZERO, Vec3::ZERO) };
     let joints = found.joints.len();
     let range = found.first[b] as usize..found.first[b + 1] as usize;
     for entry in &found.entries[range] {

@@ -56,25 +56,15 @@ pub(super) fn build(world: &World, table: &WaterTable, rules: &Steady) -> Seepag
             [true, true] => joints.push(ordered(blocks, outline)),
             [false, false] => {}
             [first, _] => {
-                let seen = if first {
-                    outline.clone()
-                } else {
-                    reversed(&outline)
-                };
+                let seen = if first { outline.clone() } else { reversed(&outline) };
                 let block = if first { blocks[0] } else { blocks[1] };
-                bare.push(Bare {
-                    block,
-                    outline: seen,
-                });
+                bare.push(Bare { block, outline: seen });
                 drained.push(Part { blocks, outline });
             }
         }
     }
     for curtain in &rules.curtains {
-        joints = joints
-            .into_iter()
-            .flat_map(|part| divided(part, curtain, size))
-            .collect();
+        joints = joints.into_iter().flat_map(|part| divided(part, curtain, size)).collect();
     }
     joints.sort_by_key(|part| part.blocks);
     for &b in chosen.iter().filter(|b| alive(**b)) {
@@ -88,10 +78,7 @@ pub(super) fn build(world: &World, table: &WaterTable, rules: &Steady) -> Seepag
         }
     }
     let mut out = Seepage {
-        blocks: [
-            world.alive.len(),
-            world.alive.iter().filter(|a| **a).count(),
-        ],
+        blocks: [world.alive.len(), world.alive.iter().filter(|a| **a).count()],
         ..Seepage::default()
     };
     let mut lines = Lines::of(&joints, &drained, &rules.curtains, size);
@@ -138,10 +125,7 @@ fn ordered(blocks: [u32; 2], outline: Vec<Vec3>) -> Part {
     if i <= j {
         return Part { blocks, outline };
     }
-    Part {
-        blocks: [j, i],
-        outline: reversed(&outline),
-    }
+    Part { blocks: [j, i], outline: reversed(&outline) }
 }
 
 /// Both sides of a joint at a curtain of drains that crosses it.
@@ -173,18 +157,11 @@ fn divided(part: Part, curtain: &Curtain, size: f64) -> Vec<Part> {
         kept
     };
     let blocks = part.blocks;
-    [1.0, -1.0]
-        .map(|sign| Part {
-            blocks,
-            outline: side(sign),
-        })
-        .into()
+    [1.0, -1.0].map(|sign| Part { blocks, outline: side(sign) }).into()
 }
 
 fn unit_normal(curtain: &Curtain) -> Vec3 {
-    Vec3::from(curtain.hole)
-        .cross(Vec3::from(curtain.row))
-        .normalize_or_zero()
+    Vec3::from(curtain.hole).cross(Vec3::from(curtain.row)).normalize_or_zero()
 }
 
 /// Where the plane of the heights crosses an outline.
@@ -212,10 +189,7 @@ fn reach(curtain: &Curtain, [a, b]: [Vec3; 2], size: f64) -> Option<[f64; 2]> {
     let shares = |at: Vec3| {
         let from = at - Vec3::from(curtain.from);
         let per = 1.0 / normal.length_squared();
-        [
-            per * from.cross(row).dot(normal),
-            per * hole.cross(from).dot(normal),
-        ]
+        [per * from.cross(row).dot(normal), per * hole.cross(from).dot(normal)]
     };
     let (start, end) = (shares(a), shares(b));
     let [mut low, mut high] = [0.0_f64, 1.0];
@@ -309,11 +283,7 @@ struct Lines {
 
 impl Lines {
     fn of(joints: &[Part], drained: &[Part], curtains: &[Curtain], size: f64) -> Self {
-        let mut corners = Corners {
-            list: Vec::new(),
-            cells: BTreeMap::new(),
-            size,
-        };
+        let mut corners = Corners { list: Vec::new(), cells: BTreeMap::new(), size };
         let mut edges = BTreeSet::new();
         for part in joints.iter().chain(drained) {
             let ids: Vec<u32> = part.outline.iter().map(|at| corners.at(*at)).collect();
@@ -336,22 +306,13 @@ impl Lines {
             }
         }
         let inside = divide(&corners, &edges);
-        Self {
-            corners,
-            inside,
-            nodes: BTreeMap::new(),
-            ends: Vec::new(),
-            around: Vec::new(),
-        }
+        Self { corners, inside, nodes: BTreeMap::new(), ends: Vec::new(), around: Vec::new() }
     }
 
     /// The stretches of a rim; nodes that are new are made.
     fn rim(&mut self, outline: &[Vec3]) -> Stretches {
         let ids: Vec<u32> = outline.iter().map(|at| self.corners.at(*at)).collect();
-        let mut rim = Stretches {
-            nodes: Vec::new(),
-            ends: Vec::new(),
-        };
+        let mut rim = Stretches { nodes: Vec::new(), ends: Vec::new() };
         for k in 0..ids.len() {
             let (a, b) = (ids[k], ids[(k + 1) % ids.len()]);
             if a == b {
@@ -402,9 +363,7 @@ impl Lines {
                     return Vec::new();
                 }
                 let solid = Extent::of(&world.setup.blocks[b].shape).solid(Vec3::ZERO);
-                (0..solid.faces.len())
-                    .map(|face| solid.plane(face))
-                    .collect()
+                (0..solid.faces.len()).map(|face| solid.plane(face)).collect()
             })
             .collect();
         let nodes = self.ends.iter().zip(&self.around);
@@ -414,9 +373,7 @@ impl Lines {
                 let place = 0.5 * (ends[0] + ends[1]);
                 let angle = |counts: &dyn Fn(u32) -> bool| {
                     let blocks = around.iter().filter(|b| counts(**b));
-                    blocks
-                        .map(|b| angle_of(&planes[*b as usize], place, 10.0 * size))
-                        .sum::<f64>()
+                    blocks.map(|b| angle_of(&planes[*b as usize], place, 10.0 * size)).sum::<f64>()
                 };
                 let full = |angle: f64| angle > 2.0 * PI - OPEN;
                 let closed = rules
@@ -454,9 +411,7 @@ impl Lines {
 
 /// Angle that a convex block with these planes fills around a line through a place on its surface, rad.
 fn angle_of(planes: &[(Vec3, f64)], at: Vec3, slack: f64) -> f64 {
-    let on = planes
-        .iter()
-        .filter(|(n, d)| (n.dot(at) - d).abs() <= slack);
+    let on = planes.iter().filter(|(n, d)| (n.dot(at) - d).abs() <= slack);
     let normals: Vec<Vec3> = on.map(|(n, _)| *n).collect();
     let bends = normals.iter().enumerate().flat_map(|(k, n)| {
         let others = normals[..k].iter();
@@ -551,14 +506,10 @@ fn press(out: &mut Seepage, world: &World) {
         let [i, j] = joint.blocks;
         [(i, 2 * k), (j, 2 * k + 1)]
     });
-    let bare = (joints..)
-        .zip(&out.bare)
-        .map(|(k, bare)| (bare.block, 2 * k));
+    let bare = (joints..).zip(&out.bare).map(|(k, bare)| (bare.block, 2 * k));
     let mut all: Vec<(u32, u32)> = sides.chain(bare).collect();
     all.sort_unstable();
-    out.first = (0..=n as u32)
-        .map(|b| all.partition_point(|entry| entry.0 < b) as u32)
-        .collect();
+    out.first = (0..=n as u32).map(|b| all.partition_point(|entry| entry.0 < b) as u32).collect();
     out.entries = all.iter().map(|entry| entry.1).collect();
     let mut covered = vec![0.0; n];
     let area = |outline: &[Vec3]| area_vector(outline).length();
@@ -576,9 +527,7 @@ fn press(out: &mut Seepage, world: &World) {
                 return true;
             }
             let solid = Extent::of(&world.setup.blocks[b].shape).solid(Vec3::ZERO);
-            let whole: f64 = (0..solid.faces.len())
-                .map(|f| solid.area_vector(f).length())
-                .sum();
+            let whole: f64 = (0..solid.faces.len()).map(|f| solid.area_vector(f).length()).sum();
             covered[b] < (1.0 - NOTHING) * whole
         })
         .collect();

@@ -39,11 +39,7 @@ impl Builder<'_> {
         if largest == 0.0 {
             return;
         }
-        let settles = self
-            .plan
-            .phases
-            .first()
-            .is_some_and(|phase| phase.kind == PhaseKind::Static);
+        let settles = self.plan.phases.first().is_some_and(|phase| phase.kind == PhaseKind::Static);
         for axis in 0..axes {
             for sign in [-1.0, 1.0] {
                 let normal = sign * Vec3::AXES[axis];
@@ -51,11 +47,7 @@ impl Builder<'_> {
                 if self.is_carried(axis, normal, offset) {
                     continue;
                 }
-                let levels = if axis == up {
-                    vec![sign * offset]
-                } else {
-                    heights.to_vec()
-                };
+                let levels = if axis == up { vec![sign * offset] } else { heights.to_vec() };
                 let pull = levels.iter().map(|&z| stress.traction(z, normal).length());
                 let share = pull.fold(0.0, f64::max) / largest;
                 if share > WARNED {

@@ -44,9 +44,7 @@ impl Builder<'_> {
             let row = setup.pair_table[a * setup.materials.len() + b];
             setup.interfaces.get(usize::from(row))
         };
-        let mut rows = used
-            .iter()
-            .flat_map(|a| used.iter().filter_map(|b| row(a, b)));
+        let mut rows = used.iter().flat_map(|a| used.iter().filter_map(|b| row(a, b)));
         let Some(bare) = rows.find(|row| row.bond.is_none()) else {
             return;
         };
@@ -84,11 +82,7 @@ impl Builder<'_> {
         for (side, number, name) in self.open_sides() {
             let account = self.account(name, Holder::Boundary(number));
             let (axis, n) = (side.axis, side.normal());
-            let end = if side.sign > 0.0 {
-                max[axis]
-            } else {
-                min[axis]
-            };
+            let end = if side.sign > 0.0 { max[axis] } else { min[axis] };
             let traction = |p: Vec2| {
                 let t = in_situ.traction(p.y, Vec3::new(n.x, n.y, 0.0));
                 Vec2::new(t.x, t.y)

@@ -50,20 +50,14 @@ impl Builder<'_> {
             if number == first && !self.is_of_a_body(block, mass, &inertia) {
                 return;
             }
-            self.spatial.bodies.push(GivenBody {
-                block: number,
-                mass,
-                inertia,
-            });
+            self.spatial.bodies.push(GivenBody { block: number, mass, inertia });
         }
     }
 
     /// Whether there is a body with this tensor of inertia: its principal moments are greater than 0, and none is greater than the sum of the others.
     fn is_of_a_body(&mut self, block: &Block, mass: f64, inertia: &Mat3) -> bool {
         let [high, middle, low] = principal(inertia);
-        let words = [low, middle, high]
-            .map(|x| with_unit(x, "kg m2"))
-            .join(", ");
+        let words = [low, middle, high].map(|x| with_unit(x, "kg m2")).join(", ");
         if low > 0.0 && high <= (middle + low) * (1.0 + ROUNDING) {
             let key = format!("blocks.{}", block.name);
             let from = Provenance::given(block.mass.is_some());
@@ -86,15 +80,8 @@ impl Builder<'_> {
         );
         let help = "all three are greater than 0, and none is greater than the sum of the other two; the order is [xx, yy, zz, yz, zx, xy], and yz is minus \
                     the sum of m y z";
-        let span = block
-            .inertia
-            .as_ref()
-            .map_or(block.name.span.clone(), |i| i.span.clone());
-        self.found.push(
-            Diagnostic::error("value.inertia", message)
-                .at(span)
-                .help(help),
-        );
+        let span = block.inertia.as_ref().map_or(block.name.span.clone(), |i| i.span.clone());
+        self.found.push(Diagnostic::error("value.inertia", message).at(span).help(help));
         false
     }
 }

@@ -46,9 +46,7 @@ impl Builder<'_> {
         let alone = blocks.iter().all(|b| b.shape.is_terrain());
         let counts = |b: &&BlockSpec| alone || !b.shape.is_terrain();
         let boxes = blocks.iter().filter(counts).map(|b| bounds(&b.shape));
-        boxes.fold(start, |(low, high), (min, max)| {
-            (low.min(min), high.max(max))
-        })
+        boxes.fold(start, |(low, high), (min, max)| (low.min(min), high.max(max)))
     }
 
     pub(super) fn boundaries(&mut self) {
@@ -64,12 +62,7 @@ impl Builder<'_> {
             let in_situ = read.in_situ_or(in_situ && held, Provenance::Default, "");
             let count = self.spatial.boundaries.len() as u16;
             self.account(name.clone(), Holder::Boundary(count));
-            self.spatial.boundaries.push(Boundary {
-                name,
-                on,
-                kind,
-                in_situ,
-            });
+            self.spatial.boundaries.push(Boundary { name, on, kind, in_situ });
         }
     }
 
@@ -89,13 +82,8 @@ impl Builder<'_> {
         if let Some(name) = &on.surface {
             return self.mesh_surface(name);
         }
-        let names: Vec<_> = on
-            .block
-            .iter()
-            .chain(&on.group)
-            .chain(on.blocks.iter().flatten())
-            .cloned()
-            .collect();
+        let names: Vec<_> =
+            on.block.iter().chain(&on.group).chain(on.blocks.iter().flatten()).cloned().collect();
         let blocks = self.directory.all(&names);
         let blocks = self.take(blocks)?;
         Some(FaceSet::Blocks { blocks, normal })
@@ -119,9 +107,7 @@ impl Builder<'_> {
         let mut planes: Vec<(Vec3, f64)> = faces.iter().map(|(_, n, d)| (*n, *d)).collect();
         planes.sort_by(|a, b| {
             let pairs = rounded(a).into_iter().zip(rounded(b));
-            pairs.fold(std::cmp::Ordering::Equal, |so_far, (x, y)| {
-                so_far.then(x.total_cmp(&y))
-            })
+            pairs.fold(std::cmp::Ordering::Equal, |so_far, (x, y)| so_far.then(x.total_cmp(&y)))
         });
         planes.dedup_by_key(|plane| rounded(plane));
         Some(FaceSet::Surface { blocks, planes })
@@ -150,11 +136,7 @@ impl Builder<'_> {
                 (normal, normal.dot(at))
             }
         };
-        let lies = self
-            .spatial
-            .blocks
-            .iter()
-            .any(|block| has_face(&block.shape, normal, offset));
+        let lies = self.spatial.blocks.iter().any(|block| has_face(&block.shape, normal, offset));
         if !lies {
             let error = Diagnostic::error("boundary.no_face", "no block has a face on this plane");
             let help = "give the outward normal of the faces and a point on them";
@@ -173,10 +155,7 @@ impl Builder<'_> {
         let path = format!("boundaries.{}", boundary_name(said, number));
         let constant = TimeFunction::Constant(1.0);
         if said.held.is_some() || said.roller.is_some() {
-            let kind = BoundaryKind::Held {
-                normal: true,
-                shear: said.held.is_some(),
-            };
+            let kind = BoundaryKind::Held { normal: true, shear: said.held.is_some() };
             return Some((kind, true));
         }
         if let Some(moved) = &said.moved {
@@ -206,13 +185,7 @@ impl Builder<'_> {
                 time = self.time_function(f)?;
             }
         }
-        let kind = BoundaryKind::Traction {
-            traction,
-            pressure,
-            gradient,
-            datum,
-            time,
-        };
+        let kind = BoundaryKind::Traction { traction, pressure, gradient, datum, time };
         Some((kind, false))
     }
 }

@@ -28,21 +28,9 @@ const MOST_JOINTS: usize = 20_000;
 
 /// Columns of a list of joints; what programs that make networks of fractures write without a unit is in m and degrees.
 const COLUMNS: [Column; 11] = [
-    length(&[
-        "x", "center_x", "centre_x", "x_center", "x_centre", "easting", "east",
-    ]),
-    length(&[
-        "y", "center_y", "centre_y", "y_center", "y_centre", "northing", "north",
-    ]),
-    length(&[
-        "z",
-        "center_z",
-        "centre_z",
-        "z_center",
-        "z_centre",
-        "elevation",
-        "elev",
-    ]),
+    length(&["x", "center_x", "centre_x", "x_center", "x_centre", "easting", "east"]),
+    length(&["y", "center_y", "centre_y", "y_center", "y_centre", "northing", "north"]),
+    length(&["z", "center_z", "centre_z", "z_center", "z_centre", "elevation", "elev"]),
     length(&["radius", "equiv_radius", "equivalent_radius"]),
     length(&["diameter"]),
     angle(&["dip"]),
@@ -51,15 +39,7 @@ const COLUMNS: [Column; 11] = [
     angle(&["trend", "pole_trend"]),
     angle(&["plunge", "pole_plunge"]),
     Column::optional(
-        &[
-            "fracture",
-            "fracture_id",
-            "frac_id",
-            "fracture_no",
-            "polygon",
-            "polygon_id",
-            "id",
-        ],
+        &["fracture", "fracture_id", "frac_id", "fracture_no", "polygon", "polygon_id", "id"],
         Dim::NONE,
         "",
     ),
@@ -165,12 +145,7 @@ impl Builder<'_> {
                     (arms.fold(0.0, f64::max), corners.clone())
                 }
             };
-            Some(Ended {
-                normal: joint.normal,
-                at: joint.at,
-                radius,
-                corners,
-            })
+            Some(Ended { normal: joint.normal, at: joint.at, radius, corners })
         });
         let bridges = Bridges::new(row as u16, ended.collect());
         self.spatial.bridges.push(bridges);
@@ -252,31 +227,12 @@ impl Builder<'_> {
 
     fn joints_of_csv(&mut self, file: &Name, shift: Vec3) -> Option<Vec<Joint>> {
         let table = self.table(file, &COLUMNS)?;
-        let values = table
-            .columns
-            .each_ref()
-            .map(|c| c.as_ref().map(|c| &c.values));
-        let [
-            x,
-            y,
-            z,
-            radius,
-            diameter,
-            dip,
-            direction,
-            strike,
-            trend,
-            plunge,
-            polygon,
-        ] = values;
+        let values = table.columns.each_ref().map(|c| c.as_ref().map(|c| &c.values));
+        let [x, y, z, radius, diameter, dip, direction, strike, trend, plunge, polygon] = values;
         let places: Option<Vec<Vec3>> = match (x, y, z) {
             (Some(x), Some(y), Some(z)) => {
                 let places = x.iter().zip(y).zip(z);
-                Some(
-                    places
-                        .map(|((x, y), z)| Vec3::new(*x, *y, *z) + shift)
-                        .collect(),
-                )
+                Some(places.map(|((x, y), z)| Vec3::new(*x, *y, *z) + shift).collect())
             }
             _ => None,
         };
@@ -330,11 +286,8 @@ impl Builder<'_> {
                 _ => None,
             };
             if let Some((what, help)) = wrong {
-                let message = format!(
-                    "`{file}`, line {}: joint {} {what}",
-                    table.lines[row],
-                    row + 1
-                );
+                let message =
+                    format!("`{file}`, line {}: joint {} {what}", table.lines[row], row + 1);
                 self.error_at("file.csv", file, message, help);
                 return None;
             }
@@ -454,9 +407,5 @@ fn handed_on(made: Made, divided: Divided) -> Made {
         surfaces.push((name, own));
     }
     let groups = groups.collect();
-    Made {
-        shapes,
-        groups,
-        surfaces,
-    }
+    Made { shapes, groups, surfaces }
 }

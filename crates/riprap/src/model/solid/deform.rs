@@ -83,12 +83,7 @@ impl Builder<'_> {
             // Looked at with the rules of the language.
             curve: (said.curve.as_ref()).and_then(|c| language::curve(c).ok()),
         });
-        BondLaw {
-            springs,
-            strength: Some(strength),
-            cohesive,
-            failure,
-        }
+        BondLaw { springs, strength: Some(strength), cohesive, failure }
     }
 
     /// Reports what deformable blocks cannot do; whether one of `blocks` is deformable.
@@ -144,12 +139,7 @@ impl Builder<'_> {
         let (min, max) = (self.local(nodes.min.xyz()), self.local(nodes.max.xyz()));
         let name = condition_name(support.name.as_ref(), &support.on, number);
         self.account(name, Holder::Nodes(self.spatial.deform.holds.len() as u16));
-        self.spatial.deform.holds.push(NodeHold {
-            min,
-            max,
-            blocks,
-            velocity,
-        });
+        self.spatial.deform.holds.push(NodeHold { min, max, blocks, velocity });
         true
     }
 }

@@ -95,29 +95,19 @@ impl Builder<'_> {
                 continue;
             };
             let block = &scenario.blocks[holder];
-            let charge = Charge {
-                name,
-                centre: unturned(block, grid, at),
-                volume,
-                levels,
-            };
+            let charge = Charge { name, centre: unturned(block, grid, at), volume, levels };
             if let Some((lattice, first)) = &fitted[holder] {
                 self.second_charge(&charge, lattice, first);
             } else {
                 fitted[holder] = Some((self.fit(block, grid, &charge), name));
             }
         }
-        fitted
-            .into_iter()
-            .map(|one| one.map(|(lattice, _)| lattice))
-            .collect()
+        fitted.into_iter().map(|one| one.map(|(lattice, _)| lattice)).collect()
     }
 
     /// A second charge in one grid must want the same cells.
     fn second_charge(&mut self, charge: &Charge<'_>, lattice: &Lattice, first: &Name) {
-        let levels = charge
-            .levels
-            .or_else(|| self.levels_around(first).flatten());
+        let levels = charge.levels.or_else(|| self.levels_around(first).flatten());
         let finest = |l: u8| lattice.cell.element_product() / cells_below(l);
         let fits = match levels {
             Some(levels) => (8.0 * finest(levels) / charge.volume - 1.0).abs() < 1e-6,
@@ -125,10 +115,8 @@ impl Builder<'_> {
             None => false,
         };
         if !fits {
-            let message = format!(
-                "`{}` and `{first}` want different cells in one grid",
-                charge.name
-            );
+            let message =
+                format!("`{}` and `{first}` want different cells in one grid", charge.name);
             let help = "give one of them coupling = { scaled = 0.667 }";
             self.error_at("source.fitted", charge.name, message, help);
         }
@@ -145,11 +133,7 @@ impl Builder<'_> {
         let wanted = |levels: u8| charge.volume / touching * cells_below(levels);
         let change = |levels: u8| libm::cbrt(wanted(levels) / cell.element_product());
         let nearest = (1..=MOST_LEVELS)
-            .min_by(|a, b| {
-                libm::log(change(*a))
-                    .abs()
-                    .total_cmp(&libm::log(change(*b)).abs())
-            })
+            .min_by(|a, b| libm::log(change(*a)).abs().total_cmp(&libm::log(change(*b)).abs()))
             .unwrap_or(1);
         let levels = charge.levels.unwrap_or(nearest);
         self.fitted_levels.insert(charge.name.text.clone(), levels);
@@ -162,11 +146,7 @@ impl Builder<'_> {
             new.y *= rest.sqrt();
         }
         let cells = |length: f64, edge: f64| {
-            if length <= ON_SIDE * edge {
-                0.0
-            } else {
-                (length / edge).round().max(1.0)
-            }
+            if length <= ON_SIDE * edge { 0.0 } else { (length / edge).round().max(1.0) }
         };
         let low = [0, 1, 2].map(|k: usize| cells(below[k], new[k]));
         let high = [0, 1, 2].map(|k: usize| cells(above[k], new[k]));
@@ -180,13 +160,7 @@ impl Builder<'_> {
             let own = lattice.corner + 0.5 * lattice.size();
             lattice.corner += turn.of(own) - own;
         }
-        self.tell(
-            block,
-            charge,
-            (corner, size, cell),
-            &lattice,
-            (levels, nearest),
-        );
+        self.tell(block, charge, (corner, size, cell), &lattice, (levels, nearest));
         lattice
     }
 
@@ -205,11 +179,9 @@ impl Builder<'_> {
             "the finest cells around `{name}` ({levels} levels) have its volume {}",
             with_unit(charge.volume, "m3")
         );
-        for (word, value) in [
-            ("cell", lattice.cell),
-            ("corner", lattice.corner),
-            ("size", lattice.size()),
-        ] {
+        for (word, value) in
+            [("cell", lattice.cell), ("corner", lattice.corner), ("size", lattice.size())]
+        {
             let text = triple(value, "m");
             self.explain(format!("{key}.{word}"), text, Provenance::Derived, &why);
         }

@@ -93,10 +93,8 @@ impl Builder<'_> {
         if let [only] = &terms[..] {
             return Some(shape_of(only.solid.clone()));
         }
-        let solids = parts.into_iter().map(|part| Solid {
-            vertices: part.vertices,
-            faces: part.faces,
-        });
+        let solids =
+            parts.into_iter().map(|part| Solid { vertices: part.vertices, faces: part.faces });
         Some(Shape::Glued(solids.collect()))
     }
 }

@@ -83,9 +83,9 @@ impl Builder<'_> {
             let lattice = match (grid_of(block), fitted) {
                 (None, _) => None,
                 (Some(_), Some(lattice)) => self.counted(block, lattice),
-                (Some(grid), None) => self
-                    .whole_cells(block, grid)
-                    .and_then(|lattice| self.counted(block, lattice)),
+                (Some(grid), None) => {
+                    self.whole_cells(block, grid).and_then(|lattice| self.counted(block, lattice))
+                }
             };
             grids.push(lattice);
         }
@@ -108,10 +108,8 @@ impl Builder<'_> {
             let axis = ["x", "y", "z"][k];
             let fits = |cells: f64| with_unit(cells * cell[k], "m");
             let below = cells.floor();
-            let message = format!(
-                "the grid of `{}` is {cells:.6} cells long along {axis}",
-                block.name
-            );
+            let message =
+                format!("the grid of `{}` is {cells:.6} cells long along {axis}", block.name);
             let help = if below >= 1.0 {
                 format!(
                     "the size must be whole cells: {} or {} would fit",
@@ -124,11 +122,7 @@ impl Builder<'_> {
             let error = Diagnostic::error("grid.cells", message).at(grid.size[k].span.clone());
             self.found.push(error.help(help));
         }
-        sound.then(|| Lattice {
-            corner: said_corner(block, grid),
-            cell: cell.into(),
-            count,
-        })
+        sound.then(|| Lattice { corner: said_corner(block, grid), cell: cell.into(), count })
     }
 
     /// The grid, if it is not too large.

@@ -43,11 +43,8 @@ impl Builder<'_> {
         let blocks = &self.spatial.blocks;
         let alone = blocks.iter().all(|b| b.shape.is_terrain());
         let counts = |b: &&BlockSpec| alone || !b.shape.is_terrain();
-        let mut sizes: Vec<f64> = blocks
-            .iter()
-            .filter(counts)
-            .map(|b| libm::cbrt(volume(&b.shape)))
-            .collect();
+        let mut sizes: Vec<f64> =
+            blocks.iter().filter(counts).map(|b| libm::cbrt(volume(&b.shape))).collect();
         let mass = blocks
             .iter()
             .filter(counts)
@@ -94,10 +91,8 @@ impl Builder<'_> {
             Space::Planar(_) => 0.0,
         };
         let blocks = self.doubtful(said);
-        let boxes: Vec<(Vec3, Vec3)> = blocks
-            .iter()
-            .map(|&b| bounds(&self.spatial.blocks[b as usize].shape))
-            .collect();
+        let boxes: Vec<(Vec3, Vec3)> =
+            blocks.iter().map(|&b| bounds(&self.spatial.blocks[b as usize].shape)).collect();
         let shape = |k: u32| &self.spatial.blocks[blocks[k as usize] as usize].shape;
         let hull = |k: u32| match shape(k) {
             Shape::Polyhedron(_) => Some(Hull::of(shape(k))),
@@ -142,17 +137,10 @@ impl Builder<'_> {
             self.found.push(error.help(help));
         }
         if bad.len() > NAMED {
-            let least = if bad.len() == MOST_BAD {
-                "at least "
-            } else {
-                ""
-            };
-            let message = format!(
-                "{least}{} more pairs of blocks overlap at the start",
-                bad.len() - NAMED
-            );
-            self.found
-                .push(Diagnostic::error("geometry.overlap", message));
+            let least = if bad.len() == MOST_BAD { "at least " } else { "" };
+            let message =
+                format!("{least}{} more pairs of blocks overlap at the start", bad.len() - NAMED);
+            self.found.push(Diagnostic::error("geometry.overlap", message));
         }
     }
 
@@ -163,18 +151,14 @@ impl Builder<'_> {
             .tables()
             // What lies in terrain is told by `on_terrain`.
             .filter(|(_, blocks)| {
-                !blocks
-                    .clone()
-                    .any(|b| self.spatial.blocks[b as usize].shape.is_terrain())
+                !blocks.clone().any(|b| self.spatial.blocks[b as usize].shape.is_terrain())
             })
             .map(|(name, blocks)| {
                 let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-                let shapes = blocks
-                    .clone()
-                    .map(|b| &self.spatial.blocks[b as usize].shape);
-                let around = shapes.map(bounds).fold(start, |(low, high), (min, max)| {
-                    (low.min(min), high.max(max))
-                });
+                let shapes = blocks.clone().map(|b| &self.spatial.blocks[b as usize].shape);
+                let around = shapes
+                    .map(bounds)
+                    .fold(start, |(low, high), (min, max)| (low.min(min), high.max(max)));
                 let mut said = self.parsed.scenario.blocks.iter();
                 let said = said.find(|said| said.name.as_str() == name);
                 let ordered = blocks.len() == 1
@@ -191,10 +175,7 @@ impl Builder<'_> {
         if searched == Search::GivenUp {
             reached.fill(true);
         }
-        let doubtful = tables
-            .into_iter()
-            .zip(reached)
-            .filter(|(_, reached)| *reached);
+        let doubtful = tables.into_iter().zip(reached).filter(|(_, reached)| *reached);
         doubtful.flat_map(|((blocks, _, _), _)| blocks).collect()
     }
 
@@ -222,10 +203,7 @@ impl Builder<'_> {
         };
         // A little larger: two boxes with a common plane overlap then.
         let slack = |(min, max): &(Vec3, Vec3)| 3.0 * ACCEPTED * (*max - *min).min_element();
-        let wider = boxes
-            .iter()
-            .map(|b| (b.0 - slack(b), b.1 + slack(b)))
-            .collect::<Vec<_>>();
+        let wider = boxes.iter().map(|b| (b.0 - slack(b), b.1 + slack(b))).collect::<Vec<_>>();
         let mut first: Vec<Option<u32>> = vec![None; boxes.len()];
         // Where it gives up, `solid_overlaps` has said that not all pairs were looked at.
         deep_pairs(&wider, 0.0, |pair| {
@@ -238,9 +216,7 @@ impl Builder<'_> {
             }
             true
         });
-        let found = (0u32..)
-            .zip(first)
-            .filter_map(|(a, other)| Some([a, other?]));
+        let found = (0u32..).zip(first).filter_map(|(a, other)| Some([a, other?]));
         for [block, other] in found.take(NAMED).collect::<Vec<_>>() {
             let [name, other] = [block, other].map(|b| self.directory.name(b));
             let message = format!(
@@ -272,9 +248,7 @@ impl Builder<'_> {
                 return None;
             }
             let (ours, theirs) = (convex_parts(a), convex_parts(b));
-            let widths = ours
-                .iter()
-                .flat_map(|a| theirs.iter().map(|b| common_width(a, b)));
+            let widths = ours.iter().flat_map(|a| theirs.iter().map(|b| common_width(a, b)));
             depth = depth.min(widths.fold(0.0, f64::max));
         }
         (depth > accepted && !(self.held(i) && self.held(j))).then(|| Overlap {
@@ -288,9 +262,7 @@ impl Builder<'_> {
     pub(in crate::model) fn table_span(&self, block: u32) -> Span {
         let table = self.directory.table(block);
         let mut blocks = self.parsed.scenario.blocks.iter();
-        blocks
-            .find(|said| said.name.as_str() == table)
-            .map_or(0..0, |said| said.name.span.clone())
+        blocks.find(|said| said.name.as_str() == table).map_or(0..0, |said| said.name.span.clone())
     }
 
     /// Whether a condition or fixed blocks take the stress on a side of the model.
@@ -302,10 +274,7 @@ impl Builder<'_> {
                 BoundaryKind::Traction { .. } => false,
             };
             let here = match &boundary.on {
-                FaceSet::Plane {
-                    normal: n,
-                    offset: d,
-                } => {
+                FaceSet::Plane { normal: n, offset: d } => {
                     n.dot(normal) > 1.0 - 1e-9 && (d - offset).abs() <= 1e-6 * offset.abs().max(1.0)
                 }
                 FaceSet::Surface { planes, .. } => planes.iter().any(|(n, d)| {
@@ -326,11 +295,7 @@ impl Builder<'_> {
                 return false;
             }
             let (min, max) = bounds(&block.shape);
-            let reach = if normal.max_element() > 0.5 {
-                normal.dot(max)
-            } else {
-                normal.dot(min)
-            };
+            let reach = if normal.max_element() > 0.5 { normal.dot(max) } else { normal.dot(min) };
             (reach - offset).abs() <= 1e-6 * (max - min).max_element()
         });
         side.all(|(block, _)| self.held(block))
@@ -350,12 +315,9 @@ impl Builder<'_> {
 /// Whether a face condition is a load that the user may mean as the stress from outside.
 fn loaded(kind: &BoundaryKind) -> bool {
     match kind {
-        BoundaryKind::Traction {
-            traction,
-            pressure,
-            gradient,
-            ..
-        } => *traction != Vec3::ZERO || *pressure != 0.0 || *gradient != 0.0,
+        BoundaryKind::Traction { traction, pressure, gradient, .. } => {
+            *traction != Vec3::ZERO || *pressure != 0.0 || *gradient != 0.0
+        }
         BoundaryKind::Held { .. } | BoundaryKind::Moved { .. } | BoundaryKind::Viscous { .. } => {
             false
         }
@@ -372,10 +334,7 @@ impl Hull {
     fn of(shape: &Shape) -> Self {
         let solid = solid(shape);
         let planes = (0..solid.faces.len()).map(|face| solid.plane(face));
-        Hull {
-            planes: planes.collect(),
-            vertices: solid.vertices,
-        }
+        Hull { planes: planes.collect(), vertices: solid.vertices }
     }
 
     /// Whether a face of this one has the other one on its other side, to within a depth (m).
@@ -482,9 +441,8 @@ fn common_width(a: &Polyhedron, other: &Polyhedron) -> f64 {
     }
     let width = |n: &Vec3| {
         let along = rest.vertices.iter().map(|v| v.dot(*n));
-        let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
-            (l.min(x), h.max(x))
-        });
+        let (low, high) =
+            along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(x), h.max(x)));
         high - low
     };
     normals.iter().map(width).fold(f64::INFINITY, f64::min)

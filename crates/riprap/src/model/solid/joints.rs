@@ -46,10 +46,7 @@ impl Builder<'_> {
         // An elastic joint does not fail, and no point of it slides.
         let (failure, dashpots) = match strength {
             Some(_) => (read.failure(), read.dashpots()),
-            None => (
-                said.failure.unwrap_or_default(),
-                said.dashpots.unwrap_or_default(),
-            ),
+            None => (said.failure.unwrap_or_default(), said.dashpots.unwrap_or_default()),
         };
         let damping = read.damping_ratio();
         let contact_damping = match (&said.restitution, &said.damping_ratio) {
@@ -160,10 +157,9 @@ pub(in crate::model) fn change_joint(law: &mut JointLaw, change: &InterfaceChang
             let shear = change.shear_stiffness.si_or(ratio * normal);
             Stiffness::Given { normal, shear }
         }
-        (None, Stiffness::Given { normal, shear }) => Stiffness::Given {
-            normal,
-            shear: change.shear_stiffness.si_or(shear),
-        },
+        (None, Stiffness::Given { normal, shear }) => {
+            Stiffness::Given { normal, shear: change.shear_stiffness.si_or(shear) }
+        }
         (None, rule @ Stiffness::Rule(_)) => rule,
     };
     law.damping = change.damping_ratio.si_or(law.damping);

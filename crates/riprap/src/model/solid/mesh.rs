@@ -36,19 +36,13 @@ pub(super) struct Made {
 
 impl Made {
     pub(super) fn of(shapes: Vec<Shape>) -> Self {
-        Made {
-            shapes,
-            ..Made::default()
-        }
+        Made { shapes, ..Made::default() }
     }
 }
 
 /// A solid as a shape.
 pub(super) fn shape_of(solid: Polyhedron) -> Shape {
-    Shape::Polyhedron(Box::new(Solid {
-        vertices: solid.vertices,
-        faces: solid.faces,
-    }))
+    Shape::Polyhedron(Box::new(Solid { vertices: solid.vertices, faces: solid.faces }))
 }
 
 impl Builder<'_> {
@@ -133,20 +127,14 @@ impl Builder<'_> {
         for solid in solids {
             let named = groups.entry(solid.name.clone().unwrap_or_default());
             named.or_default().push(shapes.len() as u32);
-            let what = solid
-                .name
-                .unwrap_or_else(|| format!("part {}", shapes.len() + 1));
+            let what = solid.name.unwrap_or_else(|| format!("part {}", shapes.len() + 1));
             shapes.push(self.hull_of(file, &solid.part, &what, unit, shift)?);
         }
         groups.remove("");
         for name in groups.keys() {
             self.group_of_file(block, file, name)?;
         }
-        Some(Made {
-            shapes,
-            groups: groups.into_iter().collect(),
-            ..Made::default()
-        })
+        Some(Made { shapes, groups: groups.into_iter().collect(), ..Made::default() })
     }
 
     /// A closed convex part of a file as a block; `None` after an error.
@@ -159,16 +147,12 @@ impl Builder<'_> {
         shift: Vec3,
     ) -> Option<Shape> {
         let places = part.points.iter();
-        let places: Vec<Vec3> = places
-            .map(|p| unit * Vec3::from_array(*p) + shift)
-            .collect();
+        let places: Vec<Vec3> = places.map(|p| unit * Vec3::from_array(*p) + shift).collect();
         match hull(&places) {
             Ok(solid) => Some(shape_of(solid)),
             Err(error) => {
-                let message = format!(
-                    "`{file}`, {}: {what} cannot be a block: {error}",
-                    part.place
-                );
+                let message =
+                    format!("`{file}`, {}: {what} cannot be a block: {error}", part.place);
                 let help = "each connected part is a closed convex surface";
                 self.error_at("file.shape", file, message, help);
                 None
@@ -212,11 +196,8 @@ impl Builder<'_> {
             self.error_at("file.msh", file, message, &help);
             return None;
         }
-        let at: Vec<[f64; 3]> = mesh
-            .nodes
-            .iter()
-            .map(|p| (unit * Vec3::from_array(*p) + shift).to_array())
-            .collect();
+        let at: Vec<[f64; 3]> =
+            mesh.nodes.iter().map(|p| (unit * Vec3::from_array(*p) + shift).to_array()).collect();
         let mut solids = Vec::with_capacity(chosen.len());
         for &k in &chosen {
             match mesh.cells[k].solid(&at) {
@@ -241,11 +222,7 @@ impl Builder<'_> {
         for (name, _) in &groups {
             self.group_of_file(block, file, name)?;
         }
-        Some(Made {
-            shapes: solids.into_iter().map(shape_of).collect(),
-            groups,
-            surfaces,
-        })
+        Some(Made { shapes: solids.into_iter().map(shape_of).collect(), groups, surfaces })
     }
 
     /// Elements of the physical volume asked for, or all.
@@ -284,15 +261,11 @@ fn elements_text(mesh: &Mesh, chosen: usize) -> String {
     let mut words = format!("read {chosen} of {all} elements as blocks");
     if mesh.others > 0 {
         let others = mesh.others;
-        words.push_str(&format!(
-            "; left out {others} because they are surfaces, lines or points"
-        ));
+        words.push_str(&format!("; left out {others} because they are surfaces, lines or points"));
     }
     if mesh.cells.len() > chosen {
         let beside = mesh.cells.len() - chosen;
-        words.push_str(&format!(
-            "; left out {beside} because they are in other volumes"
-        ));
+        words.push_str(&format!("; left out {beside} because they are in other volumes"));
     }
     words
 }
@@ -355,9 +328,6 @@ fn plane_of(solid: &Polyhedron, points: impl Iterator<Item = Vec3> + Clone) -> O
 /// Mean of the nodes of an element, in the unit of the file.
 fn middle(mesh: &Mesh, k: usize) -> Vec3 {
     let nodes = mesh.cells[k].nodes();
-    let sum: Vec3 = nodes
-        .iter()
-        .map(|n| Vec3::from_array(mesh.nodes[*n as usize]))
-        .sum();
+    let sum: Vec3 = nodes.iter().map(|n| Vec3::from_array(mesh.nodes[*n as usize])).sum();
     sum / nodes.len() as f64
 }

@@ -147,13 +147,7 @@ impl Builder<'_> {
             origin.x, origin.y, origin.z
         );
         let note = Diagnostic::warning("geometry.far", message);
-        self.found
-            .push(note.help("nothing to do: outputs are in the coordinates of the file"));
-        self.explain(
-            "origin",
-            triple(origin, "m"),
-            Provenance::Derived,
-            "far coordinates",
-        );
+        self.found.push(note.help("nothing to do: outputs are in the coordinates of the file"));
+        self.explain("origin", triple(origin, "m"), Provenance::Derived, "far coordinates");
     }
 }

@@ -21,21 +21,9 @@ pub(super) struct Hole {
 
 /// Columns of a pattern; one of the mass and the diameter of each charge is there.
 const COLUMNS: [Column; 10] = [
-    Column::needed(
-        &["collar_x", "collar_easting", "collar_east"],
-        Dim::LENGTH,
-        "m",
-    ),
-    Column::needed(
-        &["collar_y", "collar_northing", "collar_north"],
-        Dim::LENGTH,
-        "m",
-    ),
-    Column::needed(
-        &["collar_z", "collar_elevation", "collar_rl"],
-        Dim::LENGTH,
-        "m",
-    ),
+    Column::needed(&["collar_x", "collar_easting", "collar_east"], Dim::LENGTH, "m"),
+    Column::needed(&["collar_y", "collar_northing", "collar_north"], Dim::LENGTH, "m"),
+    Column::needed(&["collar_z", "collar_elevation", "collar_rl"], Dim::LENGTH, "m"),
     Column::needed(&["toe_x", "toe_easting", "toe_east"], Dim::LENGTH, "m"),
     Column::needed(&["toe_y", "toe_northing", "toe_north"], Dim::LENGTH, "m"),
     Column::needed(&["toe_z", "toe_elevation", "toe_rl"], Dim::LENGTH, "m"),
@@ -56,20 +44,15 @@ impl Builder<'_> {
             found.map(|found| &found.values)
         });
         if charge.is_some() == diameter.is_some() {
-            let message = format!(
-                "`{}` needs one of the columns charge_kg and diameter_mm",
-                pattern.csv
-            );
+            let message =
+                format!("`{}` needs one of the columns charge_kg and diameter_mm", pattern.csv);
             let help = "the mass of each charge follows from one of them";
             self.error_at("file.csv", &pattern.csv, message, help);
             return None;
         }
         let mut holes = Vec::new();
         for k in 0..delay.len() {
-            let (collar, toe) = (
-                Vec3::new(cx[k], cy[k], cz[k]),
-                Vec3::new(tx[k], ty[k], tz[k]),
-            );
+            let (collar, toe) = (Vec3::new(cx[k], cy[k], cz[k]), Vec3::new(tx[k], ty[k], tz[k]));
             let length = collar.distance(toe);
             let stemmed = stemming.as_ref().map_or(0.0, |s| s[k]);
             let charged = length - stemmed;

@@ -41,9 +41,7 @@ impl Builder<'_> {
                 }),
             }
         };
-        blocks
-            .find(|(_, block)| holds(&block.shape))
-            .map(|(block, _)| block)
+        blocks.find(|(_, block)| holds(&block.shape)).map(|(block, _)| block)
     }
 
     /// Given blocks that touch a region.
@@ -65,9 +63,7 @@ impl Builder<'_> {
             let Place::Blocks { blocks } = place else {
                 return (0, 0.0);
             };
-            let volumes = blocks
-                .iter()
-                .map(|&b| volume(&self.spatial.blocks[b as usize].shape));
+            let volumes = blocks.iter().map(|&b| volume(&self.spatial.blocks[b as usize].shape));
             return (blocks.len(), volumes.sum());
         };
         let split: Vec<(&Region, u8)> = self
@@ -91,9 +87,8 @@ impl Builder<'_> {
                 if !extent.touches(&region) || count > MOST_CELLS {
                     continue;
                 }
-                let goes_on = split
-                    .iter()
-                    .any(|(around, levels)| *levels > level && extent.touches(around));
+                let goes_on =
+                    split.iter().any(|(around, levels)| *levels > level && extent.touches(around));
                 if goes_on {
                     stack.extend((0..8).map(|octant| (cell.part(octant), level + 1)));
                 } else {

@@ -87,10 +87,8 @@ impl Builder<'_> {
     /// Joins tiles of one grid, and says where terrains leave a gap or lie in each other.
     pub(super) fn join_terrain(&mut self) {
         let blocks = (0_u32..).zip(&self.spatial.blocks);
-        let grounds: Vec<u32> = blocks
-            .filter(|(_, b)| b.shape.is_terrain())
-            .map(|(b, _)| b)
-            .collect();
+        let grounds: Vec<u32> =
+            blocks.filter(|(_, b)| b.shape.is_terrain()).map(|(b, _)| b).collect();
         if grounds.len() < 2 {
             return;
         }
@@ -203,9 +201,7 @@ fn joined(tiles: &[Tile], k: usize) -> Option<(HeightField, Vec<u32>)> {
         tile.heights.get(&at).or_else(|| added.get(&at)).copied()
     };
     // What cannot be joined stays as it is, and its gap is reported.
-    HeightField::grid(&x, &y, height)
-        .ok()
-        .map(|field| (field, from))
+    HeightField::grid(&x, &y, height).ok().map(|field| (field, from))
 }
 
 /// A terrain with its rim.
@@ -261,12 +257,8 @@ impl Ground {
         let reach = BESIDE * edge;
         let near = |ground: &Self, at: Vec2| ground.is_near(at, reach);
         let own = self.rim.iter().map(|e| e[0]).filter(|at| near(other, *at));
-        let rims: Vec<[Vec2; 2]> = other
-            .rim
-            .iter()
-            .filter(|[a, b]| near(self, *a) || near(self, *b))
-            .copied()
-            .collect();
+        let rims: Vec<[Vec2; 2]> =
+            other.rim.iter().filter(|[a, b]| near(self, *a) || near(self, *b)).copied().collect();
         let mut widest: Option<(f64, Vec2)> = None;
         for at in own {
             if other.field.height(&other.bins, at.x, at.y).is_some() {

@@ -34,20 +34,14 @@ pub(super) fn brick(brick: &Brick) -> (Vec3, Vec3) {
 /// Lowest and highest corner of a box of cells, m.
 fn box_of(said: &GridCells) -> (Vec3, Vec3) {
     let min = said.corner.as_ref().map_or(Vec3::ZERO, global);
-    (
-        min,
-        min + Vec3::from(said.size.each_ref().map(Quantity::si)),
-    )
+    (min, min + Vec3::from(said.size.each_ref().map(Quantity::si)))
 }
 
 /// Points that show where a table's blocks are, in the coordinates of the file.
 pub(super) fn corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
     let mut places = unturned_corners(block, grids);
     // About the centroid of the shape they stay near where they are.
-    if let Some((rotate, about)) = block
-        .rotate
-        .as_ref()
-        .and_then(|r| Some((r, r.about.as_ref()?)))
+    if let Some((rotate, about)) = block.rotate.as_ref().and_then(|r| Some((r, r.about.as_ref()?)))
     {
         let shift = block.shift.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
         let turn = Turn::new(rotate, Vec3::from(about.xyz()) + shift);
@@ -115,8 +109,7 @@ impl Builder<'_> {
         if scenario.blocks.len() > usize::from(u16::MAX) || scenario.materials.len() > 1000 {
             let message = "there are too many [[blocks]] tables or materials";
             let error = Diagnostic::error("geometry.count", message);
-            self.found
-                .push(error.help("let `grid` or `copies` make blocks that are alike"));
+            self.found.push(error.help("let `grid` or `copies` make blocks that are alike"));
             return;
         }
         for (block, lattice) in scenario.blocks.iter().zip(grids) {
@@ -126,12 +119,7 @@ impl Builder<'_> {
                 Some(Geometry::Brick(said)) => {
                     let (centre, half) = brick(said);
                     self.with_volume(block, 8.0 * half.element_product())
-                        .then(|| {
-                            vec![Shape::Brick {
-                                centre: centre + shift,
-                                half,
-                            }]
-                        })
+                        .then(|| vec![Shape::Brick { centre: centre + shift, half }])
                 }
                 Some(Geometry::Grid(Grid::Cells(said))) => self.cells(block, said, shift),
                 Some(Geometry::Grid(Grid::Box(_))) => lattice
@@ -225,8 +213,7 @@ impl Builder<'_> {
         if lattice && (square.is_nan() || square > 16.0 * MOST_CELLS) {
             let message = format!("`{}` is too slender for a turned lattice", block.name);
             let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());
-            self.found
-                .push(error.help("use a larger `cell`, or `grid.box`"));
+            self.found.push(error.help("use a larger `cell`, or `grid.box`"));
             return None;
         }
         let (sites, relax, smallest) = if lattice {
@@ -276,12 +263,7 @@ impl Builder<'_> {
         let sound = volume.is_normal() && volume > 0.0;
         if !sound {
             let message = format!("the bricks of `{}` have no volume", block.name);
-            self.error_at(
-                "geometry.volume",
-                &block.name,
-                message,
-                "check sizes and units",
-            );
+            self.error_at("geometry.volume", &block.name, message, "check sizes and units");
         }
         sound
     }
@@ -301,10 +283,7 @@ impl Builder<'_> {
             numbered,
         };
         self.directory.add(entry, &block.groups);
-        let velocity = block
-            .velocity
-            .as_ref()
-            .map_or(Vec3::ZERO, |v| v.xyz().into());
+        let velocity = block.velocity.as_ref().map_or(Vec3::ZERO, |v| v.xyz().into());
         let spin = block.spin.as_ref().map_or(Vec3::ZERO, |s| s.xyz().into());
         // Copies and poured blocks are stones of their own, everything else that a table makes spins as one body.
         let one = block.copies.is_none()
@@ -319,10 +298,7 @@ impl Builder<'_> {
             let swing = about.map_or(Vec3::ZERO, |about| spin.cross(centroid - about));
             self.directory.centroids.push(centroid.into());
             self.spatial.blocks.push(BlockSpec {
-                name: BlockName {
-                    base,
-                    number: if numbered { number } else { 0 },
-                },
+                name: BlockName { base, number: if numbered { number } else { 0 } },
                 shape,
                 material,
                 velocity: velocity + swing,
@@ -354,26 +330,17 @@ impl Builder<'_> {
                     return None;
                 }
                 let vertices = obj.points.iter().map(|p| Vec3::from_array(*p)).collect();
-                (
-                    vertices,
-                    Some(obj.faces()).filter(|faces| !faces.is_empty()),
-                )
+                (vertices, Some(obj.faces()).filter(|faces| !faces.is_empty()))
             }
             (None, None) => return None, // reported by the rules of the language
         };
-        let moved = vertices
-            .iter()
-            .map(|v: &Vec3| *v + shift)
-            .collect::<Vec<_>>();
+        let moved = vertices.iter().map(|v: &Vec3| *v + shift).collect::<Vec<_>>();
         let made = match faces {
             Some(faces) => Polyhedron::new(moved, faces),
             None => hull(&moved),
         };
         match made {
-            Ok(solid) => Some(Solid {
-                vertices: solid.vertices,
-                faces: solid.faces,
-            }),
+            Ok(solid) => Some(Solid { vertices: solid.vertices, faces: solid.faces }),
             Err(error) => {
                 let (vertex, help) = reason(&error);
                 let span = vertex
@@ -393,11 +360,7 @@ impl Builder<'_> {
 
     /// What an OBJ file holds; `None` after an error.
     pub(super) fn obj(&mut self, file: &Name) -> Option<Obj> {
-        self.foreign_file(
-            file,
-            parse_obj,
-            "correct that line, or save it again as OBJ",
-        )
+        self.foreign_file(file, parse_obj, "correct that line, or save it again as OBJ")
     }
 
     /// The blocks of a table with an OBJ file: one as it stands in the file, or one of each closed part.
@@ -421,10 +384,9 @@ impl Builder<'_> {
 /// Corner that an error is about, and what to do.
 fn reason(error: &SolidError) -> (Option<usize>, &'static str) {
     match error {
-        SolidError::NotConvex { vertex, .. } => (
-            Some(*vertex as usize),
-            "divide the block into convex ones that share faces",
-        ),
+        SolidError::NotConvex { vertex, .. } => {
+            (Some(*vertex as usize), "divide the block into convex ones that share faces")
+        }
         SolidError::NonFinite { vertex, .. } | SolidError::Unused { vertex } => {
             (Some(*vertex), "correct or leave out this corner")
         }
@@ -440,10 +402,9 @@ fn reason(error: &SolidError) -> (Option<usize>, &'static str) {
         | SolidError::FlatFace { .. }
         | SolidError::Unbounded { .. }
         | SolidError::Nothing { .. } => (None, "check corners and faces"),
-        SolidError::WrongWay { .. } => (
-            None,
-            "list the corners of every face anticlockwise as seen from outside",
-        ),
+        SolidError::WrongWay { .. } => {
+            (None, "list the corners of every face anticlockwise as seen from outside")
+        }
     }
 }
 
@@ -457,10 +418,7 @@ fn bricks(lattice: &Lattice, origin: Vec3) -> Vec<Shape> {
         for j in 0..ny {
             for i in 0..nx {
                 let at = Vec3::new(f64::from(i), f64::from(j), f64::from(k)) + 0.5;
-                shapes.push(Shape::Brick {
-                    centre: corner + at * lattice.cell,
-                    half,
-                });
+                shapes.push(Shape::Brick { centre: corner + at * lattice.cell, half });
             }
         }
     }
@@ -471,17 +429,13 @@ fn bricks(lattice: &Lattice, origin: Vec3) -> Vec<Shape> {
 pub(super) fn solid(shape: &Shape) -> Polyhedron {
     match shape {
         Shape::Brick { centre, half } => Polyhedron::brick(*centre, *half),
-        Shape::Polyhedron(solid) => Polyhedron {
-            vertices: solid.vertices.clone(),
-            faces: solid.faces.clone(),
-        },
+        Shape::Polyhedron(solid) => {
+            Polyhedron { vertices: solid.vertices.clone(), faces: solid.faces.clone() }
+        }
         Shape::Glued(parts) => Solid::all(parts).polyhedron(),
         Shape::Terrain(surface) => {
             let body = surface.body();
-            Polyhedron {
-                vertices: body.vertices,
-                faces: body.faces,
-            }
+            Polyhedron { vertices: body.vertices, faces: body.faces }
         }
     }
 }

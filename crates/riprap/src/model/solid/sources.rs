@@ -51,20 +51,13 @@ impl Builder<'_> {
         let coupling = self.coupling(name, gas);
         let venting = match &gas.venting {
             None => None,
-            Some(language::Venting::Heave(height)) => Some(Venting::Heave {
-                height: height.si(),
-            }),
+            Some(language::Venting::Heave(height)) => Some(Venting::Heave { height: height.si() }),
             Some(language::Venting::Time(time)) => Some(Venting::Time {
                 start: time.start.si(),
                 span: self.reading(format!("{path}.venting.time"), time).span(),
             }),
         };
-        let push = |mass: f64| CavityPressure::Gas {
-            explosive,
-            mass,
-            coupling,
-            venting,
-        };
+        let push = |mass: f64| CavityPressure::Gas { explosive, mass, coupling, venting };
         if let Some(pattern) = &gas.pattern {
             let Some(holes) = self.holes(pattern, explosive.density) else {
                 return;
@@ -72,10 +65,7 @@ impl Builder<'_> {
             for (number, hole) in (1..).zip(holes) {
                 let Hole { from, to, .. } = hole;
                 let origin = self.spatial.origin;
-                let place = Place::Line {
-                    from: from - origin,
-                    to: to - origin,
-                };
+                let place = Place::Line { from: from - origin, to: to - origin };
                 let name_of = format!("{name}.{number}");
                 if self.in_rock(&place, &name_of, &pattern.csv.span) {
                     self.enter_source(name_of, place, delay + hole.delay, push(hole.mass));
@@ -98,23 +88,13 @@ impl Builder<'_> {
             return;
         };
         if let Some(place) = self.source_place(name, &cavity.centre, &cavity.line, &cavity.group) {
-            self.enter_source(
-                name.text.clone(),
-                place,
-                delay,
-                CavityPressure::Pressure { time },
-            );
+            self.enter_source(name.text.clone(), place, delay, CavityPressure::Pressure { time });
         }
     }
 
     fn enter_source(&mut self, name: String, place: Place, delay: f64, push: CavityPressure) {
         self.directory.sources.push(name.clone());
-        self.spatial.sources.push(Source {
-            name,
-            place,
-            delay,
-            push,
-        });
+        self.spatial.sources.push(Source { name, place, delay, push });
     }
 
     /// The explosive in numbers, if they make sense.
@@ -160,9 +140,7 @@ impl Builder<'_> {
         let from = Provenance::given(gas.coupling.is_some());
         let (coupling, text, why) = match &gas.coupling {
             _ if gas.is_fitted() => (
-                Coupling::Scaled {
-                    exponent: WALL_FORCE,
-                },
+                Coupling::Scaled { exponent: WALL_FORCE },
                 "fitted".to_owned(),
                 "the cells of the grid have the volume of the charge",
             ),
@@ -178,9 +156,7 @@ impl Builder<'_> {
                 (Coupling::Scaled { exponent }, text, "")
             }
             Some(WordOr::Word(CouplingWord::Fitted, _)) | None => (
-                Coupling::Scaled {
-                    exponent: WALL_FORCE,
-                },
+                Coupling::Scaled { exponent: WALL_FORCE },
                 "scaled 2/3".to_owned(),
                 "keeps the force on the wall of the cavity",
             ),
@@ -258,11 +234,7 @@ impl Builder<'_> {
                 {
                     continue;
                 }
-                self.spatial.refinements.push(Refinement {
-                    around,
-                    levels,
-                    during,
-                });
+                self.spatial.refinements.push(Refinement { around, levels, during });
             }
         }
     }
@@ -377,9 +349,7 @@ impl Builder<'_> {
         let mut count = 0.0;
         for shape in self.spatial.blocks.iter().map(|block| &block.shape) {
             let block = Divisible::of(shape);
-            count += block.map_or(1.0, |block| {
-                block.parts_around(region, levels, most - count)
-            });
+            count += block.map_or(1.0, |block| block.parts_around(region, levels, most - count));
             if count > most && !matches!(region, Region::All) {
                 break;
             }
@@ -391,11 +361,7 @@ impl Builder<'_> {
         let message = format!(
             "{levels} levels here make {} {} blocks; there is room for {most:.1e}",
             if exact { "about" } else { "more than" },
-            if exact {
-                format!("{count:.1e}")
-            } else {
-                format!("{most:.1e}")
-            },
+            if exact { format!("{count:.1e}") } else { format!("{most:.1e}") },
         );
         let error = Diagnostic::error("refine.many", message).at(span.clone());
         let help = "give fewer `levels` (each makes eight blocks of one) or a smaller region";
@@ -415,11 +381,7 @@ impl Builder<'_> {
             Some(Every::Steps(steps)) => steps,
             Some(Every::Time(_) | Every::Phase | Every::Never) | None => EVERY,
         };
-        Some(During {
-            criterion,
-            above,
-            every,
-        })
+        Some(During { criterion, above, every })
     }
 
     /// Volumes of charges and of the blocks they replace, for the summary, with a warning where they
@@ -429,12 +391,7 @@ impl Builder<'_> {
             let source = &self.spatial.sources[k];
             let (cells, cavity) = self.removed(&source.place);
             let (mass, volume, scaled) = match &source.push {
-                CavityPressure::Gas {
-                    explosive,
-                    mass,
-                    coupling,
-                    ..
-                } => {
+                CavityPressure::Gas { explosive, mass, coupling, .. } => {
                     let scaled = matches!(coupling, Coupling::Scaled { .. });
                     (Some(*mass), Some(mass / explosive.density), scaled)
                 }
@@ -462,14 +419,7 @@ impl Builder<'_> {
                 let note = Diagnostic::warning("source.volume", message).at(span);
                 self.found.push(note.help(help));
             }
-            self.summary.charges.push(Charge {
-                name,
-                mass,
-                volume,
-                blocks: cells,
-                cavity,
-                ratio,
-            });
+            self.summary.charges.push(Charge { name, mass, volume, blocks: cells, cavity, ratio });
         }
     }
 }

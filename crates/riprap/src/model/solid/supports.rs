@@ -15,11 +15,7 @@ use crate::spatial::setup::{Load, LoadKind, Motion, Support};
 
 /// Whether each direction is held.
 pub(super) fn held_along(said: &Fixed) -> [bool; 3] {
-    [
-        said.x_or_default(),
-        said.y_or_default(),
-        said.z_or_default(),
-    ]
+    [said.x_or_default(), said.y_or_default(), said.z_or_default()]
 }
 
 /// What deformable blocks do not do when a spin is prescribed.
@@ -31,11 +27,7 @@ fn fixed(said: &Fixed) -> Motion {
     let turn = |given: Option<bool>| given.unwrap_or(said.rotation_or_default());
     Motion::Fixed {
         translation: held_along(said),
-        rotation: [
-            turn(said.rotation_x),
-            turn(said.rotation_y),
-            turn(said.rotation_z),
-        ],
+        rotation: [turn(said.rotation_x), turn(said.rotation_y), turn(said.rotation_z)],
     }
 }
 
@@ -110,10 +102,9 @@ impl Builder<'_> {
         terrain(block)
             || self.spatial.supports.iter().any(|support| {
                 let all = match support.motion {
-                    Motion::Fixed {
-                        translation,
-                        rotation,
-                    } => translation == [true; 3] && rotation == [true; 3],
+                    Motion::Fixed { translation, rotation } => {
+                        translation == [true; 3] && rotation == [true; 3]
+                    }
                     Motion::Velocity { .. } | Motion::Acceleration { .. } => false,
                 };
                 all && support.blocks.binary_search(&block).is_ok()
@@ -145,9 +136,7 @@ impl Builder<'_> {
                 continue;
             }
             if let Some(moment) = &load.moment {
-                kinds.push(LoadKind::Moment {
-                    moment: moment.xyz().into(),
-                });
+                kinds.push(LoadKind::Moment { moment: moment.xyz().into() });
             }
             if let Some(body) = &load.body {
                 kinds.push(LoadKind::BodyForce {

@@ -29,11 +29,7 @@ const SCATTERED: f64 = 0.25;
 const GRID: [Column; 3] = [
     Column::needed(&["x", "easting", "east"], Dim::LENGTH, "m"),
     Column::needed(&["y", "northing", "north"], Dim::LENGTH, "m"),
-    Column::needed(
-        &["z", "elevation", "elev", "height", "altitude"],
-        Dim::LENGTH,
-        "m",
-    ),
+    Column::needed(&["z", "elevation", "elev", "height", "altitude"], Dim::LENGTH, "m"),
 ];
 
 /// Heights on a grid.
@@ -80,10 +76,7 @@ impl Builder<'_> {
         } else if let Some(file) = &said.csv {
             let read = self.grid_of_csv(file, shift, "file.terrain")?;
             let wide = read.x.len();
-            (
-                file,
-                HeightField::grid(&read.x, &read.y, |i, j| read.z[j * wide + i]),
-            )
+            (file, HeightField::grid(&read.x, &read.y, |i, j| read.z[j * wide + i]))
         } else {
             let file = said.stl.as_ref()?;
             let help = "save it as STL, text or binary";
@@ -111,10 +104,7 @@ impl Builder<'_> {
         let count = field.triangles.len().to_string();
         self.explain(key, count, Provenance::Derived, "triangles of the file");
         self.tell_terrain(block, &field);
-        Some(Shape::Terrain(Box::new(Surface {
-            points: field.points,
-            triangles: field.triangles,
-        })))
+        Some(Shape::Terrain(Box::new(Surface { points: field.points, triangles: field.triangles })))
     }
 
     /// What `check` says about a terrain.
@@ -215,10 +205,7 @@ impl Builder<'_> {
                 "join the parts, or give each as terrain of its own"
             }
         };
-        Refused {
-            message: format!("`{file}` is no terrain: {error}"),
-            help,
-        }
+        Refused { message: format!("`{file}` is no terrain: {error}"), help }
     }
 
     /// Blocks that can move must start on or above terrain, and found contact must be on.
@@ -280,10 +267,8 @@ impl Builder<'_> {
             self.found.push(error.help(help));
         }
         if count > NAMED {
-            let message = format!(
-                "{} more blocks start in the terrain or beside it",
-                count - NAMED
-            );
+            let message =
+                format!("{} more blocks start in the terrain or beside it", count - NAMED);
             self.found.push(Diagnostic::error("terrain.start", message));
         }
     }

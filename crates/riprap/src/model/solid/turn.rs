@@ -47,10 +47,7 @@ impl Turn {
     /// A quaternion of any length but none.
     pub(super) fn by(quaternion: Quat, about: Vec3) -> Self {
         // Its largest part first, so that the square of no part is nothing or infinite.
-        let size = quaternion
-            .to_array()
-            .iter()
-            .fold(0.0, |m: f64, x| m.max(x.abs()));
+        let size = quaternion.to_array().iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         let quaternion = (quaternion * (1.0 / size)).normalize();
         Self::of_matrix(Mat3::from_quat(quaternion), about)
     }
@@ -58,16 +55,8 @@ impl Turn {
     fn of_matrix(exact: Mat3, about: Vec3) -> Self {
         let near = exact.to_cols_array();
         let keeps_axes = near.iter().all(|x| (x - x.round()).abs() < ROUND);
-        let matrix = if keeps_axes {
-            Mat3::from_cols_array(&near.map(f64::round))
-        } else {
-            exact
-        };
-        Turn {
-            matrix,
-            about,
-            keeps_axes,
-        }
+        let matrix = if keeps_axes { Mat3::from_cols_array(&near.map(f64::round)) } else { exact };
+        Turn { matrix, about, keeps_axes }
     }
 
     /// A point turned.
@@ -112,10 +101,9 @@ impl Turn {
     /// A shape turned.
     pub(super) fn of_shape(&self, shape: Shape) -> Shape {
         match shape {
-            Shape::Brick { centre, half } if self.keeps_axes => Shape::Brick {
-                centre: self.of(centre),
-                half: (self.matrix * half).abs(),
-            },
+            Shape::Brick { centre, half } if self.keeps_axes => {
+                Shape::Brick { centre: self.of(centre), half: (self.matrix * half).abs() }
+            }
             Shape::Brick { centre, half } => {
                 let mut solid = Polyhedron::brick(centre, half);
                 solid.vertices.iter_mut().for_each(|v| *v = self.of(*v));
@@ -208,22 +196,15 @@ pub(super) fn copies(block: &Block, made: Made) -> Made {
     let (groups, surfaces) = (made.groups.iter(), made.surfaces.iter());
     Made {
         shapes: shapes.collect(),
-        groups: groups
-            .map(|(name, all)| (name.clone(), members(all)))
-            .collect(),
-        surfaces: surfaces
-            .map(|(name, all)| (name.clone(), faces(all)))
-            .collect(),
+        groups: groups.map(|(name, all)| (name.clone(), members(all))).collect(),
+        surfaces: surfaces.map(|(name, all)| (name.clone(), faces(all))).collect(),
     }
 }
 
 /// A shape moved.
 pub(super) fn moved(shape: &Shape, shift: Vec3) -> Shape {
     match shape {
-        Shape::Brick { centre, half } => Shape::Brick {
-            centre: *centre + shift,
-            half: *half,
-        },
+        Shape::Brick { centre, half } => Shape::Brick { centre: *centre + shift, half: *half },
         Shape::Polyhedron(solid) => {
             let mut solid = solid.clone();
             solid.vertices.iter_mut().for_each(|v| *v += shift);

@@ -39,41 +39,24 @@ only = ["deformable"]
 "interfaces.default.friction_angle" = "5 deg"
 "#
     ));
-    let names: Vec<&str> = model
-        .plan
-        .histories
-        .iter()
-        .map(|h| h.name.as_str())
-        .collect();
+    let names: Vec<&str> = model.plan.histories.iter().map(|h| h.name.as_str()).collect();
     assert_eq!(names, ["slip", "v.x", "v.y"]);
     assert_eq!(model.plan.histories[2].gauge.field, "block.velocity.y");
     assert_eq!(model.plan.frames, Some(Every::Phase));
-    let [formula, force] = &model.checks[..] else {
-        panic!("{:?}", model.checks)
-    };
-    assert_eq!(
-        (formula.window, formula.absolute),
-        (Window::At(0.5), Some(1e-3))
-    );
-    let Expected::Formula { formula, names } = &formula.expected else {
-        panic!()
-    };
+    let [formula, force] = &model.checks[..] else { panic!("{:?}", model.checks) };
+    assert_eq!((formula.window, formula.absolute), (Window::At(0.5), Some(1e-3)));
+    let Expected::Formula { formula, names } = &formula.expected else { panic!() };
     let mut values: Vec<(&str, f64)> = names.iter().map(|(n, v)| (n.as_str(), *v)).collect();
     values.push(("t", 2.0));
     assert!((formula.value(&values) - 2.0 * 9.81).abs() < 1e-12);
-    assert_eq!(
-        (force.unit.as_str(), &force.gauge.of[..]),
-        ("N/m", &[0, 1][..])
-    );
+    assert_eq!((force.unit.as_str(), &force.gauge.of[..]), ("N/m", &[0, 1][..]));
     assert!(matches!(force.expected, Expected::Between(_, high) if (high - 1e-3).abs() < 1e-18));
 }
 
 #[test]
 fn what_checks_ask_for_must_exist() {
     let check = |rest: &str| {
-        bad(&format!(
-            "{CUBE}{FLOOR}\n[[checks]]\nname = \"c\"\nrelative = 0.1\n{rest}\n"
-        ))
+        bad(&format!("{CUBE}{FLOOR}\n[[checks]]\nname = \"c\"\nrelative = 0.1\n{rest}\n"))
     };
     let has = |text: String, parts: &[&str]| {
         for part in parts {
@@ -82,10 +65,7 @@ fn what_checks_ask_for_must_exist() {
     };
     has(
         check("field = \"block.displacment.x\"\nof = \"cube\"\nvalue = \"1 m\""),
-        &[
-            "there is no field `block.displacment.x`",
-            "`block.displacement`",
-        ],
+        &["there is no field `block.displacment.x`", "`block.displacement`"],
     );
     has(
         check("field = \"block.displacement\"\nof = \"cube\"\nvalue = \"1 m\""),
@@ -95,18 +75,9 @@ fn what_checks_ask_for_must_exist() {
         check("field = \"block.displacement.x\"\nof = \"cube\"\nvalue = \"1 s\""),
         &["is a time", "the field is in m"],
     );
-    has(
-        check("field = \"block.rotation\"\nof = \"cube\"\nvalue = 0.1"),
-        &["unit", "rad"],
-    );
-    has(
-        check("field = \"block.rotation\"\nvalue = \"1 deg\""),
-        &["needs one block"],
-    );
-    has(
-        check("field = \"model.kinetic\"\nof = \"cube\"\nvalue = \"1 J/m\""),
-        &["whole model"],
-    );
+    has(check("field = \"block.rotation\"\nof = \"cube\"\nvalue = 0.1"), &["unit", "rad"]);
+    has(check("field = \"block.rotation\"\nvalue = \"1 deg\""), &["needs one block"]);
+    has(check("field = \"model.kinetic\"\nof = \"cube\"\nvalue = \"1 J/m\""), &["whole model"]);
     has(
         check("field = \"pair.force.x\"\nof = [\"cube\", \"cube\"]\nvalue = \"1 N/m\""),
         &["the same block"],
@@ -160,10 +131,7 @@ absolute = "0.2 deg"
     ));
     assert!(model.checks.is_empty());
     let check = &model.bisect.unwrap().checks[0];
-    assert_eq!(
-        (check.gauge.field.as_str(), check.unit.as_str()),
-        (super::LIMIT, "rad")
-    );
+    assert_eq!((check.gauge.field.as_str(), check.unit.as_str()), (super::LIMIT, "rad"));
     assert!(matches!(check.expected, Expected::Value(x) if (x - 35f64.to_radians()).abs() < 1e-15));
     let text = bad(&format!(
         "{CUBE}[[checks]]\nname = \"limit\"\nfield = \"bisect.limit\"\nvalue = 1.0\nrelative = 0.1\n"

@@ -87,19 +87,13 @@ fn parts_of_a_surface_are_blocks() {
 fn closed_polylines_are_blocks_and_layers_groups() {
     // The unit is that of the drawing, mm; in the drawing of release 12 there is none.
     let half_disk = std::f64::consts::PI / 8.0;
-    for (file, unit) in [
-        ("R2010", ""),
-        ("R2010_binary", ""),
-        ("R12", ", unit = \"1 mm\""),
-    ] {
+    for (file, unit) in [("R2010", ""), ("R2010_binary", ""), ("R12", ", unit = \"1 mm\"")] {
         let of = |more: &str| {
             format!("polygons = {{ dxf = \"shapes/section_{file}.dxf\"{unit}{more} }}\n")
         };
         let setup = planar(&of(", layers = [\"rock\"]"));
         assert!((area(&setup) - 3.0).abs() < 1e-12, "{}", area(&setup));
-        let setup = planar(&of(
-            ", layers = [\"rock\", \"round\"], sagitta = \"0.1 mm\"",
-        ));
+        let setup = planar(&of(", layers = [\"rock\", \"round\"], sagitta = \"0.1 mm\""));
         let all = 3.0 + 2.0 * half_disk;
         assert!((area(&setup) - all).abs() < 1e-3, "{}", area(&setup));
         let round = setup.groups.iter().find(|g| g.name == "round").unwrap();
@@ -110,20 +104,11 @@ fn closed_polylines_are_blocks_and_layers_groups() {
         assert!((area(&setup) - disk).abs() < 1e-5, "{}", area(&setup));
     }
     let file = "polygons = { dxf = \"shapes/section_R12.dxf\", layers = [\"rocks\"] }\n";
-    refused(
-        built(text(&format!("{GRAIN}{file}")), INFOS),
-        "did you mean `rock`",
-    );
+    refused(built(text(&format!("{GRAIN}{file}")), INFOS), "did you mean `rock`");
     let lines = "polygons = { dxf = \"shapes/section_R12.dxf\", layers = [\"joints\"] }\n";
-    refused(
-        built(text(&format!("{GRAIN}{lines}")), INFOS),
-        "no closed polylines",
-    );
+    refused(built(text(&format!("{GRAIN}{lines}")), INFOS), "no closed polylines");
     let file = "polygons = { dxf = \"shapes/grains2d.tess\" }\n";
-    refused(
-        built(text(&format!("{GRAIN}{file}")), INFOS),
-        "grains2d.tess`, line 1",
-    );
+    refused(built(text(&format!("{GRAIN}{file}")), INFOS), "grains2d.tess`, line 1");
 }
 
 #[test]
@@ -136,10 +121,7 @@ fn open_polylines_cut() {
     assert_eq!(setup.blocks.len(), 4);
     assert!((area(&setup) - 2.0).abs() < 1e-12);
     let both = format!("cut = {{ {region}, traces = {{ dxf = \"a.dxf\", csv = \"a.csv\" }} }}\n");
-    refused(
-        built(text(&format!("{GRAIN}{both}")), INFOS),
-        "only one is possible",
-    );
+    refused(built(text(&format!("{GRAIN}{both}")), INFOS), "only one is possible");
 }
 
 #[test]
@@ -151,19 +133,11 @@ fn joints_cut_blocks_in_space() {
             "{{ dip = \"{dip} deg\", dip_direction = \"{direction} deg\", spacing = \"{spacing} m\", origin = [\"1000 m\", \"0 m\", \"0 m\"] }}"
         )
     };
-    let cut = format!(
-        "{brick}cut.joint_sets = [{}, {}]\n",
-        set(0, 0, 1.0),
-        set(90, 90, 2.0)
-    );
+    let cut = format!("{brick}cut.joint_sets = [{}, {}]\n", set(0, 0, 1.0), set(90, 90, 2.0));
     let (setup, explained) = spatial(&cut);
     assert_eq!(setup.blocks.len(), 4);
     assert!((volume(&setup) - 24.0).abs() < 1e-9);
-    assert!(
-        explained
-            .iter()
-            .any(|e| e.key == "blocks.grain.cut.blocks" && e.value == "4")
-    );
+    assert!(explained.iter().any(|e| e.key == "blocks.grain.cut.blocks" && e.value == "4"));
     let (again, _) = spatial(&cut);
     assert_eq!(setup.blocks, again.blocks);
     // A plane that dips at 45 deg to the east through the middle, and a small disk across it.
@@ -179,9 +153,8 @@ fn joints_cut_blocks_in_space() {
         }
     }
     // The same two as polygons, a corner in each row: their number alone tells them apart.
-    let (polygons, _) = spatial(&format!(
-        "{brick}cut.joints.csv = \"shapes/joints_polygons.csv\"\n"
-    ));
+    let (polygons, _) =
+        spatial(&format!("{brick}cut.joints.csv = \"shapes/joints_polygons.csv\"\n"));
     assert_eq!(polygons.blocks.len(), 3);
     for (a, b) in setup.blocks.iter().zip(&polygons.blocks) {
         let (a, b) = (volume_of(&a.shape), volume_of(&b.shape));
@@ -224,10 +197,7 @@ fn networks_of_other_programs_cut_blocks() {
     };
     let data = "../../../../scenes/verify/engineering/data";
     for (joints, says) in [
-        (
-            "itasca = \"DATA/network_itasca.dat\"",
-            "network_itasca.dat: read 2 of 2 fractures",
-        ),
+        ("itasca = \"DATA/network_itasca.dat\"", "network_itasca.dat: read 2 of 2 fractures"),
         (
             "dfnworks = \"DATA/dfnworks\"",
             "dfnworks: read 2 of 3 fractures from radii_Final.dat, normal_vectors.dat, translations.dat, families.dat; left out 1 \
@@ -237,10 +207,7 @@ fn networks_of_other_programs_cut_blocks() {
             "dfnworks = \"DATA/dfnworks/translations.dat\"",
             "translations.dat: read 2 of 3 fractures",
         ),
-        (
-            "dfnworks = \"DATA/polygons.dat\"",
-            "polygons.dat: read 2 of 2 fractures",
-        ),
+        ("dfnworks = \"DATA/polygons.dat\"", "polygons.dat: read 2 of 2 fractures"),
     ] {
         let model = of(&joints.replace("DATA", data)).unwrap_or_else(|error| panic!("{error}"));
         let imports = &model.summary.imports;
@@ -264,19 +231,10 @@ fn networks_of_other_programs_cut_blocks() {
     };
     let least = setup.blocks.iter().map(|b| volume_of(&b.shape));
     assert!((least.fold(f64::INFINITY, f64::min) - 0.002 * 0.001 * 4.0).abs() < 1e-9);
-    refused(
-        of("itasca = \"shapes/joints.csv\""),
-        "no DFN file of Itasca",
-    );
-    refused(
-        of("dfnworks = \"shapes/joints.csv\""),
-        "known by their names, radii_Final.dat",
-    );
+    refused(of("itasca = \"shapes/joints.csv\""), "no DFN file of Itasca");
+    refused(of("dfnworks = \"shapes/joints.csv\""), "known by their names, radii_Final.dat");
     refused(of("dfnworks = \"shapes\""), "radii_Final.dat");
-    refused(
-        of("itasca = \"a.dat\", dfnworks = \"b.dat\""),
-        "only one is possible",
-    );
+    refused(of("itasca = \"a.dat\", dfnworks = \"b.dat\""), "only one is possible");
 }
 
 /// What is read beside the file that a scene names is part of its input.
@@ -309,10 +267,8 @@ fn physical_surfaces_are_sets_of_faces() {
         panic!("{:?}", setup.boundaries[0].on)
     };
     // Both ends of the cylinder, z = 0 and z = 2.
-    let planes: Vec<[i64; 2]> = planes
-        .iter()
-        .map(|(n, d)| [n.z.round() as i64, d.round() as i64])
-        .collect();
+    let planes: Vec<[i64; 2]> =
+        planes.iter().map(|(n, d)| [n.z.round() as i64, d.round() as i64]).collect();
     assert_eq!(planes.len(), 2, "{planes:?}");
     assert!(planes.contains(&[1, 2]) && planes.contains(&[-1, 0]));
     let group = setup.groups.iter().find(|g| g.name == "ends").unwrap();
@@ -321,15 +277,9 @@ fn physical_surfaces_are_sets_of_faces() {
     let world = world_of(setup.clone());
     let held = world.faces.iter().filter(|f| f.boundary == Some(0));
     let area: f64 = held.map(|f| f.area).sum();
-    let exact = world
-        .faces
-        .iter()
-        .filter(|f| f.frame[0].z.abs() > 1.0 - 1e-9);
+    let exact = world.faces.iter().filter(|f| f.frame[0].z.abs() > 1.0 - 1e-9);
     let exact: f64 = exact.map(|f| f.area).sum();
-    assert!(
-        area > 4.0 && (area - exact).abs() < 1e-12,
-        "{area}, {exact}"
-    );
+    assert!(area > 4.0 && (area - exact).abs() < 1e-12, "{area}, {exact}");
     // Cut blocks hand their faces on.
     let cut = on.replace("[[boundaries]]", "cut.joint_sets = [{ dip = \"90 deg\", dip_direction = \"0 deg\", spacing = \"10 m\" }]\n[[boundaries]]");
     let (more, _) = spatial(&cut);
@@ -340,10 +290,7 @@ fn physical_surfaces_are_sets_of_faces() {
     assert!((again / area - 1.0).abs() < 1e-9, "{again}, {area}");
     let fields = crate::run::engine::Kind::Spatial.fields();
     let wrong = on.replace("\"ends\"", "\"end\"");
-    refused(
-        built(format!("{SPACE}{GRAIN}{wrong}{TAIL}"), fields),
-        "there is no surface `end`",
-    );
+    refused(built(format!("{SPACE}{GRAIN}{wrong}{TAIL}"), fields), "there is no surface `end`");
 }
 
 #[test]
@@ -352,9 +299,7 @@ fn a_glued_mesh_keeps_its_groups() {
     let groups = |middle: &str| -> Vec<Vec<u32>> {
         let (setup, _) = spatial(middle);
         let of = |name| setup.groups.iter().find(move |g| g.name == name);
-        ["left", "right"]
-            .map(|name| of(name).unwrap().blocks.clone())
-            .to_vec()
+        ["left", "right"].map(|name| of(name).unwrap().blocks.clone()).to_vec()
     };
     assert_eq!(groups(glued), [[0], [0]]);
     // And so do copies of it.

@@ -41,18 +41,10 @@ cohesion = "1 kPa"
     assert_eq!(model.setup.planar().unwrap().materials, ["rock", "steel"]);
     assert_eq!(model.setup.planar().unwrap().pair_table, [0, 1, 1, 0]);
     let shoe = &model.setup.planar().unwrap().interfaces[1];
-    assert_eq!(
-        (shoe.contact.friction, shoe.contact.shear_stiffness),
-        (0.1, 1.5e9)
-    );
+    assert_eq!((shoe.contact.friction, shoe.contact.shear_stiffness), (0.1, 1.5e9));
     let bond = shoe.bond.unwrap();
-    assert_eq!(
-        (bond.normal_stiffness, bond.strength.friction, bond.points),
-        (3e9, 0.1, 2)
-    );
-    let [(row, law)] = model.plan.phases[1].contacts[..] else {
-        panic!()
-    };
+    assert_eq!((bond.normal_stiffness, bond.strength.friction, bond.points), (3e9, 0.1, 2));
+    let [(row, law)] = model.plan.phases[1].contacts[..] else { panic!() };
     // Changes add up over the phases.
     assert_eq!((row, law.friction, law.cohesion), (1, 0.05, 1000.0));
     assert_eq!(model.summary.duration, None);
@@ -75,16 +67,9 @@ fn strengths_are_divided_by_the_factor() {
         "{CUBE}{FLOOR}\n[[phases]]\nname = \"weak\"\nuntil = {{ time = \"1 s\" }}\n\
          [phases.interfaces.default]\nfriction_coefficient = 0.3\ncohesion = \"3 kPa\"\n"
     );
-    let plain = good(&scene).setup.planar().unwrap().interfaces[0]
-        .contact
-        .friction;
+    let plain = good(&scene).setup.planar().unwrap().interfaces[0].contact.friction;
     let source = text(&scene).replacen("title", "strength_factor = 1.5\ntitle", 1);
-    let model = build(
-        &parse(Source::new("t.toml", source)).unwrap(),
-        "default",
-        INFOS,
-    )
-    .unwrap();
+    let model = build(&parse(Source::new("t.toml", source)).unwrap(), "default", INFOS).unwrap();
     let law = &model.setup.planar().unwrap().interfaces[0].contact;
     assert!((law.friction - plain / 1.5).abs() < 1e-15);
     let weak = model.plan.phases.iter().find(|p| p.name == "weak").unwrap();

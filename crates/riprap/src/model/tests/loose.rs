@@ -105,10 +105,7 @@ fn the_gap_is_held_against_the_width_of_wide_blocks_too() {
         )
     };
     let two = wide("[\"30 m\", \"0 m\"]", "w") + &wide("[\"30 m\", \"10.05 m\"]", "on_top_of_it");
-    let codes: Vec<&str> = told(&plane(&two, ""))
-        .iter()
-        .map(|(code, _)| *code)
-        .collect();
+    let codes: Vec<&str> = told(&plane(&two, "")).iter().map(|(code, _)| *code).collect();
     assert_eq!(codes, ["model.gap"]);
 }
 
@@ -146,10 +143,7 @@ fn the_same_in_space() {
     assert_eq!(codes("[\"0 m\", \"0 m\", \"3.001 m\"]", ""), ["model.gap"]);
     assert_eq!(codes("[\"0 m\", \"0 m\", \"3 m\"]", ""), [""; 0]);
     assert_eq!(codes("[\"0 m\", \"0 m\", \"4 m\"]", STATIC), ["model.gap"]);
-    assert_eq!(
-        codes("[\"5 m\", \"0 m\", \"4 m\"]", STATIC),
-        ["model.falls"]
-    );
+    assert_eq!(codes("[\"5 m\", \"0 m\", \"4 m\"]", STATIC), ["model.falls"]);
     assert_eq!(codes("[\"5 m\", \"0 m\", \"4 m\"]", ""), [""; 0]);
     // Boundaries hold what they may touch, and nothing else.
     let bounded = |plane: &str| {
@@ -160,10 +154,8 @@ fn the_same_in_space() {
             brick("loose", "[\"5 m\", \"0 m\", \"4 m\"]")
         );
         let told = told(&text);
-        ["floor", "loose"].map(|name| {
-            told.iter()
-                .any(|(_, words)| words.contains(&format!("`{name}`")))
-        })
+        ["floor", "loose"]
+            .map(|name| told.iter().any(|(_, words)| words.contains(&format!("`{name}`"))))
     };
     assert_eq!(bounded("z-min"), [false, true]);
     assert_eq!(bounded("x-max"), [true, false]);

@@ -58,11 +58,7 @@ fn text(middle: &str) -> String {
 }
 
 fn try_build(middle: &str) -> Result<Model, Diagnostics> {
-    build(
-        &parse(Source::new("t.toml", text(middle)))?,
-        "default",
-        INFOS,
-    )
+    build(&parse(Source::new("t.toml", text(middle)))?, "default", INFOS)
 }
 
 fn good(middle: &str) -> Model {
@@ -94,46 +90,25 @@ rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "0 m"] }
 #[test]
 fn a_cube_on_a_floor_in_numbers() {
     let model = good(&format!("{CUBE}{FLOOR}"));
-    let [cube, floor] = &model.setup.planar().unwrap().blocks[..] else {
-        panic!()
-    };
+    let [cube, floor] = &model.setup.planar().unwrap().blocks[..] else { panic!() };
     assert_eq!((cube.name.as_str(), floor.name.as_str()), ("cube", "floor"));
     assert_eq!(signed_area(&floor.vertices), 10.0);
     assert_eq!(model.setup.planar().unwrap().pair_table, [0]);
     let law = model.setup.planar().unwrap().interfaces[0].contact;
     // E = 10 GPa, nu = 0.25: K + 4G/3 = 12 GPa; L is the cube's, since the floor is fixed.
-    assert!(
-        (law.normal_stiffness / 120e9 - 1.0).abs() < 1e-12,
-        "{law:?}"
-    );
+    assert!((law.normal_stiffness / 120e9 - 1.0).abs() < 1e-12, "{law:?}");
     assert_eq!(law.shear_stiffness, 0.5 * law.normal_stiffness);
     assert!((law.friction - 1.0).abs() < 1e-15);
-    assert_eq!(
-        (law.normal, law.damping_ratio),
-        (NormalLaw::DistancePotential, 0.2)
-    );
-    let why = model
-        .explained
-        .iter()
-        .find(|e| e.key == "interfaces.default.normal_stiffness")
-        .unwrap();
-    assert_eq!(
-        (why.from, why.value.as_str()),
-        (Provenance::Derived, "1.200000e11 Pa/m")
-    );
+    assert_eq!((law.normal, law.damping_ratio), (NormalLaw::DistancePotential, 0.2));
+    let why =
+        model.explained.iter().find(|e| e.key == "interfaces.default.normal_stiffness").unwrap();
+    assert_eq!((why.from, why.value.as_str()), (Provenance::Derived, "1.200000e11 Pa/m"));
     assert!(matches!(
         &model.setup.planar().unwrap().supports[0].motion,
-        Motion::Fixed {
-            x: true,
-            y: true,
-            rotation: true
-        }
+        Motion::Fixed { x: true, y: true, rotation: true }
     ));
     let phase = &model.plan.phases[0];
-    assert_eq!(
-        (phase.kind, phase.until.time),
-        (PhaseKind::Dynamic, Some(1.0))
-    );
+    assert_eq!((phase.kind, phase.until.time), (PhaseKind::Dynamic, Some(1.0)));
     assert_eq!(phase.time_step, TimeStep::Auto { safety: 0.2 });
     assert_eq!((model.summary.blocks, model.summary.supported), (2, 1));
     assert_eq!(model.summary.mass, 22_000.0);
@@ -143,12 +118,7 @@ fn a_cube_on_a_floor_in_numbers() {
 #[test]
 fn every_unit_of_the_field_table_is_a_unit() {
     for info in INFOS {
-        assert!(
-            units::dimension(info.unit).is_ok(),
-            "{} {}",
-            info.name,
-            info.unit
-        );
+        assert!(units::dimension(info.unit).is_ok(), "{} {}", info.name, info.unit);
     }
 }
 
@@ -172,20 +142,11 @@ groups = ["all"]
 regular = { sides = 6, radius = "1 m", centre = ["0 m", "0 m"] }
 "#,
     );
-    let names: Vec<&str> = model
-        .setup
-        .planar()
-        .unwrap()
-        .blocks
-        .iter()
-        .map(|b| b.name.as_str())
-        .collect();
+    let names: Vec<&str> =
+        model.setup.planar().unwrap().blocks.iter().map(|b| b.name.as_str()).collect();
     assert_eq!(names, ["row.1", "row.2", "row.3", "hexagon"]);
     let bounds = Aabb::of(&model.setup.planar().unwrap().blocks[2].vertices);
-    assert!(
-        bounds.min.distance(Vec2::new(13.5, -1.0)) < 1e-14,
-        "{bounds:?}"
-    );
+    assert!(bounds.min.distance(Vec2::new(13.5, -1.0)) < 1e-14, "{bounds:?}");
     let groups: Vec<(&str, &[u32])> = model
         .setup
         .planar()
@@ -234,16 +195,7 @@ pour = { region = [["100 m","0 m"],["110 m","10 m"]], count = 100, size = ["0.2 
         .iter()
         .map(|g| (g.name.as_str(), g.blocks.len()))
         .collect();
-    assert_eq!(
-        counts,
-        [
-            ("arch", 15),
-            ("cells", 25),
-            ("cut", 50),
-            ("grains", 100),
-            ("wall", 6)
-        ]
-    );
+    assert_eq!(counts, [("arch", 15), ("cells", 25), ("cut", 50), ("grains", 100), ("wall", 6)]);
     assert_eq!(model.summary.regions.len(), 2);
     let again = model.clone();
     assert_eq!(model.setup.planar().unwrap(), again.setup.planar().unwrap());
@@ -308,10 +260,7 @@ rectangle = {{ size = ["1 m", "1 m"], corner = ["{x} m", "0 m"] }}
     assert!(run(two("1", "-10 m/s2")).is_ok());
     assert!(run(two("0.9999999", "0 m/s2")).is_ok());
     let text = run(two("0.9", "-10 m/s2")).unwrap_err().render();
-    assert!(
-        text.contains("`cube` and `other` overlap by 0.1 m"),
-        "{text}"
-    );
+    assert!(text.contains("`cube` and `other` overlap by 0.1 m"), "{text}");
     assert!(
         text.contains("kind = \"static\"") && text.contains("t.toml:") | text.contains("t:"),
         "{text}"
@@ -325,10 +274,8 @@ rectangle = {{ size = ["1 m", "1 m"], corner = ["{x} m", "0 m"] }}
     let settle =
         two("0.995", "0 m/s2").replace("name = \"go\"", "name = \"go\"\nkind = \"static\"");
     assert!(run(settle).is_ok());
-    let said = two("0.9", "0 m/s2").replace(
-        "[materials.rock]",
-        "space.planar.allow_overlap = \"0.2 m\"\n[materials.rock]",
-    );
+    let said = two("0.9", "0 m/s2")
+        .replace("[materials.rock]", "space.planar.allow_overlap = \"0.2 m\"\n[materials.rock]");
     assert!(run(said).is_ok());
 }
 
@@ -346,10 +293,7 @@ fixed = { rotation = false }
     let model = good(&wall.replace("NUMBER", "6"));
     assert_eq!(model.setup.planar().unwrap().supports[0].blocks, [5]);
     let text = bad(&wall.replace("NUMBER", "7"));
-    assert!(
-        text.contains("`wall` has the blocks wall.1 to wall.6"),
-        "{text}"
-    );
+    assert!(text.contains("`wall` has the blocks wall.1 to wall.6"), "{text}");
 }
 
 #[test]
@@ -372,12 +316,7 @@ name = "dust"
 material = "rock"
 voronoi = { region = [["0 m","0 m"],["1 km","0 m"],["1 km","1 km"],["0 m","1 km"]], cell_size = "1e-12 m" }
 "#);
-    for part in [
-        "crosses itself",
-        "no area",
-        "nowhere.csv",
-        "1.000e30 Voronoi cells",
-    ] {
+    for part in ["crosses itself", "no area", "nowhere.csv", "1.000e30 Voronoi cells"] {
         assert!(text.contains(part), "no {part:?} in\n{text}");
     }
 }
@@ -417,10 +356,7 @@ fn edge_loads_must_lie_on_an_edge() {
     let model = good(&load("0.5 m"));
     assert!(matches!(
         model.setup.planar().unwrap().loads[0].kind,
-        LoadKind::Edge {
-            pressure: [9000.0, 0.0],
-            ..
-        }
+        LoadKind::Edge { pressure: [9000.0, 0.0], .. }
     ));
     assert!(bad(&load("1.5 m")).contains("do not lie on one edge"));
 }
@@ -441,9 +377,7 @@ fn driven_pair(motion: &str) -> String {
 fn a_spin_turns_a_group_as_one_body() {
     let motion = |text: &str| {
         let model = good(&driven_pair(text));
-        model.setup.planar().expect("a plane").supports[0]
-            .motion
-            .clone()
+        model.setup.planar().expect("a plane").supports[0].motion.clone()
     };
     let about = |text: &str| match motion(text) {
         Motion::Velocity { about, x, .. } => (about, x.is_some()),
@@ -453,15 +387,10 @@ fn a_spin_turns_a_group_as_one_body() {
     // About the centroid of the group, held where nothing is given.
     let (point, held) = about(&format!("velocity = {{ {spin} }}"));
     assert!((point.expect("a point") - Vec2::new(1.5, 0.5)).length() < 1e-12 && held);
-    let given = about(&format!(
-        "velocity = {{ {spin}, about = [\"3 m\", \"0 m\"] }}"
-    ));
+    let given = about(&format!("velocity = {{ {spin}, about = [\"3 m\", \"0 m\"] }}"));
     assert_eq!(given, (Some(Vec2::new(3.0, 0.0)), true));
     // Each about its own centroid, and what does not turn is as it was.
-    assert_eq!(
-        about(&format!("velocity = {{ {spin}, each = true }}")),
-        (None, false)
-    );
+    assert_eq!(about(&format!("velocity = {{ {spin}, each = true }}")), (None, false));
     let still = "velocity = { spin = { constant = \"0 rad/s\" } }";
     assert_eq!(about(still), (None, false));
 }
@@ -470,13 +399,8 @@ fn a_spin_turns_a_group_as_one_body() {
 fn how_a_group_turns_is_told_where_it_cannot_be_meant() {
     let acceleration = "acceleration = { spin = { constant = \"1 rad/s2\" } }";
     let told = bad(&driven_pair(acceleration));
-    assert!(
-        told.contains("turns each of these blocks about its own centroid"),
-        "{told}"
-    );
-    good(&driven_pair(
-        "acceleration = { spin = { constant = \"1 rad/s2\" }, each = true }",
-    ));
+    assert!(told.contains("turns each of these blocks about its own centroid"), "{told}");
+    good(&driven_pair("acceleration = { spin = { constant = \"1 rad/s2\" }, each = true }"));
     let both =
         "velocity = { spin = { constant = \"1 rad/s\" }, about = [\"0 m\", \"0 m\"], each = true }";
     let told = bad(&driven_pair(both));

@@ -252,9 +252,5 @@ fn no_number_makes_a_panic() {
         panics.extend(found);
     }
     assert!(tried > 500, "{tried}");
-    assert!(
-        panics.is_empty(),
-        "{} of {tried}: {panics:#?}",
-        panics.len()
-    );
+    assert!(panics.is_empty(), "{} of {tried}: {panics:#?}", panics.len());
 }

@@ -46,10 +46,7 @@ fn it_sets_the_dashpots_of_found_contacts_alone() {
     let given = format!("{LAW}damping_ratio = 0.2\n");
     assert_eq!(damping(&format!("{SPACE}{given}{BRICK}")), [0.2, 0.2]);
     // Without either, joints and free blocks have each their own; in the plane there is one.
-    assert_eq!(
-        damping(&format!("{SPACE}{LAW}{BRICK}")),
-        [0.1, ratio_of(0.2)]
-    );
+    assert_eq!(damping(&format!("{SPACE}{LAW}{BRICK}")), [0.1, ratio_of(0.2)]);
     assert_eq!(damping(&format!("{PLANE}{LAW}{SQUARE}")), [0.0, 0.2]);
     let elastic = format!("{LAW}restitution = 1\n");
     assert_eq!(damping(&format!("{SPACE}{elastic}{BRICK}")), [0.1, 0.0]);
@@ -66,11 +63,9 @@ fn what_an_impact_leaves_is_said() {
     let leaves = |share: &str| {
         format!("a flat impact of free blocks leaves {share} of their speed (`restitution`)")
     };
-    for (keys, share) in [
-        ("", "0.20"),
-        ("damping_ratio = 0.2\n", "0.57"),
-        ("restitution = 0.9\n", "0.90"),
-    ] {
+    for (keys, share) in
+        [("", "0.20"), ("damping_ratio = 0.2\n", "0.57"), ("restitution = 0.9\n", "0.90")]
+    {
         assert_eq!(says(&format!("{SPACE}{LAW}{keys}{BRICK}")), leaves(share));
     }
     let apart = SPACE.replace("found_contacts = true", "found_contacts = false");
@@ -104,10 +99,7 @@ fn phases_change_it() {
     let (_, law) = model.plan.phases[0].joints[0];
     assert_eq!((law.damping, law.contact_damping), (0.2, ratio_of(0.5)));
     let model = built(&format!("{PLANE}{LAW}restitution = 0.9\n{SQUARE}{later}")).unwrap();
-    assert_eq!(
-        model.plan.phases[0].contacts[0].1.damping_ratio,
-        ratio_of(0.5)
-    );
+    assert_eq!(model.plan.phases[0].contacts[0].1.damping_ratio, ratio_of(0.5));
 }
 
 #[test]

@@ -55,9 +55,7 @@ fn try_solid(text: &str) -> Result<Model, Diagnostics> {
 fn solid(middle: &str) -> (Setup, Model) {
     let model =
         try_solid(&format!("{SPACE}{middle}{TAIL}")).unwrap_or_else(|error| panic!("{error}"));
-    let crate::model::Setup::Spatial(setup) = model.setup.clone() else {
-        panic!("a planar setup")
-    };
+    let crate::model::Setup::Spatial(setup) = model.setup.clone() else { panic!("a planar setup") };
     (*setup, model)
 }
 
@@ -83,10 +81,7 @@ fn a_grid_in_numbers() {
     // x runs fastest; names count from 1.
     let second = &setup.blocks[1];
     assert_eq!(second.name.number, 2);
-    assert_eq!(
-        brick(&second.shape),
-        (Vec3::new(1.5, 0.5, 0.5), Vec3::splat(0.5))
-    );
+    assert_eq!(brick(&second.shape), (Vec3::new(1.5, 0.5, 0.5), Vec3::splat(0.5)));
     assert_eq!(brick(&setup.blocks[63].shape).0, Vec3::splat(3.5));
     let joint = setup.interfaces[0].joint;
     assert_eq!(
@@ -128,9 +123,7 @@ shift = ["0 m", "0 m", "1 m"]
         (Vec3::new(2.0, 0.0, 10.0), Vec3::new(0.5, 1.0, 1.5))
     );
     assert_eq!(setup.blocks[0].spin, Vec3::Z);
-    let Shape::Polyhedron(hull) = &setup.blocks[3].shape else {
-        panic!()
-    };
+    let Shape::Polyhedron(hull) = &setup.blocks[3].shape else { panic!() };
     // The corner inside is dropped.
     assert_eq!((hull.vertices.len(), hull.faces.len()), (4, 4));
     let mass = 2000.0 * (18.0 + 1.0 / 6.0);
@@ -185,10 +178,7 @@ motion.velocity.z.constant = "1 m/s"
     assert_eq!(setup.supports[0].blocks, (0..16).collect::<Vec<u32>>());
     assert_eq!(
         setup.supports[0].motion,
-        Motion::Fixed {
-            translation: [true; 3],
-            rotation: [false, false, true]
-        }
+        Motion::Fixed { translation: [true; 3], rotation: [false, false, true] }
     );
     assert_eq!(setup.supports[1].blocks, [48]);
     let two = setup.groups.iter().find(|g| g.name == "two").unwrap();
@@ -213,10 +203,7 @@ absolute = "1 m/s"
     ));
     assert!((setup.origin - Vec3::new(5e5, 5.2e6, 0.0)).length() < 10.0);
     let (centre, _) = brick(&setup.blocks[0].shape);
-    assert_eq!(
-        centre + setup.origin,
-        Vec3::new(500_000.5, 5_200_000.5, 0.5)
-    );
+    assert_eq!(centre + setup.origin, Vec3::new(500_000.5, 5_200_000.5, 0.5));
     let at = Vec3::from(model.checks[0].gauge.at.unwrap()) + setup.origin;
     assert_eq!(at, Vec3::new(500_003.5, 5_200_003.5, 0.5));
     assert_eq!(model.warnings.len(), 1);
@@ -229,20 +216,10 @@ fn charges_are_placed_coupled_and_weighed() {
         "{GRID}{coupled}\n[[refine]]\noctree = {{ around = \"charge\", levels = 2 }}\n"
     ));
     let source = &setup.sources[0];
-    assert_eq!(
-        source.place,
-        Place::Point {
-            centre: Vec3::splat(2.0)
-        }
-    );
+    assert_eq!(source.place, Place::Point { centre: Vec3::splat(2.0) });
     assert!(matches!(
         source.push,
-        CavityPressure::Gas {
-            mass: 16.0,
-            coupling: Coupling::Coupled,
-            venting: None,
-            ..
-        }
+        CavityPressure::Gas { mass: 16.0, coupling: Coupling::Coupled, venting: None, .. }
     ));
     assert_eq!(setup.refinements[0].around, Region::Point(Vec3::splat(2.0)));
     // Eight cells of 1/4 m against 16 kg of density 1000.
@@ -268,11 +245,7 @@ fn grids_are_fitted_to_a_charge() {
     assert!((centre - half).z.abs() < 1e-12);
     assert_eq!(setup.blocks.len(), 64);
     assert_eq!(model.warnings[0].code, "grid.fitted");
-    let told = model
-        .explained
-        .iter()
-        .find(|e| e.key == "blocks.rock.grid.box.cell")
-        .unwrap();
+    let told = model.explained.iter().find(|e| e.key == "blocks.rock.grid.box.cell").unwrap();
     assert_eq!(told.from, Provenance::Derived);
     // On a side of the grid, as on a plane of symmetry, four cells make the volume.
     let side = scene
@@ -312,40 +285,13 @@ pressure = {{ value = "1 kPa" }}
 "#
     ));
     let b = &setup.boundaries;
-    assert_eq!(
-        b[0].on,
-        FaceSet::Plane {
-            normal: -Vec3::X,
-            offset: 0.0
-        }
-    );
-    assert!(matches!(
-        b[0].kind,
-        BoundaryKind::Viscous { half_cell: true }
-    ));
-    assert_eq!(
-        b[1].on,
-        FaceSet::Plane {
-            normal: Vec3::X,
-            offset: 4.0
-        }
-    );
-    assert_eq!(
-        b[2].on,
-        FaceSet::Blocks {
-            blocks: vec![0],
-            normal: Some(-Vec3::Y)
-        }
-    );
+    assert_eq!(b[0].on, FaceSet::Plane { normal: -Vec3::X, offset: 0.0 });
+    assert!(matches!(b[0].kind, BoundaryKind::Viscous { half_cell: true }));
+    assert_eq!(b[1].on, FaceSet::Plane { normal: Vec3::X, offset: 4.0 });
+    assert_eq!(b[2].on, FaceSet::Blocks { blocks: vec![0], normal: Some(-Vec3::Y) });
     let in_situ: Vec<bool> = b.iter().map(|b| b.in_situ).collect();
     assert_eq!(in_situ, [true, true, true, true, true, false]);
-    assert!(matches!(
-        b[5].kind,
-        BoundaryKind::Traction {
-            pressure: 1000.0,
-            ..
-        }
-    ));
+    assert!(matches!(b[5].kind, BoundaryKind::Traction { pressure: 1000.0, .. }));
     let stress = setup.in_situ.unwrap();
     // Density times g times depth, half of it sideways; compression is negative.
     assert_eq!(stress.datum, 4.0);
@@ -356,9 +302,7 @@ pressure = {{ value = "1 kPa" }}
 #[test]
 fn stresses_have_the_sign_of_their_name() {
     let side = |word: &str| format!("[[boundaries]]\non.plane = \"{word}\"\nheld = {{}}\n");
-    let sides: String = ["x-min", "x-max", "y-min", "y-max", "z-min", "z-max"]
-        .map(side)
-        .concat();
+    let sides: String = ["x-min", "x-max", "y-min", "y-max", "z-min", "z-max"].map(side).concat();
     let (setup, model) = solid(&format!(
         "{GRID}{sides}[in_situ.compressive]\nvertical = \"2 MPa\"\nvertical_gradient = \"20 kPa/m\"\n\
          k0 = 0.5\nx = \"3 MPa\"\nsurface = \"4 m\"\n"
@@ -426,13 +370,7 @@ friction_angle = "0 deg"
     ));
     assert_eq!(setup.pair_table, [0, 1, 1, 0]);
     let deformable = setup.interfaces[1].joint;
-    assert_eq!(
-        deformable.stiffness,
-        Stiffness::Given {
-            normal: 4e9,
-            shear: 2e9
-        }
-    );
+    assert_eq!(deformable.stiffness, Stiffness::Given { normal: 4e9, shear: 2e9 });
     let dashpots = setup.interfaces.iter().map(|i| i.joint.dashpots);
     assert!(dashpots.eq([Dashpots::Sticking, Dashpots::Closed]));
     let strength = deformable.strength.unwrap();
@@ -444,10 +382,7 @@ friction_angle = "0 deg"
     assert_eq!((row, weak.strength.unwrap().tension), (1, 0.0));
     let (_, weaker) = model.plan.phases[1].joints[0];
     let weaker = weaker.strength.unwrap();
-    assert_eq!(
-        (weaker.tension, weaker.friction, weaker.cohesion),
-        (0.0, 0.0, 2e6)
-    );
+    assert_eq!((weaker.tension, weaker.friction, weaker.cohesion), (0.0, 0.0, 2e6));
     assert!(model.plan.phases[0].contacts.is_empty());
     // Dilation goes no further than friction, and is told.
     assert_eq!((weaker.dilation > 0.9, weaker.dilating()), (true, 0.0));
@@ -463,9 +398,7 @@ fn strengths_of_joints_are_divided_by_the_factor() {
         1,
     );
     let model = try_solid(&text).unwrap();
-    let crate::model::Setup::Spatial(setup) = model.setup else {
-        panic!()
-    };
+    let crate::model::Setup::Spatial(setup) = model.setup else { panic!() };
     let strength = setup.interfaces[0].joint.strength.unwrap();
     assert!((strength.cohesion - 2e6).abs() < 1e-6);
     assert!((strength.friction - 1.0 / 1.5).abs() < 1e-15);
@@ -484,9 +417,7 @@ cohesive = { mode_1 = "5 kJ/m2", mode_2 = "50 kJ/m2" }
 "#;
     let text = format!("{SPACE}{bond}{GRID}mechanics.deformable = {{}}\n{TAIL}");
     let model = try_solid(&text.replacen("title", "strength_factor = 1.5\ntitle", 1)).unwrap();
-    let crate::model::Setup::Spatial(setup) = model.setup else {
-        panic!()
-    };
+    let crate::model::Setup::Spatial(setup) = model.setup else { panic!() };
     let law = setup.interfaces[0].bond.unwrap();
     for strength in [law.strength.unwrap(), law.cohesive.unwrap().strength] {
         assert!((strength.tension - 1e6).abs() < 1e-6);
@@ -509,15 +440,9 @@ during = {{ stress = "20 MPa", every = "10 steps" }}
 "#
     ));
     let during = setup.refinements[0].during.unwrap();
-    assert_eq!(
-        (during.criterion, during.above, during.every),
-        (Criterion::Broken, 0.3, 50)
-    );
+    assert_eq!((during.criterion, during.above, during.every), (Criterion::Broken, 0.3, 50));
     let during = setup.refinements[1].during.unwrap();
-    assert_eq!(
-        (during.criterion, during.above, during.every),
-        (Criterion::Stress, 2e7, 10)
-    );
+    assert_eq!((during.criterion, during.above, during.every), (Criterion::Stress, 2e7, 10));
     assert_eq!(setup.refinements[1].around, Region::All);
 }
 
@@ -564,23 +489,13 @@ history = {{ name = "p", field = "cavity.pressure", of = "charge", every = "1 us
 #[test]
 fn a_large_grid_is_built_soon() {
     let start = std::time::Instant::now();
-    let large = GRID.replace(
-        "\"4 m\", \"4 m\", \"4 m\"",
-        "\"100 m\", \"100 m\", \"30 m\"",
-    );
+    let large = GRID.replace("\"4 m\", \"4 m\", \"4 m\"", "\"100 m\", \"100 m\", \"30 m\"");
     let beside = "[[blocks]]\nname = \"beside\"\nmaterial = \"rock\"\n\
                   grid.box = { size = [\"10 m\", \"100 m\", \"30 m\"], cell = \"1 m\", corner = [\"100 m\", \"0 m\", \"0 m\"] }\n";
     let (setup, _) = solid(&format!("{large}{beside}"));
     assert_eq!(setup.blocks.len(), 330_000);
-    assert!(
-        start.elapsed().as_secs_f64() < 20.0,
-        "{:?}",
-        start.elapsed()
-    );
-    let inside = beside.replace(
-        "\"100 m\", \"0 m\", \"0 m\"",
-        "\"99.5 m\", \"0 m\", \"0 m\"",
-    );
+    assert!(start.elapsed().as_secs_f64() < 20.0, "{:?}", start.elapsed());
+    let inside = beside.replace("\"100 m\", \"0 m\", \"0 m\"", "\"99.5 m\", \"0 m\", \"0 m\"");
     let text = refused(&format!("{large}{inside}"));
     assert!(text.contains("overlap by 0.5 m"), "{text}");
 }
@@ -602,10 +517,7 @@ cut.joint_sets = [
     let (setup, model) = solid(cut);
     assert!(setup.blocks.len() > 300, "{}", setup.blocks.len());
     assert!(model.summary.deepest_overlap.is_none());
-    let twice = format!(
-        "{cut}{}",
-        cut.replace("\"rock\"\nmaterial", "\"again\"\nmaterial")
-    );
+    let twice = format!("{cut}{}", cut.replace("\"rock\"\nmaterial", "\"again\"\nmaterial"));
     let text = refused(&twice);
     assert!(text.contains("overlap by"), "{text}");
 }

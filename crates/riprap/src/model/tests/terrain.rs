@@ -19,11 +19,7 @@ fn build_with(file: (&str, &str), more: &str) -> Result<Model, Diagnostics> {
     );
     let mut parsed = parse(Source::new("t.toml", format!("{HEAD}{ground}{more}")))?;
     parsed.folder = folder.path().to_path_buf();
-    build(
-        &parsed,
-        "default",
-        crate::run::engine::Kind::Spatial.fields(),
-    )
+    build(&parsed, "default", crate::run::engine::Kind::Spatial.fields())
 }
 
 fn surface(file: (&str, &str)) -> (Surface, Model) {
@@ -42,9 +38,7 @@ fn surface(file: (&str, &str)) -> (Surface, Model) {
 
 #[track_caller]
 fn refused(file: (&str, &str), more: &str, says: &[&str]) {
-    let error = build_with(file, more)
-        .expect_err("should be refused")
-        .render();
+    let error = build_with(file, more).expect_err("should be refused").render();
     for text in says {
         assert!(error.contains(text), "{error}");
     }
@@ -81,37 +75,22 @@ fn stl(triangles: &[[[f64; 3]; 3]]) -> String {
 
 /// A square of 8 m by 6 m that rises with x, from four triangles about a middle; both senses of rotation.
 fn square() -> Vec<[[f64; 3]; 3]> {
-    let [a, b, c, d, m] = [
-        [0.0, 0.0, 0.0],
-        [8.0, 0.0, 4.0],
-        [8.0, 6.0, 4.0],
-        [0.0, 6.0, 0.0],
-        [4.0, 3.0, 2.0],
-    ];
+    let [a, b, c, d, m] =
+        [[0.0, 0.0, 0.0], [8.0, 0.0, 4.0], [8.0, 6.0, 4.0], [0.0, 6.0, 0.0], [4.0, 3.0, 2.0]];
     vec![[a, b, m], [b, m, c], [c, d, m], [d, m, a]]
 }
 
 #[test]
 fn one_slope_in_three_formats() {
-    let files = [
-        ("g.asc", asc(PLAIN)),
-        ("g.csv", csv(&grid())),
-        ("g.stl", stl(&square())),
-    ];
+    let files = [("g.asc", asc(PLAIN)), ("g.csv", csv(&grid())), ("g.stl", stl(&square()))];
     for (name, text) in files {
         let (surface, model) = surface((name, &text));
         let (low, high) = surface.field().bounds();
-        assert_eq!(
-            (low.to_array(), high.to_array()),
-            ([0.0; 3], [8.0, 6.0, 4.0])
-        );
+        assert_eq!((low.to_array(), high.to_array()), ([0.0; 3], [8.0, 6.0, 4.0]));
         assert!((surface.field().steepest().0 - libm::atan(0.5)).abs() < 1e-12);
         assert_eq!(model.summary.blocks, 2);
         assert_eq!(model.summary.supported, 1);
-        assert!(
-            (model.summary.mass - 2500.0).abs() < 1e-9,
-            "terrain has no weight"
-        );
+        assert!((model.summary.mass - 2500.0).abs() < 1e-9, "terrain has no weight");
         assert!(
             model.summary.terrain[0].contains("steepest 26.6 deg"),
             "{:?}",
@@ -122,38 +101,22 @@ fn one_slope_in_three_formats() {
     let mut rows = grid();
     rows.reverse();
     rows.swap(3, 11);
-    assert_eq!(
-        surface(("g.csv", &csv(&rows))).0,
-        surface(("g.csv", &csv(&grid()))).0
-    );
+    assert_eq!(surface(("g.csv", &csv(&rows))).0, surface(("g.csv", &csv(&grid()))).0);
 }
 
 #[test]
 fn holes_folds_and_bad_numbers_are_refused_with_their_place() {
     let hole = asc(&PLAIN.replace("0 1 2 3 4\n0 1 2", "0 1 2 3 4\n0 1 -9"));
-    refused(
-        ("g.asc", &hole),
-        BALL,
-        &["`g.asc` is no terrain", "hole around (4, 4)"],
-    );
-    refused(
-        ("g.asc", &asc("0 1 2 3 inf\n0 0 0 0 0\n")),
-        BALL,
-        &["line 7", "no finite number"],
-    );
+    refused(("g.asc", &hole), BALL, &["`g.asc` is no terrain", "hole around (4, 4)"]);
+    refused(("g.asc", &asc("0 1 2 3 inf\n0 0 0 0 0\n")), BALL, &["line 7", "no finite number"]);
     let mut rows = grid();
     rows.remove(7);
     refused(("g.csv", &csv(&rows)), BALL, &["hole"]);
     rows = grid();
     rows.push((2.0, 2.0, 5.0));
-    refused(
-        ("g.csv", &csv(&rows)),
-        BALL,
-        &["line 22: a second height at (2 m, 2 m)"],
-    );
-    let scattered: Vec<_> = (0..20)
-        .map(|k| (0.7 * f64::from(k * k), 1.3 * f64::from(k), 0.0))
-        .collect();
+    refused(("g.csv", &csv(&rows)), BALL, &["line 22: a second height at (2 m, 2 m)"]);
+    let scattered: Vec<_> =
+        (0..20).map(|k| (0.7 * f64::from(k * k), 1.3 * f64::from(k), 0.0)).collect();
     refused(("g.csv", &csv(&scattered)), BALL, &["no grid", "STL"]);
     refused(("g.csv", "x_m,y_m\n1,2\n"), BALL, &["`z`"]);
     let mut triangles = square();
@@ -186,27 +149,14 @@ fn blocks_start_on_or_above_terrain() {
     assert!(build_with(file, &ball("[\"5 m\", \"3 m\", \"3.25 m\"]")).is_ok());
     // Held blocks may be anywhere.
     let held = "[[supports]]\non = { block = \"ball\" }\nfixed = {}\n";
-    assert!(
-        build_with(
-            file,
-            &format!("{}{held}", ball("[\"15 m\", \"3 m\", \"9 m\"]"))
-        )
-        .is_ok()
-    );
+    assert!(build_with(file, &format!("{}{held}", ball("[\"15 m\", \"3 m\", \"9 m\"]"))).is_ok());
 }
 
 #[test]
 fn terrain_does_not_move() {
     let text = asc(PLAIN);
-    for key in [
-        "velocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]",
-        "mechanics.deformable = {}",
-    ] {
-        refused(
-            ("g.asc", &text),
-            &format!("{key}\n{BALL}"),
-            &["is terrain and has"],
-        );
+    for key in ["velocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]", "mechanics.deformable = {}"] {
+        refused(("g.asc", &text), &format!("{key}\n{BALL}"), &["is terrain and has"]);
     }
     let release = "[[phases]]\nname = \"on\"\nuntil = { time = \"1 s\" }\nrelease = [\"ground\"]\n";
     refused(
@@ -284,15 +234,9 @@ fn gaps_and_ground_that_is_there_twice_are_reported() {
     let first = [0.0, 0.0, 5.0, 2.0, 0.0];
     // Another cell size; cells out of line; a part of the ground twice.
     let told = seam(&[first, [10.0, 0.0, 10.0, 1.0, 0.0]]);
-    assert!(
-        told[0].contains("leave a gap of 1.5 m between their rims"),
-        "{told:?}"
-    );
+    assert!(told[0].contains("leave a gap of 1.5 m between their rims"), "{told:?}");
     let told = seam(&[first, [10.5, 0.0, 5.0, 2.0, 0.0]]);
-    assert!(
-        told[0].contains("leave a gap of 2.5 m between their rims"),
-        "{told:?}"
-    );
+    assert!(told[0].contains("leave a gap of 2.5 m between their rims"), "{told:?}");
     let told = seam(&[first, [5.0, 1.0, 5.0, 2.0, 0.0]]);
     assert!(told[0].contains("are the same ground twice"), "{told:?}");
     // Far apart; touching; a bench above a floor: nothing to say.

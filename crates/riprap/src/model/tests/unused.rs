@@ -70,10 +70,8 @@ until.time = "1 ms"
 
 #[test]
 fn what_deformable_blocks_read_is_quiet() {
-    let scene = format!(
-        "{HEAD}{DEFORMABLE}{}",
-        phase("damping.mass = \"1 1/s\"\nbreaking = false")
-    );
+    let scene =
+        format!("{HEAD}{DEFORMABLE}{}", phase("damping.mass = \"1 1/s\"\nbreaking = false"));
     assert_eq!(unused(&scene), Vec::<String>::new());
 }
 
@@ -84,10 +82,7 @@ fn keys_of_joints_beside_bonds_alone() {
         "[interfaces.default]\nnormal_stiffness = \"1 GPa/m\"\ndamping_ratio = 0.2\n[interfaces.default.brittle_bond]",
     );
     let scene = format!("{head}{DEFORMABLE}{}", phase(""));
-    assert_eq!(
-        unused(&scene),
-        ["`normal_stiffness` of interfaces.default has no effect"]
-    );
+    assert_eq!(unused(&scene), ["`normal_stiffness` of interfaces.default has no effect"]);
     let off = scene.replace(
         "space.spatial.gravity",
         "space.spatial.found_contacts = false\nspace.spatial.gravity",
@@ -103,10 +98,7 @@ fn keys_of_joints_beside_bonds_alone() {
              corner = [\"2 m\", \"0 m\", \"0 m\"] }}\ncopies = {{ count = {count}, step = [\"1 m\", \"0 m\", \"0 m\"] }}\n"
         )
     };
-    let friction = head.replace(
-        "damping_ratio",
-        "friction_angle = \"30 deg\"\ndamping_ratio",
-    );
+    let friction = head.replace("damping_ratio", "friction_angle = \"30 deg\"\ndamping_ratio");
     let scene = format!("{friction}{DEFORMABLE}{}{}", rigid(2), phase(""));
     assert_eq!(unused(&scene), Vec::<String>::new());
 }
@@ -117,16 +109,10 @@ fn damping_that_deformable_blocks_do_not_have() {
         "{HEAD}{DEFORMABLE}{}",
         phase("damping = { mass = \"1 1/s\", stiffness = \"1 ms\" }")
     );
-    assert_eq!(
-        unused(&scene),
-        ["`stiffness` of `damping` of phase `p` has no effect"]
-    );
+    assert_eq!(unused(&scene), ["`stiffness` of `damping` of phase `p` has no effect"]);
     let settle = "kind = \"static\"\ndamping = { local = 0.5 }";
     let scene = format!("{HEAD}{DEFORMABLE}{}", phase(settle));
-    assert_eq!(
-        unused(&scene),
-        ["`local` of `damping` of phase `p` has no effect"]
-    );
+    assert_eq!(unused(&scene), ["`local` of `damping` of phase `p` has no effect"]);
 }
 
 /// A rigid block that can move keeps a static phase in true time: one that is held in part, or that a phase lets go.
@@ -197,11 +183,7 @@ fn keys_of_joints_beside_bonds_need_two_rigid_blocks() {
     };
     assert_eq!(of_interfaces(&alone), told);
     // A block that is let go later can be pushed by others, and so can one that is held in part.
-    let two = format!(
-        "{}{}",
-        floor("floor"),
-        floor("other").replace("-2 m", "-5 m")
-    );
+    let two = format!("{}{}", floor("floor"), floor("other").replace("-2 m", "-5 m"));
     let all = format!("{}{}", held(""), held("").replace("\"floor\"", "\"other\""));
     assert_eq!(of_interfaces(&scene(&two, &all, change)), told);
     let released = format!("release = [\"other\"]\n{change}");
@@ -213,14 +195,8 @@ fn keys_of_joints_beside_bonds_need_two_rigid_blocks() {
 #[test]
 fn gravity_that_does_not_change_has_no_ramp() {
     let later = phase("gravity_ramp = \"1 ms\"").replace("\"p\"", "\"later\"");
-    let scene = format!(
-        "{HEAD}{DEFORMABLE}{}{later}",
-        phase("gravity_ramp = \"1 ms\"")
-    );
-    assert_eq!(
-        unused(&scene),
-        ["`gravity_ramp` of phase `later` has no effect"]
-    );
+    let scene = format!("{HEAD}{DEFORMABLE}{}{later}", phase("gravity_ramp = \"1 ms\""));
+    assert_eq!(unused(&scene), ["`gravity_ramp` of phase `later` has no effect"]);
 }
 
 /// The first of two conditions on one face was dropped without a word.
@@ -229,10 +205,8 @@ fn a_boundary_whose_faces_all_have_a_later_one_is_refused() {
     let side = |name: &str, what: &str| {
         format!("[[boundaries]]\nname = \"{name}\"\non.plane = \"x-min\"\n{what}\n")
     };
-    let (absorb, push) = (
-        side("absorb", "viscous = {}"),
-        side("push", "pressure.value = \"1 MPa\""),
-    );
+    let (absorb, push) =
+        (side("absorb", "viscous = {}"), side("push", "pressure.value = \"1 MPa\""));
     let head = HEAD.replace("gravity = \"10 m/s2\"", "gravity = \"0 m/s2\"");
     for kind in ["", DEFORMABLE] {
         let friction = head.replace(
@@ -244,15 +218,10 @@ fn a_boundary_whose_faces_all_have_a_later_one_is_refused() {
             panic!("accepted");
         };
         let text = error.to_string();
-        assert!(
-            text.contains("`absorb` has no effect") && text.contains("`push`"),
-            "{text}"
-        );
+        assert!(text.contains("`absorb` has no effect") && text.contains("`push`"), "{text}");
         // A part of the faces may have another one.
-        let part = absorb.replace(
-            "on.plane = \"x-min\"",
-            "on = { block = \"rock\", side = \"x-min\" }",
-        );
+        let part =
+            absorb.replace("on.plane = \"x-min\"", "on = { block = \"rock\", side = \"x-min\" }");
         let whole = push.replace("on.plane = \"x-min\"", "on = { group = \"rock\" }");
         assert!(
             Simulation::from_toml(&format!("{friction}{kind}{whole}{part}{}", phase(""))).is_ok()
@@ -283,10 +252,7 @@ spin = "1 rad/s"
         )
     };
     let told = |support: &str| unused(&plane(support, ""));
-    let both = [
-        "`velocity` of block `rock` has no effect",
-        "`spin` of block `rock` has no effect",
-    ];
+    let both = ["`velocity` of block `rock` has no effect", "`spin` of block `rock` has no effect"];
     let on = |what: &str| format!("[[supports]]\non.block = \"rock\"\n{what}\n");
     assert_eq!(told(&on("fixed = {}")), both);
     assert_eq!(told(&on("fixed = { rotation = false }")), both[..1]);
@@ -299,10 +265,7 @@ spin = "1 rad/s"
     for support in quiet {
         assert_eq!(told(&on(support)), Vec::<String>::new(), "{support}");
     }
-    assert_eq!(
-        told(&on("motion.velocity.x.constant = \"2 m/s\"")),
-        both[..1]
-    );
+    assert_eq!(told(&on("motion.velocity.x.constant = \"2 m/s\"")), both[..1]);
     assert_eq!(unused(&plane("", "reset = [\"velocities\"]")), both);
     assert_eq!(unused(&plane("", "")), Vec::<String>::new());
 
@@ -335,17 +298,10 @@ fn dashpots_that_do_not_act_are_told() {
     let quiet = [
         ("", ""),
         ("damping_ratio = 0", "damping.stiffness = \"1 us\""),
-        (
-            "damping_ratio = 0",
-            "interfaces.default.damping_ratio = 0.1",
-        ),
+        ("damping_ratio = 0", "interfaces.default.damping_ratio = 0.1"),
     ];
     for (interface, keys) in quiet {
-        assert_eq!(
-            scene(interface, keys),
-            Vec::<String>::new(),
-            "{interface} {keys}"
-        );
+        assert_eq!(scene(interface, keys), Vec::<String>::new(), "{interface} {keys}");
     }
 }
 
@@ -379,9 +335,8 @@ rectangle = {{ size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }}
     assert_eq!(scene(given, ""), told);
     // The stiffness of one of its interfaces is estimated from them.
     let steel = "[interfaces.steel]\nfriction_angle = \"20 deg\"\nbetween = [\"steel\", \"steel\"]\nnormal_stiffness = \"1 GPa/m\"";
-    let rock = steel
-        .replace("\"steel\", \"steel\"", "\"rock\", \"rock\"")
-        .replace(".steel", ".rock");
+    let rock =
+        steel.replace("\"steel\", \"steel\"", "\"rock\", \"rock\"").replace(".steel", ".rock");
     assert_eq!(scene(&format!("{given}\n{steel}"), ""), told);
     let rock = rock.replace("normal_stiffness = \"1 GPa/m\"", "");
     assert_eq!(scene(&format!("{given}\n{rock}"), ""), Vec::<String>::new());
@@ -389,10 +344,7 @@ rectangle = {{ size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }}
     let variant = "[variants.soft]\n\"interfaces.default\" = { friction_angle = \"30 deg\" }\n";
     assert_eq!(scene(given, variant), Vec::<String>::new());
     let check = "[[checks]]\nname = \"c\"\nfield = \"block.speed\"\nof = \"rock\"\nlet = { modulus = \"materials.rock.young\" }\nformula = \"0*modulus\"\nabsolute = \"1 m/s\"\n";
-    assert_eq!(
-        scene(given, check),
-        ["`poisson` of materials.rock has no effect"]
-    );
+    assert_eq!(scene(given, check), ["`poisson` of materials.rock has no effect"]);
 }
 
 #[test]
@@ -428,10 +380,6 @@ fn rhythms_longer_than_the_run_are_told() {
         (frames("2 ms"), "until.steps = 100"),
     ];
     for (outputs, until) in quiet {
-        assert_eq!(
-            rare(&outputs, until),
-            Vec::<String>::new(),
-            "{outputs} {until}"
-        );
+        assert_eq!(rare(&outputs, until), Vec::<String>::new(), "{outputs} {until}");
     }
 }

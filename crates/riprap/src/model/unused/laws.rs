@@ -18,9 +18,8 @@ impl Builder<'_> {
         // Of an elastic one the rules of the language have said it.
         let rows = rows.filter(|(_, (_, said))| said.dashpots.is_some() && !said.elastic);
         let idle = rows.filter(|(row, _)| !stiffness && !damped(*row));
-        let idle: Vec<(String, Span)> = idle
-            .map(|(_, (name, _))| (format!("interfaces.{name}"), name.span.clone()))
-            .collect();
+        let idle: Vec<(String, Span)> =
+            idle.map(|(_, (name, _))| (format!("interfaces.{name}"), name.span.clone())).collect();
         for (of, span) in idle {
             let help = "no dashpot acts in its joints: its `damping_ratio` is 0, and no phase has `damping.stiffness`";
             self.no_effect(&of, &[("dashpots", true)], &span, help);
@@ -40,11 +39,8 @@ impl Builder<'_> {
             return;
         }
         let n = self.setup.materials.len();
-        let rows: Vec<bool> = scenario
-            .interfaces
-            .iter()
-            .map(|(_, said)| said.normal_stiffness.is_none())
-            .collect();
+        let rows: Vec<bool> =
+            scenario.interfaces.iter().map(|(_, said)| said.normal_stiffness.is_none()).collect();
         let reads = |material: usize| {
             let mut rows_of =
                 (0..n).map(|other| usize::from(self.setup.pair_table[material * n + other]));

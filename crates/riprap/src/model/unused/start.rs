@@ -22,10 +22,8 @@ impl Builder<'_> {
                 ),
             };
             let lost = self.lost(block.name.as_str(), [velocity, spin]);
-            let spans = [
-                block.velocity.as_ref().map(|v| &v.span),
-                block.spin.as_ref().map(|s| &s.span),
-            ];
+            let spans =
+                [block.velocity.as_ref().map(|v| &v.span), block.spin.as_ref().map(|s| &s.span)];
             for ((key, why), span) in ["velocity", "spin"].into_iter().zip(lost).zip(spans) {
                 if let (Some(why), Some(span)) = (why, span) {
                     let of = format!("block `{}`", block.name);
@@ -45,10 +43,7 @@ impl Builder<'_> {
             return [None, None];
         };
         if let Some(first) = self.plan.phases.first().filter(|p| p.zero_velocities) {
-            let why = format!(
-                "phase `{}` begins with `reset` of all velocities",
-                first.name
-            );
+            let why = format!("phase `{}` begins with `reset` of all velocities", first.name);
             return given.map(|given| given.then(|| why.clone()));
         }
         // An axis counts that every block of the table loses: of a grid a part may be held.
@@ -63,10 +58,7 @@ impl Builder<'_> {
         }
         std::array::from_fn(|which| {
             let axes = ["x", "y", "z"].into_iter().zip(kept[which]);
-            let axes: Vec<&str> = axes
-                .filter(|(_, kept)| !kept)
-                .map(|(axis, _)| axis)
-                .collect();
+            let axes: Vec<&str> = axes.filter(|(_, kept)| !kept).map(|(axis, _)| axis).collect();
             let axes = match (self.space, which) {
                 (InSpace::Planar, 1) => String::new(),
                 (_, 0) => format!(" along {}", axes.join(", ")),

@@ -147,24 +147,18 @@ impl Watch {
     fn reading(&self) -> Result<(f64, f64), String> {
         let (end, last) = self.last.ok_or("the field was never read")?;
         match self.check.window.within() {
-            Window::Start => self
-                .found
-                .ok_or_else(|| "the field was never read".to_owned()),
+            Window::Start => self.found.ok_or_else(|| "the field was never read".to_owned()),
             Window::End | Window::Phase { .. } => Ok((end, last)),
-            Window::At(at) => self
-                .found
-                .ok_or_else(|| format!("the run ended at {end} s, before {at} s")),
+            Window::At(at) => {
+                self.found.ok_or_else(|| format!("the run ended at {end} s, before {at} s"))
+            }
             Window::Over { from, to, reduce } => {
                 let at = end.min(to);
                 let seen = self.high >= self.low || self.high.is_nan();
                 if !seen {
                     return Err(format!("the run ended at {end} s, before {from} s"));
                 }
-                let one = if self.span > 0.0 {
-                    self.sum / self.span
-                } else {
-                    last
-                };
+                let one = if self.span > 0.0 { self.sum / self.span } else { last };
                 match reduce {
                     Reduce::Max => Ok((at, self.high)),
                     Reduce::Min => Ok((at, self.low)),
@@ -172,12 +166,12 @@ impl Watch {
                     Reduce::Mean => Ok((at, one)),
                     Reduce::Rms if self.span > 0.0 => Ok((at, one.sqrt())),
                     Reduce::Rms => Ok((at, last.abs())),
-                    Reduce::FirstBelow(threshold) => self
-                        .found
-                        .ok_or_else(|| format!("it never came below {threshold}")),
-                    Reduce::FirstAbove(threshold) => self
-                        .found
-                        .ok_or_else(|| format!("it never came above {threshold}")),
+                    Reduce::FirstBelow(threshold) => {
+                        self.found.ok_or_else(|| format!("it never came below {threshold}"))
+                    }
+                    Reduce::FirstAbove(threshold) => {
+                        self.found.ok_or_else(|| format!("it never came above {threshold}"))
+                    }
                     Reduce::ShareAbove(_) => Ok((at, if self.span > 0.0 { one } else { 0.0 })),
                 }
             }
@@ -231,11 +225,7 @@ impl Watch {
             }
             (Some(reason), false) => {
                 result.note.clone_from(reason);
-                if strict {
-                    Status::Failed
-                } else {
-                    Status::Skipped
-                }
+                if strict { Status::Failed } else { Status::Skipped }
             }
         };
         result
@@ -295,11 +285,7 @@ impl Watch {
     }
 
     fn expected_text(&self, time: f64, unit: &str) -> String {
-        let unit = if unit == "-" {
-            String::new()
-        } else {
-            format!(" {unit}")
-        };
+        let unit = if unit == "-" { String::new() } else { format!(" {unit}") };
         match (&self.check.expected, self.expected_at(time)) {
             (Expected::Between(low, high), _) => format!("{low} to {high}{unit}"),
             (_, Some(value)) if value.is_finite() => format!("{value:.6e}{unit}"),
@@ -347,10 +333,7 @@ impl Watch {
             let comma = if words.is_empty() { "" } else { ", " };
             words.push_str(&format!("{comma}expected {expected}"));
         }
-        let relative = self
-            .check
-            .relative
-            .map(|r| format!("{} relative", number(r, MOST_GIVEN)));
+        let relative = self.check.relative.map(|r| format!("{} relative", number(r, MOST_GIVEN)));
         let absolute = self.check.absolute.map(|a| shown.text(a, MOST_GIVEN));
         let allowed: Vec<String> = relative.into_iter().chain(absolute).collect();
         if !allowed.is_empty() {
@@ -360,18 +343,10 @@ impl Watch {
     }
 
     fn tolerance(&self, unit: &str) -> String {
-        let unit = if unit == "-" {
-            String::new()
-        } else {
-            format!(" {unit}")
-        };
+        let unit = if unit == "-" { String::new() } else { format!(" {unit}") };
         let relative = self.check.relative.map(|r| format!("{r} relative"));
         let absolute = self.check.absolute.map(|a| format!("{a}{unit}"));
-        relative
-            .into_iter()
-            .chain(absolute)
-            .collect::<Vec<_>>()
-            .join(" or ")
+        relative.into_iter().chain(absolute).collect::<Vec<_>>().join(" or ")
     }
 }
 

@@ -210,9 +210,7 @@ impl Clock {
         let now = self.begun.elapsed().as_secs_f64();
         let remaining = self.forecast.remaining(now, cursor.phase + 1, share);
         Progress {
-            phase: simulation
-                .phase()
-                .map_or_else(String::new, |p| p.name.clone()),
+            phase: simulation.phase().map_or_else(String::new, |p| p.name.clone()),
             phase_number: cursor.phase + 1,
             phases: simulation.plan().phases.len(),
             share,
@@ -241,10 +239,7 @@ mod tests {
             let left = forecast.remaining(f64::from(second), 1, Some(share));
             let told = left.unwrap_or_else(|| panic!("nothing after {second} s"));
             let true_left = 100.0 * (1.0 - share);
-            assert!(
-                told > 0.999 * true_left && told < 2.1 * true_left,
-                "{second}: {told}"
-            );
+            assert!(told > 0.999 * true_left && told < 2.1 * true_left, "{second}: {told}");
             assert!(second < 45 || told < 1.01 * true_left, "{second}: {told}");
         }
         // Another phase begins anew, one without an end in sight says nothing.

@@ -56,11 +56,7 @@ impl Keeper {
         if self.kept.len() > 1 {
             self.kept.remove(0);
         }
-        self.kept.push(Kept {
-            snapshot: simulation.snapshot(),
-            step,
-            phase,
-        });
+        self.kept.push(Kept { snapshot: simulation.snapshot(), step, phase });
     }
 
     /// What half the step says of the error that stops the run; nothing where the step cannot be what is wrong.
@@ -89,15 +85,10 @@ fn doubted(error: &RunError) -> Unexplained {
 /// Goes from a kept state to the instant of the stop with half the step, and says what came of it.
 fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> String {
     let from = kept.step;
-    let stable = stopped
-        .engine()
-        .stable(stopped.phase().map_or(0.0, |phase| phase.damping.stiffness));
+    let stable =
+        stopped.engine().stable(stopped.phase().map_or(0.0, |phase| phase.damping.stiffness));
     let dt = 0.5 * stopped.dt().min(stable.dt);
-    let what = if stopped.dt() > stable.dt {
-        "half the stable step"
-    } else {
-        "half the step"
-    };
+    let what = if stopped.dt() > stable.dt { "half the stable step" } else { "half the step" };
     if !(dt > 0.0 && dt.is_finite()) {
         return "a shorter step was not tried, half of it is no number".to_owned();
     }
@@ -106,9 +97,9 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
         return "a shorter step was not tried, the phase is over".to_owned();
     };
     phase.time_step = match phase.time_step {
-        TimeStep::Auto { safety } if stopped.dt() <= stable.dt => TimeStep::Auto {
-            safety: 0.5 * safety,
-        },
+        TimeStep::Auto { safety } if stopped.dt() <= stable.dt => {
+            TimeStep::Auto { safety: 0.5 * safety }
+        }
         TimeStep::Auto { .. } | TimeStep::Given { .. } => TimeStep::Given { dt },
     };
     phase.max_residual = f64::INFINITY;
@@ -119,12 +110,7 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
     match to(stopped.time(), &mut trial, doubted, &mut before) {
         Reached::Instant => {
             let before = before.unwrap_or_default();
-            of_residual(
-                error,
-                what,
-                from,
-                [before, energy, doubted.of(&trial.balance())],
-            )
+            of_residual(error, what, from, [before, energy, doubted.of(&trial.balance())])
         }
         Reached::Error(again) => format!(
             "repeated from step {from} with {what} it is stopped as well (t = {:.4e} s: {}), so the step alone is not to blame",
@@ -139,10 +125,7 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
 
 /// The verdict where the instant was reached: for a residual by how it has grown, `[at the kept state, when stopped, repeated]`.
 fn of_residual(error: &RunError, what: &str, from: u64, values: [f64; 3]) -> String {
-    let RunError::Residual {
-        what: energy, unit, ..
-    } = error
-    else {
+    let RunError::Residual { what: energy, unit, .. } = error else {
         return format!(
             "repeated from step {from} with {what} it does not happen, so the step is to blame: make it shorter (`safety`, `time_step`)"
         );

@@ -17,11 +17,8 @@ pub(super) fn planar(
     use planar::setup::Motion;
     planar::removal::take_out(world, &phase.remove);
     for &b in &phase.fix {
-        world.motion[b as usize] = Some(Box::new(Motion::Fixed {
-            x: true,
-            y: true,
-            rotation: true,
-        }));
+        world.motion[b as usize] =
+            Some(Box::new(Motion::Fixed { x: true, y: true, rotation: true }));
     }
     for &b in &phase.release {
         world.motion[b as usize] = None;
@@ -67,10 +64,8 @@ pub(super) fn spatial(
     }
     spatial::edit::take_out(world, &phase.remove);
     for &b in &phase.fix {
-        world.motion[b as usize] = Some(Box::new(Motion::Fixed {
-            translation: [true; 3],
-            rotation: [true; 3],
-        }));
+        world.motion[b as usize] =
+            Some(Box::new(Motion::Fixed { translation: [true; 3], rotation: [true; 3] }));
     }
     for &b in &phase.release {
         world.motion[b as usize] = None;

@@ -167,14 +167,8 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn put_in(&self) -> f64 {
         match self {
-            Self::Planar(v) => v
-                .world
-                .works
-                .put_in(v.world.start_energy.unwrap_or_default()),
-            Self::Spatial(v) => v
-                .world
-                .works
-                .put_in(v.world.start_energy.unwrap_or_default()),
+            Self::Planar(v) => v.world.works.put_in(v.world.start_energy.unwrap_or_default()),
+            Self::Spatial(v) => v.world.works.put_in(v.world.start_energy.unwrap_or_default()),
         }
     }
 
@@ -387,16 +381,10 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn idle_bolts(&self) -> Vec<(String, String)> {
         let (idle, name): (_, &dyn Fn(u32) -> String) = match self {
-            Self::Planar(v) => (v.idle_bolts(), &|k| {
-                v.world.setup.bolts[k as usize].name.clone()
-            }),
-            Self::Spatial(v) => (v.idle_bolts(), &|k| {
-                v.world.setup.bolts[k as usize].name.clone()
-            }),
+            Self::Planar(v) => (v.idle_bolts(), &|k| v.world.setup.bolts[k as usize].name.clone()),
+            Self::Spatial(v) => (v.idle_bolts(), &|k| v.world.setup.bolts[k as usize].name.clone()),
         };
-        idle.into_iter()
-            .map(|(bolt, block)| (name(bolt), self.name(block)))
-            .collect()
+        idle.into_iter().map(|(bolt, block)| (name(bolt), self.name(block))).collect()
     }
 
     /// The found contact in space that is deepest for its blocks, rigid, on terrain or deformable.
@@ -412,9 +400,9 @@ impl<'a> View<'a> {
     #[must_use]
     pub fn fastest(&self) -> Option<Who> {
         match self {
-            Self::Planar(v) => v
-                .fastest()
-                .map(|(speed, b)| (v.world.setup.blocks[b].name.clone(), speed)),
+            Self::Planar(v) => {
+                v.fastest().map(|(speed, b)| (v.world.setup.blocks[b].name.clone(), speed))
+            }
             Self::Spatial(v) => v.fastest().map(|(speed, b)| (v.name(b), speed)),
         }
     }
@@ -424,12 +412,7 @@ impl<'a> View<'a> {
     pub fn sources(&self) -> Vec<Source> {
         match self {
             Self::Planar(_) => Vec::new(),
-            Self::Spatial(v) => v
-                .world
-                .cavities
-                .iter()
-                .map(|c| notes::source(v, c))
-                .collect(),
+            Self::Spatial(v) => v.world.cavities.iter().map(|c| notes::source(v, c)).collect(),
         }
     }
 
@@ -515,18 +498,12 @@ impl<'a> View<'a> {
         match self {
             Self::Planar(v) => {
                 let setup = &v.world.setup;
-                let groups = setup
-                    .groups
-                    .iter()
-                    .map(|g| (g.name.as_str(), &g.blocks[..]));
+                let groups = setup.groups.iter().map(|g| (g.name.as_str(), &g.blocks[..]));
                 Names::pack(setup.blocks.iter().map(|b| b.name.clone()), groups)
             }
             Self::Spatial(v) => {
                 let setup = &v.world.setup;
-                let groups = setup
-                    .groups
-                    .iter()
-                    .map(|g| (g.name.as_str(), &g.blocks[..]));
+                let groups = setup.groups.iter().map(|g| (g.name.as_str(), &g.blocks[..]));
                 Names::pack((0..setup.blocks.len()).map(|b| v.name(b)), groups)
             }
         }

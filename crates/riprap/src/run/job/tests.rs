@@ -36,29 +36,18 @@ fn falling() -> Job {
         gravity: [0.0, -10.0],
         materials: vec!["rock".to_owned()],
         blocks: vec![square("base", 0.0), square("top", 1.02)],
-        interfaces: vec![Interface {
-            name: "default".to_owned(),
-            contact,
-            bond: None,
-        }],
+        interfaces: vec![Interface { name: "default".to_owned(), contact, bond: None }],
         pair_table: vec![0],
         supports: vec![Support {
             blocks: vec![0],
-            motion: Motion::Fixed {
-                x: true,
-                y: true,
-                rotation: true,
-            },
+            motion: Motion::Fixed { x: true, y: true, rotation: true },
         }],
         ..setup::Setup::default()
     };
     let phase = Phase {
         name: "fall".to_owned(),
         kind: PhaseKind::Dynamic,
-        until: Until {
-            time: Some(0.2),
-            ..Until::default()
-        },
+        until: Until { time: Some(0.2), ..Until::default() },
         time_step: TimeStep::Given { dt: 1e-4 },
         damping: Damping::default(),
         remove: Vec::new(),
@@ -79,20 +68,12 @@ fn falling() -> Job {
     };
     let history = History {
         name: "drop".to_owned(),
-        gauge: Gauge {
-            field: "block.displacement.y".to_owned(),
-            of: vec![1],
-            ..Gauge::default()
-        },
+        gauge: Gauge { field: "block.displacement.y".to_owned(), of: vec![1], ..Gauge::default() },
         every: Every::Time(1e-2),
     };
     let check = Check {
         name: "falls freely at first".to_owned(),
-        gauge: Gauge {
-            field: "block.displacement.y".to_owned(),
-            of: vec![1],
-            ..Gauge::default()
-        },
+        gauge: Gauge { field: "block.displacement.y".to_owned(), of: vec![1], ..Gauge::default() },
         unit: "m".to_owned(),
         shown: None,
         window: Window::At(0.05),
@@ -125,23 +106,10 @@ fn a_run_leaves_a_folder_and_its_checks() {
     let folder = dir.path().join("a.run");
     let outcome = run(falling(), &folder, Existing::Refuse, 1, &mut go).unwrap();
     assert_eq!(outcome.ending, Ending::Finished);
-    assert_eq!(
-        outcome.checks[0].status,
-        Status::Passed,
-        "{:?}",
-        outcome.checks
-    );
-    assert_eq!(
-        (outcome.manifest.ended, outcome.manifest.steps),
-        (Ended::Finished, 2000)
-    );
+    assert_eq!(outcome.checks[0].status, Status::Passed, "{:?}", outcome.checks);
+    assert_eq!((outcome.manifest.ended, outcome.manifest.steps), (Ended::Finished, 2000));
     assert_eq!(Manifest::read(&folder).unwrap(), outcome.manifest);
-    for file in [
-        "histories.csv",
-        "energy.csv",
-        "checks.jsonl",
-        "scenario.resolved.toml",
-    ] {
+    for file in ["histories.csv", "energy.csv", "checks.jsonl", "scenario.resolved.toml"] {
         assert!(folder.join(file).is_file(), "{file}");
     }
     let again = run(falling(), &folder, Existing::Refuse, 1, &mut go).unwrap_err();
@@ -195,10 +163,7 @@ fn pauses_change_no_bit() {
     let mut live = Live::begin(falling(), &bits, Existing::Refuse, 1).unwrap();
     let mut steps = Vec::new();
     for step in [0, 0, 1, 500, 500] {
-        let pause = Pause {
-            step: Some(step),
-            time: None,
-        };
+        let pause = Pause { step: Some(step), time: None };
         assert_eq!(live.advance(pause, &mut go).unwrap(), None);
         steps.push(live.simulation().steps());
     }
@@ -206,10 +171,7 @@ fn pauses_change_no_bit() {
     let left = live.close().unwrap();
     assert_eq!(left.ending, Ending::Stopped);
     let mut live = Live::reopen(&bits, 1).unwrap();
-    let pause = Pause {
-        step: None,
-        time: Some(0.15),
-    };
+    let pause = Pause { step: None, time: Some(0.15) };
     assert_eq!(live.advance(pause, &mut go).unwrap(), None);
     assert!((live.simulation().time() - 0.15).abs() < 1.1e-4);
     let outcome = live.finish(&mut go).unwrap();
@@ -278,20 +240,13 @@ fn checks_of_a_phase() {
     let mut job = falling();
     let lasting = |name: &str, time: f64| Phase {
         name: name.to_owned(),
-        until: Until {
-            time: Some(time),
-            ..Until::default()
-        },
+        until: Until { time: Some(time), ..Until::default() },
         ..job.plan.phases[0].clone()
     };
     // It lands after 0.063 s.
     job.plan.phases = vec![lasting("first", 0.05), lasting("second", 0.01)];
     let of = |phase: u32, part: Part, velocity: f64| Check {
-        gauge: Gauge {
-            field: "block.velocity.y".to_owned(),
-            of: vec![1],
-            ..Gauge::default()
-        },
+        gauge: Gauge { field: "block.velocity.y".to_owned(), of: vec![1], ..Gauge::default() },
         unit: "m/s".to_owned(),
         shown: None,
         window: Window::Phase { phase, part },
@@ -313,9 +268,6 @@ fn checks_of_a_phase() {
     let folder = dir.path().join("phases.run");
     let outcome = run(job, &folder, Existing::Refuse, 1, &mut go).unwrap();
     let (wrong, right) = outcome.checks.split_last().unwrap();
-    assert!(
-        right.iter().all(|c| c.status == Status::Passed),
-        "{right:?}"
-    );
+    assert!(right.iter().all(|c| c.status == Status::Passed), "{right:?}");
     assert_eq!(wrong.status, Status::Failed);
 }

@@ -54,17 +54,10 @@ impl Quantity {
         if dim != other || low == high {
             return Err(wrong());
         }
-        let unit = if dim == Dim::NONE {
-            String::new()
-        } else {
-            dim.to_string()
-        };
+        let unit = if dim == Dim::NONE { String::new() } else { dim.to_string() };
         let said = units::unit_of(first).or_else(|| units::unit_of(last));
         let shown = match said {
-            Some((unit, one)) => Shown {
-                unit: unit.to_owned(),
-                one,
-            },
+            Some((unit, one)) => Shown { unit: unit.to_owned(), one },
             None => Shown::si(&unit),
         };
         let share = WIDTH * (high - low).abs();
@@ -78,14 +71,7 @@ impl Quantity {
                 });
             }
         };
-        Ok(Self {
-            key: key.to_owned(),
-            low,
-            high,
-            width,
-            unit,
-            shown,
-        })
+        Ok(Self { key: key.to_owned(), low, high, width, unit, shown })
     }
 
     /// The scene with a value of the key (SI), after the changes of the case, which may name the key themselves.
@@ -123,23 +109,14 @@ pub fn over_quantity(
     stop: &(dyn Fn() -> bool + Sync),
     report: &mut dyn FnMut(&Trial),
 ) -> Result<Answer, SafetyError> {
-    let rules = Rules {
-        width: quantity.width,
-        ..rules.clone()
-    };
+    let rules = Rules { width: quantity.width, ..rules.clone() };
     sound(&rules)?;
     let search = Search::between(quantity.low, quantity.high, quantity.width)
         .map_err(|_| SafetyError::NotANumber)?;
     for end in [quantity.low, quantity.high] {
-        quantity
-            .prepare(scene, case, end)
-            .map_err(SafetyError::Scene)?;
+        quantity.prepare(scene, case, end).map_err(SafetyError::Scene)?;
     }
-    let maker = Maker {
-        rules: &rules,
-        rows: &[],
-        stop,
-    };
+    let maker = Maker { rules: &rules, rows: &[], stop };
     let one = |task: &Task<'_, _>| -> Made {
         let prepared = quantity.prepare(scene, case, task.value);
         let job = prepared.map_err(SafetyError::Scene)?.job();

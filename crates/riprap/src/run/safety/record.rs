@@ -77,28 +77,17 @@ impl Answer {
     #[must_use]
     pub fn mechanism_words(&self) -> Option<String> {
         let count = self.moving.len();
-        let (noun, s) = if count == 1 {
-            ("block", "s")
-        } else {
-            ("blocks", "")
-        };
+        let (noun, s) = if count == 1 { ("block", "s") } else { ("blocks", "") };
         let how = match self.mechanism? {
             Mechanism::Sliding => format!("slide{s} or fall{s} without turning"),
             Mechanism::Turning => format!("turn{s}"),
             Mechanism::Both => format!("slide{s} and turn{s}"),
         };
-        let names: Vec<&str> = (self.moving.iter().take(NAMED))
-            .map(|(name, _)| name.as_str())
-            .collect();
-        let more = if count > NAMED {
-            format!(" and {} more", count - NAMED)
-        } else {
-            String::new()
-        };
-        Some(format!(
-            "mechanism: {count} {noun} {how}: {}{more}",
-            names.join(", ")
-        ))
+        let names: Vec<&str> =
+            (self.moving.iter().take(NAMED)).map(|(name, _)| name.as_str()).collect();
+        let more =
+            if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
+        Some(format!("mechanism: {count} {noun} {how}: {}{more}", names.join(", ")))
     }
 
     /// The trials as CSV: value (SI), state, displacement, block, unbalanced ratio, steps, seconds.

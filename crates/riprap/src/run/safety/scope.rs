@@ -54,11 +54,7 @@ struct Single {
 /// Names of nothing; nothing that has a strength.
 pub(super) fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, SafetyError> {
     let laws = Laws::of(setup);
-    known(
-        "interface",
-        &rules.interfaces,
-        laws.rows.iter().map(|r| r.0),
-    )?;
+    known("interface", &rules.interfaces, laws.rows.iter().map(|r| r.0))?;
     known("material", &rules.materials, laws.materials.iter().copied())?;
     known("group", &rules.groups, laws.groups.iter().map(|g| g.0))?;
     let named = |row: u16| {
@@ -73,13 +69,9 @@ pub(super) fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, 
         let single = laws.single(rules, named);
         (single.copies.clone(), Some(single))
     };
-    if !originals
-        .iter()
-        .any(|row: &u16| laws.rows[usize::from(*row)].1)
-    {
-        let names: Vec<&str> = (originals.iter())
-            .map(|row| laws.rows[usize::from(*row)].0)
-            .collect();
+    if !originals.iter().any(|row: &u16| laws.rows[usize::from(*row)].1) {
+        let names: Vec<&str> =
+            (originals.iter()).map(|row| laws.rows[usize::from(*row)].0).collect();
         let told = match names[..] {
             [] => "no interface is left".to_owned(),
             _ => names.join(", "),
@@ -120,11 +112,7 @@ fn known<'a>(
     for name in names {
         if !all.clone().any(|one| one == name) {
             let known: Vec<&str> = all.collect();
-            return Err(SafetyError::Unknown {
-                what,
-                name: name.clone(),
-                known: known.join(", "),
-            });
+            return Err(SafetyError::Unknown { what, name: name.clone(), known: known.join(", ") });
         }
     }
     Ok(())
@@ -136,9 +124,7 @@ impl<'a> Laws<'a> {
             Setup::Planar(setup) => Self {
                 materials: setup.materials.iter().map(String::as_str).collect(),
                 blocks: setup.blocks.iter().map(|b| b.material).collect(),
-                groups: (setup.groups.iter())
-                    .map(|g| (g.name.as_str(), &g.blocks[..]))
-                    .collect(),
+                groups: (setup.groups.iter()).map(|g| (g.name.as_str(), &g.blocks[..])).collect(),
                 pairs: &setup.pair_table,
                 rows: (setup.interfaces.iter())
                     .map(|i| {
@@ -150,9 +136,7 @@ impl<'a> Laws<'a> {
             Setup::Spatial(setup) => Self {
                 materials: setup.materials.iter().map(|m| m.name.as_str()).collect(),
                 blocks: setup.blocks.iter().map(|b| b.material).collect(),
-                groups: (setup.groups.iter())
-                    .map(|g| (g.name.as_str(), &g.blocks[..]))
-                    .collect(),
+                groups: (setup.groups.iter()).map(|g| (g.name.as_str(), &g.blocks[..])).collect(),
                 pairs: &setup.pair_table,
                 rows: (setup.interfaces.iter())
                     .map(|i| {
@@ -169,10 +153,7 @@ impl<'a> Laws<'a> {
     /// Singles out the laws between a block of the chosen groups and of the chosen materials, and any other.
     fn single(&self, rules: &Rules, named: impl Fn(u16) -> bool) -> Single {
         let old = self.materials.len();
-        let mut single = Single {
-            blocks: self.blocks.clone(),
-            ..Single::default()
-        };
+        let mut single = Single { blocks: self.blocks.clone(), ..Single::default() };
         let chosen = |name: &str| rules.groups.iter().any(|one| one == name);
         for (_, blocks) in self.groups.iter().filter(|group| chosen(group.0)) {
             for b in *blocks {

@@ -91,15 +91,7 @@ impl Maker<'_> {
         let (phase, from) = (simulation.cursor().phase, simulation.cursor().start_step);
         let name = simulation.phase().map_or("", |phase| phase.name.as_str());
         let note = format!("in phase `{name}` of the scene");
-        let mut done = told(
-            &simulation,
-            &watch,
-            State::Failing,
-            value,
-            from,
-            begun,
-            note,
-        );
+        let mut done = told(&simulation, &watch, State::Failing, value, from, begun, note);
         done.trial.phase = Some(phase);
         Ok(Some(done))
     }
@@ -139,16 +131,9 @@ impl Maker<'_> {
                 Ok(Stage::PhaseEnd | Stage::Done) => {
                     // The phase may have ended by its steps instead.
                     let balanced = simulation.view().unbalanced() <= self.rules.balance
-                        || simulation
-                            .engine()
-                            .relaxing()
-                            .is_some_and(|now| now.converged);
+                        || simulation.engine().relaxing().is_some_and(|now| now.converged);
                     watch.look(Look::of(&simulation, begin));
-                    break if balanced {
-                        State::Stable
-                    } else {
-                        watch.stopped()
-                    };
+                    break if balanced { State::Stable } else { watch.stopped() };
                 }
                 Err(why) => {
                     ended = Some(why);
@@ -170,15 +155,7 @@ impl Maker<'_> {
             simulation.step();
         };
         let note = ended.map_or_else(String::new, |why| why.to_string());
-        Ok(Some(told(
-            &simulation,
-            &watch,
-            state,
-            value,
-            begin,
-            begun,
-            note,
-        )))
+        Ok(Some(told(&simulation, &watch, state, value, begin, begun, note)))
     }
 
     /// Runs the phases of a scene and watches the static ones; `None` where nobody needs it.
@@ -187,12 +164,7 @@ impl Maker<'_> {
         simulation: &mut Simulation,
         useless: &dyn Fn() -> bool,
     ) -> Result<Option<Before>, SafetyError> {
-        let mut before = Before {
-            ended: None,
-            failing: None,
-            farthest: (0.0, 0),
-            far: false,
-        };
+        let mut before = Before { ended: None, failing: None, farthest: (0.0, 0), far: false };
         let mut watch: Option<Watch> = None;
         let (mut of_phase, mut begin) = (usize::MAX, 0);
         loop {
@@ -278,10 +250,7 @@ fn told(
         },
         state: (state == State::Stable).then(|| simulation.snapshot()),
         mechanism: verdict::mechanism(&moving),
-        moving: moving
-            .iter()
-            .map(|m| (view.name(m.block), verdict::length(m.shift)))
-            .collect(),
+        moving: moving.iter().map(|m| (view.name(m.block), verdict::length(m.shift))).collect(),
     }
 }
 
@@ -292,16 +261,8 @@ fn after(state: &Snapshot, phase: Phase, threads: usize) -> Result<Simulation, S
         gravity_after: state.cursor.gravity_after,
         ..Cursor::default()
     };
-    let plan = Plan {
-        title: state.plan.title.clone(),
-        phases: vec![phase],
-        ..Plan::default()
-    };
-    let snapshot = Snapshot {
-        plan,
-        cursor,
-        state: state.state.clone(),
-    };
+    let plan = Plan { title: state.plan.title.clone(), phases: vec![phase], ..Plan::default() };
+    let snapshot = Snapshot { plan, cursor, state: state.state.clone() };
     Ok(Simulation::resume(snapshot, Exec::new(threads)?))
 }
 
@@ -309,17 +270,13 @@ fn after(state: &Snapshot, phase: Phase, threads: usize) -> Result<Simulation, S
 #[must_use]
 pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Phase {
     let last = plan.phases.last();
-    let deform = last.and_then(|phase| phase.deform).map(|deform| Deforming {
-        breaking: true,
-        ..deform
-    });
+    let deform =
+        last.and_then(|phase| phase.deform).map(|deform| Deforming { breaking: true, ..deform });
     let time_step = last.map(|phase| phase.time_step);
     let mut phase = Phase::settle("safety", rules.balance);
     phase.until.steps = Some(rules.steps);
     phase.time_step = match time_step {
-        Some(TimeStep::Auto { safety }) => TimeStep::Auto {
-            safety: safety.max(SHARE),
-        },
+        Some(TimeStep::Auto { safety }) => TimeStep::Auto { safety: safety.max(SHARE) },
         Some(TimeStep::Given { .. }) | None => phase.time_step,
     };
     phase.damping = Damping::default();
@@ -329,10 +286,7 @@ pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Pha
     // A trial is judged by what moves, and the ledger of the way there must not stop it.
     phase.max_residual = f64::INFINITY;
     // A factor of one changes nothing, not even the last bit.
-    phase.reduction = (factor != 1.0).then(|| Reduction {
-        factor,
-        rows: rows.to_vec(),
-    });
+    phase.reduction = (factor != 1.0).then(|| Reduction { factor, rows: rows.to_vec() });
     phase
 }
 
@@ -341,26 +295,15 @@ pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Pha
 pub fn reduced_from_start(plan: &Plan, rows: &[u16], factor: f64) -> Plan {
     let mut plan = plan.clone();
     for phase in &mut plan.phases {
-        for (_, law) in phase
-            .contacts
-            .iter_mut()
-            .filter(|(row, _)| rows.contains(row))
-        {
+        for (_, law) in phase.contacts.iter_mut().filter(|(row, _)| rows.contains(row)) {
             *law = law.reduced(factor);
         }
-        for (_, law) in phase
-            .joints
-            .iter_mut()
-            .filter(|(row, _)| rows.contains(row))
-        {
+        for (_, law) in phase.joints.iter_mut().filter(|(row, _)| rows.contains(row)) {
             *law = law.reduced(factor);
         }
     }
     if let Some(first) = plan.phases.first_mut() {
-        first.reduction = Some(Reduction {
-            factor,
-            rows: rows.to_vec(),
-        });
+        first.reduction = Some(Reduction { factor, rows: rows.to_vec() });
     }
     plan
 }

@@ -63,21 +63,13 @@ pub(super) struct Watch {
 impl Watch {
     /// Nothing yet; `moved` as in the rules, m.
     pub(super) fn new(moved: Option<f64>) -> Self {
-        Self {
-            moved,
-            looks: Vec::new(),
-            movements: Vec::new(),
-            base: Vec::new(),
-        }
+        Self { moved, looks: Vec::new(), movements: Vec::new(), base: Vec::new() }
     }
 
     /// Nothing yet, of blocks that have moved before: what counts is how far they come from there.
     pub(super) fn from(moved: Option<f64>, before: &Look) -> Self {
         let all = before.movements.iter();
-        Self {
-            base: all.map(|m| (m.block, m.shift)).collect(),
-            ..Self::new(moved)
-        }
+        Self { base: all.map(|m| (m.block, m.shift)).collect(), ..Self::new(moved) }
     }
 
     /// Adds a look.
@@ -87,10 +79,7 @@ impl Watch {
         // Both lists are in the order of the blocks.
         let mut base = self.base.iter().peekable();
         for movement in &mut self.movements {
-            while base
-                .peek()
-                .is_some_and(|(block, _)| *block < movement.block)
-            {
+            while base.peek().is_some_and(|(block, _)| *block < movement.block) {
                 base.next();
             }
             if let Some((block, shift)) = base.peek()
@@ -105,11 +94,7 @@ impl Watch {
     pub(super) fn farthest(&self) -> Option<(f64, u32)> {
         let all = self.movements.iter().map(|m| (length(m.shift), m.block));
         all.fold(None, |far, one| {
-            if far.is_none_or(|far: (f64, u32)| one.0 > far.0) {
-                Some(one)
-            } else {
-                far
-            }
+            if far.is_none_or(|far: (f64, u32)| one.0 > far.0) { Some(one) } else { far }
         })
     }
 
@@ -135,11 +120,7 @@ impl Watch {
 
     /// What it is when it ends without balance: failing if it was at its end, else undecided.
     pub(super) fn stopped(&self) -> State {
-        if self.is_failing() {
-            State::Failing
-        } else {
-            State::Undecided
-        }
+        if self.is_failing() { State::Failing } else { State::Undecided }
     }
 
     /// Blocks of the mechanism, the farthest first.
@@ -152,9 +133,7 @@ impl Watch {
             .copied()
             .collect();
         moving.sort_by(|a, b| {
-            length(b.shift)
-                .total_cmp(&length(a.shift))
-                .then(a.block.cmp(&b.block))
+            length(b.shift).total_cmp(&length(a.shift)).then(a.block.cmp(&b.block))
         });
         moving
     }
@@ -168,9 +147,7 @@ fn grows(looks: &[(u64, f64)]) -> bool {
     let mean = |quarter: u64| {
         let inside = |step: u64| 4 * step > quarter * last && 4 * step <= (quarter + 1) * last;
         let (sum, count) = (looks.iter().filter(|(step, _)| inside(*step)))
-            .fold((0.0, 0u32), |(sum, count), (_, kinetic)| {
-                (sum + kinetic, count + 1)
-            });
+            .fold((0.0, 0u32), |(sum, count), (_, kinetic)| (sum + kinetic, count + 1));
         sum / f64::from(count.max(1))
     };
     let [second, third, fourth] = [1, 2, 3].map(mean);
@@ -202,9 +179,7 @@ mod tests {
     use super::*;
 
     fn looks(kinetic: impl Fn(f64) -> f64) -> Vec<(u64, f64)> {
-        (0..=40)
-            .map(|k| (50 * k, kinetic(50.0 * k as f64)))
-            .collect()
+        (0..=40).map(|k| (50 * k, kinetic(50.0 * k as f64))).collect()
     }
 
     #[test]
@@ -237,9 +212,6 @@ mod tests {
         assert_eq!(mechanism(&[]), None);
         assert_eq!(mechanism(&[movement(1.0, 0.01)]), Some(Mechanism::Sliding));
         assert_eq!(mechanism(&[movement(0.1, 0.2)]), Some(Mechanism::Turning));
-        assert_eq!(
-            mechanism(&[movement(1.0, 0.01), movement(1.0, 0.5)]),
-            Some(Mechanism::Both)
-        );
+        assert_eq!(mechanism(&[movement(1.0, 0.01), movement(1.0, 0.5)]), Some(Mechanism::Both));
     }
 }

@@ -65,10 +65,7 @@ pub(super) fn of_block(simulation: &Simulation, block: u32) -> Cause {
         let kinds = kinds.join(", ");
         format!("looked at: {kinds} as functions of time; they are numbers")
     };
-    Cause {
-        words: format!("{functions}. {}", of_step(simulation)),
-        formula: None,
-    }
+    Cause { words: format!("{functions}. {}", of_step(simulation)), formula: None }
 }
 
 /// The function of time that is no number now, of whatever block, if there is one.
@@ -101,13 +98,7 @@ struct Course<'a> {
 
 impl<'a> Course<'a> {
     fn new(kind: &'static str, what: String, function: &'a TimeFunction) -> Self {
-        Self {
-            kind,
-            what,
-            function,
-            since: 0.0,
-            places: Vec::new(),
-        }
+        Self { kind, what, function, since: 0.0, places: Vec::new() }
     }
 
     /// Whether it is no number at any of some times; before its start nobody asks for it.
@@ -135,9 +126,8 @@ fn courses<'a>(view: &View<'a>, block: u32) -> Vec<Course<'a>> {
     if first < blocks {
         found.extend(of(first, "its prescribed"));
     }
-    let (own, others): (Vec<_>, Vec<_>) = loads(view)
-        .into_iter()
-        .partition(|(on, _)| on.contains(&block));
+    let (own, others): (Vec<_>, Vec<_>) =
+        loads(view).into_iter().partition(|(on, _)| on.contains(&block));
     found.extend(own.into_iter().chain(others).map(|(_, course)| course));
     for b in (0..blocks).filter(|b| *b != first) {
         let name = || view.name(u32::try_from(b).unwrap_or(u32::MAX));
@@ -164,13 +154,8 @@ fn blame(what: &str, f: &TimeFunction) -> Cause {
         | TimeFunction::Table { .. }
         | TimeFunction::Duvall { .. } => None,
     };
-    let text = formula
-        .as_ref()
-        .map_or(String::new(), |text| format!(", the formula `{text}`,"));
-    Cause {
-        words: format!("{what}{text} is not finite at this time"),
-        formula,
-    }
+    let text = formula.as_ref().map_or(String::new(), |text| format!(", the formula `{text}`,"));
+    Cause { words: format!("{what}{text} is not finite at this time"), formula }
 }
 
 /// Functions of time that prescribe the motion of a block, with words for them.
@@ -199,9 +184,7 @@ fn prescribed<'a>(view: &View<'a>, b: usize) -> Vec<(String, &'a TimeFunction)> 
         View::Spatial(v) => {
             use spatial::setup::Motion;
             match v.world.motion[b].as_deref() {
-                Some(Motion::Velocity {
-                    translation, spin, ..
-                }) => {
+                Some(Motion::Velocity { translation, spin, .. }) => {
                     for (axis, f) in AXES.iter().zip(translation) {
                         found.extend(named("velocity", axis, f));
                     }
@@ -260,11 +243,7 @@ fn boundaries(world: &spatial::world::World) -> Vec<Course<'_>> {
         let name = &boundary.name;
         match &boundary.kind {
             BoundaryKind::Traction { traction, time, .. } => {
-                let key = if *traction == Vec3::ZERO {
-                    "pressure"
-                } else {
-                    "traction"
-                };
+                let key = if *traction == Vec3::ZERO { "pressure" } else { "traction" };
                 let what = format!("the boundary `{name}` (`boundaries.*.{key}.time`)");
                 found.push(Course::new("boundaries", what, time));
             }
@@ -329,10 +308,7 @@ fn sources(world: &spatial::world::World) -> Vec<Course<'_>> {
         let source = &world.setup.sources[usize::from(cavity.source)];
         if let (CavityPressure::Pressure { time }, Some(since)) = (&source.push, cavity.ignited) {
             let what = format!("the source `{}` (`sources.*.pressure`)", source.name);
-            found.push(Course {
-                since,
-                ..Course::new("sources", what, time)
-            });
+            found.push(Course { since, ..Course::new("sources", what, time) });
         }
     }
     found

@@ -194,11 +194,7 @@ impl Thrown {
             (m.block, (x * x + y * y + z * z).sqrt() / m.size)
         });
         let (block, way) = ways.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        (way > 1.0).then(|| Self {
-            block: view.name(block),
-            way,
-            energy,
-        })
+        (way > 1.0).then(|| Self { block: view.name(block), way, energy })
     }
 }
 
@@ -460,9 +456,7 @@ mod tests {
         assert_eq!(plane().sound(), Ok(()));
         for (k, mutate) in mutations.into_iter().enumerate() {
             let mut forged = plane();
-            let State::Planar(world) = &mut forged.state else {
-                panic!("a scene in the plane")
-            };
+            let State::Planar(world) = &mut forged.state else { panic!("a scene in the plane") };
             mutate(world);
             assert!(forged.sound().is_err(), "mutation {k}");
         }
@@ -487,9 +481,7 @@ mod tests {
         assert_eq!(space().sound(), Ok(()));
         for (k, mutate) in mutations.into_iter().enumerate() {
             let mut forged = space();
-            let State::Spatial(world) = &mut forged.state else {
-                panic!("a scene in space")
-            };
+            let State::Spatial(world) = &mut forged.state else { panic!("a scene in space") };
             mutate(world);
             assert!(forged.sound().is_err(), "mutation {k}");
         }

@@ -193,11 +193,7 @@ mod tests {
 
     #[test]
     fn energy_that_edits_have_added_is_told_when_it_is_not_small() {
-        let mut balance = Balance {
-            kinetic: 4e6,
-            start: 1e6,
-            ..Balance::default()
-        };
+        let mut balance = Balance { kinetic: 4e6, start: 1e6, ..Balance::default() };
         // Nothing moved is no reason, nor is what edits have taken.
         assert_eq!(made_by_edits(&Balance::default()), None);
         for quiet in [0.0, -3e6, 1.9e5] {

@@ -261,25 +261,11 @@ impl RunError {
         match into {
             // Not a number is no proof of a depth.
             Into::Block if depth.partial_cmp(&reach).is_none_or(Ordering::is_lt) => {
-                Self::NoSurface {
-                    first,
-                    second,
-                    depth,
-                    reach,
-                    ruled_out,
-                    step,
-                    time,
-                }
+                Self::NoSurface { first, second, depth, reach, ruled_out, step, time }
             }
-            Into::Block => Self::PassesThrough {
-                first,
-                second,
-                depth,
-                reach,
-                ruled_out,
-                step,
-                time,
-            },
+            Into::Block => {
+                Self::PassesThrough { first, second, depth, reach, ruled_out, step, time }
+            }
             Into::Condition => Self::PressedOut {
                 block: first,
                 boundary: second,
@@ -296,30 +282,14 @@ impl RunError {
     pub(in crate::run) fn add(&mut self, found: &str) {
         match self {
             Self::NonFinite { why: words, .. }
-            | Self::NoNumber {
-                ruled_out: words, ..
-            }
-            | Self::Residual {
-                ruled_out: words, ..
-            }
-            | Self::Overlap {
-                ruled_out: words, ..
-            }
-            | Self::PassesThrough {
-                ruled_out: words, ..
-            }
-            | Self::PressedOut {
-                ruled_out: words, ..
-            }
-            | Self::NoSurface {
-                ruled_out: words, ..
-            }
-            | Self::InsideOut {
-                ruled_out: words, ..
-            }
-            | Self::BlowUp {
-                ruled_out: words, ..
-            } => {
+            | Self::NoNumber { ruled_out: words, .. }
+            | Self::Residual { ruled_out: words, .. }
+            | Self::Overlap { ruled_out: words, .. }
+            | Self::PassesThrough { ruled_out: words, .. }
+            | Self::PressedOut { ruled_out: words, .. }
+            | Self::NoSurface { ruled_out: words, .. }
+            | Self::InsideOut { ruled_out: words, .. }
+            | Self::BlowUp { ruled_out: words, .. } => {
                 words.push_str("; ");
                 words.push_str(found);
             }
@@ -333,18 +303,11 @@ impl RunError {
             Self::NonFinite { .. } | Self::NoNumber { .. } => "something is not finite",
             Self::NoStep { .. } => "there is no time step",
             Self::NoFlow { .. } => "seepage was not found",
-            Self::Residual {
-                what: Unexplained::Residual,
-                ..
-            } => "the energy residual",
-            Self::Residual {
-                what: Unexplained::LawDefect,
-                ..
-            } => "the defect of the laws",
-            Self::Residual {
-                what: Unexplained::Steps,
-                ..
-            } => "the energy that changes of the step made",
+            Self::Residual { what: Unexplained::Residual, .. } => "the energy residual",
+            Self::Residual { what: Unexplained::LawDefect, .. } => "the defect of the laws",
+            Self::Residual { what: Unexplained::Steps, .. } => {
+                "the energy that changes of the step made"
+            }
             Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
             Self::PressedOut { .. } => "a block is pressed through what holds it",
             Self::NoSurface { .. } => "the surface of a contact was not found",
@@ -422,18 +385,13 @@ mod tests {
     fn words_of_a_depth_are_those_that_its_numbers_bear_out() {
         let names = || ["a", "b"].map(str::to_owned);
         let of = |depth: f64, reach: f64| {
-            RunError::pressed(names(), Into::Block, [depth, reach], || {
-                (String::new(), 1, 0.1)
-            })
+            RunError::pressed(names(), Into::Block, [depth, reach], || (String::new(), 1, 0.1))
         };
         // As a run was stopped: micrometres, where balls of 0.21 m fit into the thinner one.
         let lost = of(2.6e-6, 0.21);
         assert!(matches!(lost, RunError::NoSurface { .. }));
         let words = lost.to_string();
-        assert!(
-            words.contains("2.6000e-6 m") && words.contains("2.1000e-1 m"),
-            "{words}"
-        );
+        assert!(words.contains("2.6000e-6 m") && words.contains("2.1000e-1 m"), "{words}");
         assert!(!words.contains("as far as") && !lost.doubts_the_step());
         for deep in [0.21, 0.42] {
             let through = of(deep, 0.21);

@@ -30,16 +30,12 @@ impl Simulation {
             self.note_turn();
         }
         let view = self.view();
-        let drawn = view
-            .most_drawn()
-            .filter(|d| d.by > DRAWN * d.length && d.force > 0.0);
+        let drawn = view.most_drawn().filter(|d| d.by > DRAWN * d.length && d.force > 0.0);
         let drawn = drawn.filter(|d| !d.breaks);
         let through = self.through_ends();
         let noted = &mut self.cursor.noted;
         if let Some(found) = drawn {
-            keep(&mut noted.drawn, found.by / found.length, || {
-                drawn_words(&found, step, time)
-            });
+            keep(&mut noted.drawn, found.by / found.length, || drawn_words(&found, step, time));
         }
         if let (Some([a, b]), None) = (through, &noted.through) {
             let words = format!(
@@ -67,20 +63,10 @@ impl Simulation {
         let Some((block, angle)) = view.spatial().and_then(|v| v.turned_most()) else {
             return;
         };
-        let before = self
-            .cursor
-            .noted
-            .turned
-            .as_ref()
-            .map_or(TURNED, |t| t.angle);
+        let before = self.cursor.noted.turned.as_ref().map_or(TURNED, |t| t.angle);
         if angle > before {
             let block = view.name(block);
-            self.cursor.noted.turned = Some(Turned {
-                block,
-                angle,
-                step,
-                time,
-            });
+            self.cursor.noted.turned = Some(Turned { block, angle, step, time });
         }
     }
 
@@ -89,10 +75,7 @@ impl Simulation {
     /// # Errors
     /// A tetrahedron is inside out.
     pub(super) fn look_at_strain(&mut self, over: bool) -> Result<(), RunError> {
-        let moves = self
-            .view()
-            .spatial()
-            .is_some_and(|v| v.world.deform.is_some());
+        let moves = self.view().spatial().is_some_and(|v| v.world.deform.is_some());
         if !moves || self.relaxes() && !over && !self.settled() {
             return Ok(());
         }
@@ -143,9 +126,7 @@ impl Simulation {
         let view = self.view();
         let of = view.spatial()?;
         let (share, boundary) = of.sinking()?;
-        let name = of.world.setup.boundaries[usize::from(boundary)]
-            .name
-            .clone();
+        let name = of.world.setup.boundaries[usize::from(boundary)].name.clone();
         Some((share, name))
     }
 

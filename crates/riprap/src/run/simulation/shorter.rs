@@ -26,10 +26,7 @@ impl Simulation {
         let TimeStep::Given { dt: given } = rule else {
             return;
         };
-        if self
-            .shorter
-            .is_none_or(|known| dt / given < known.dt / known.given)
-        {
+        if self.shorter.is_none_or(|known| dt / given < known.dt / known.given) {
             self.shorter = Some(Shorter {
                 phase: self.cursor.phase,
                 given,
@@ -43,14 +40,7 @@ impl Simulation {
 
     /// The shortest step in place of one that a phase gives, in words. What it was before a run went on is in the manifest.
     pub(in crate::run) fn shorter(&self) -> Option<String> {
-        let Shorter {
-            phase,
-            given,
-            dt,
-            step,
-            time,
-            why,
-        } = self.shorter?;
+        let Shorter { phase, given, dt, step, time, why } = self.shorter?;
         let name = self.plan.phases.get(phase).map_or("", |p| p.name.as_str());
         Some(format!(
             "the `time_step` of phase `{name}`, {given:.3e} s, was made shorter for {why}: {dt:.3e} s at the least (step {step}, t = {time:.4e} s)"

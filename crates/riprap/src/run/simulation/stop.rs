@@ -38,11 +38,7 @@ const STILL: f64 = 1e-6;
 /// Whether something that is looked at every `rhythm` steps is due after `step` steps; at the start more often, since what
 /// is wrong from the beginning shows there: after 1, `growth`, `growth`², ... steps.
 fn due(step: u64, rhythm: u64, growth: u32) -> bool {
-    let early = || {
-        (0..)
-            .map(|n| u64::from(growth).saturating_pow(n))
-            .take_while(|s| *s < rhythm)
-    };
+    let early = || (0..).map(|n| u64::from(growth).saturating_pow(n)).take_while(|s| *s < rhythm);
     step.is_multiple_of(rhythm) || (step < rhythm && early().any(|s| s == step))
 }
 
@@ -119,10 +115,7 @@ impl Simulation {
         let Some(now) = self.engine.relaxing() else {
             return Some(Reason::Balanced);
         };
-        let all = phase
-            .until
-            .time
-            .is_none_or(|span| self.elapsed() >= span * (1.0 - 1e-9));
+        let all = phase.until.time.is_none_or(|span| self.elapsed() >= span * (1.0 - 1e-9));
         if now.converged && all {
             Some(Reason::Balanced)
         } else {
@@ -161,11 +154,7 @@ impl Simulation {
             View::Spatial(v) => v.world.seepage.as_ref().map(|f| (f.left, f.is_found())),
         };
         match left.and_then(|(left, found)| (!found).then_some(left)) {
-            Some(left) => Err(RunError::NoFlow {
-                left,
-                step: self.steps(),
-                time: self.time(),
-            }),
+            Some(left) => Err(RunError::NoFlow { left, step: self.steps(), time: self.time() }),
             None => Ok(()),
         }
     }
@@ -291,10 +280,7 @@ impl Simulation {
             return Err(self.no_number("the kinetic energy"));
         }
         let mut put_in = view.put_in();
-        if self
-            .phase()
-            .is_some_and(|phase| phase.kind == PhaseKind::Static)
-        {
+        if self.phase().is_some_and(|phase| phase.kind == PhaseKind::Static) {
             // In a static phase blocks that were built into each other push apart and
             // are damped: no fault, and no load has put that in.
             put_in += view.released_by_overlaps();
@@ -371,9 +357,7 @@ impl Simulation {
             Unexplained::Residual | Unexplained::Steps => true,
             Unexplained::LawDefect => self.view().planar().is_none_or(|view| {
                 let interfaces = &view.world.setup.interfaces;
-                interfaces
-                    .iter()
-                    .all(|i| i.contact.normal == NormalLaw::DistancePotential)
+                interfaces.iter().all(|i| i.contact.normal == NormalLaw::DistancePotential)
             }),
         }
     }

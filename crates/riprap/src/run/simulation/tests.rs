@@ -79,10 +79,7 @@ fn end(mut simulation: Simulation, stop: Option<(u64, bool)>) -> String {
 
 #[test]
 fn a_run_goes_on_with_the_same_bits_from_about_the_end_of_a_phase() {
-    for (space, gravity) in [
-        ("planar", "[\"0 m/s2\", \"-10 m/s2\"]"),
-        ("spatial", "\"10 m/s2\""),
-    ] {
+    for (space, gravity) in [("planar", "[\"0 m/s2\", \"-10 m/s2\"]"), ("spatial", "\"10 m/s2\"")] {
         let new = || scene(space, "3 mm", ROUGH, true, &phases(gravity));
         let whole = end(new(), None);
         for step in 18..23 {
@@ -120,16 +117,8 @@ fn steps_of_changing_length_keep_the_second_order() {
 #[test]
 fn a_load_that_jumps_within_a_step_moves_a_block_as_far_as_it_should() {
     for (space, way, force) in [
-        (
-            "planar",
-            "block.displacement.x",
-            "[\"2600 N/m\", \"0 N/m\"]",
-        ),
-        (
-            "spatial",
-            "block.displacement.x",
-            "[\"2600 N\", \"0 N\", \"0 N\"]",
-        ),
+        ("planar", "block.displacement.x", "[\"2600 N/m\", \"0 N/m\"]"),
+        ("spatial", "block.displacement.x", "[\"2600 N\", \"0 N\", \"0 N\"]"),
     ] {
         let pulse = "time = { pulse = { value = 1, start = \"33 ms\", end = \"71 ms\" } }";
         let phases = format!(
@@ -141,9 +130,6 @@ fn a_load_that_jumps_within_a_step_moves_a_block_as_far_as_it_should() {
         let gone = simulation.field(way, &["b"]).expect("a field") - 0.1 * 0.2;
         // 1 m/s2 over 38 ms, then that speed: the way of the pulse is off by the second order of the step.
         let wanted = 0.5 * 0.038_f64.powi(2) + 0.038 * (0.2 - 0.071);
-        assert!(
-            (gone - wanted).abs() < 0.125 * 0.01_f64.powi(2),
-            "{space}: {gone} {wanted}"
-        );
+        assert!((gone - wanted).abs() < 0.125 * 0.01_f64.powi(2), "{space}: {gone} {wanted}");
     }
 }

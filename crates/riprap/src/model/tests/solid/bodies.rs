@@ -12,9 +12,7 @@ brick = { size = ["1 m", "2 m", "3 m"], corner = ["1 m", "0 m", "0 m"] }
 
 fn close(a: &Mat3, b: &Mat3, scale: f64) -> bool {
     let pairs = a.to_cols_array().into_iter().zip(b.to_cols_array());
-    pairs
-        .into_iter()
-        .all(|(a, b)| (a - b).abs() < 1e-12 * scale)
+    pairs.into_iter().all(|(a, b)| (a - b).abs() < 1e-12 * scale)
 }
 
 #[test]
@@ -25,11 +23,7 @@ fn a_mass_alone_scales_the_moments_of_the_shape() {
     };
     assert_eq!((body.block, body.mass), (0, 1200.0));
     let of_brick = Mat3::from_diagonal(100.0 * Vec3::new(13.0, 10.0, 5.0));
-    assert!(
-        close(&body.inertia, &of_brick, 1300.0),
-        "{:?}",
-        body.inertia
-    );
+    assert!(close(&body.inertia, &of_brick, 1300.0), "{:?}", body.inertia);
 }
 
 #[test]
@@ -88,10 +82,7 @@ fn quaternions_that_say_too_little_or_too_much() {
             r#"rotate = { quaternion = [1, 0, 0, 0], angle = "3 deg", axis = [0, 0, 1] }"#,
             "quaternion",
         ),
-        (
-            "rotate = { quaternion = [1, 0, 0, 0], axis = [0, 0, 1] }",
-            "leave the others out",
-        ),
+        ("rotate = { quaternion = [1, 0, 0, 0], axis = [0, 0, 1] }", "leave the others out"),
     ] {
         let told = refused(&format!("{BRICK}{rotate}"));
         assert!(told.contains(words), "{words}: {told}");

@@ -51,10 +51,7 @@ fn what_is_convex_is_a_plain_block() {
 #[test]
 fn parts_that_overlap_or_do_not_hang_together_are_named() {
     let overlap = wrong(&ell(r#"["0 m", "0 m", "0.5 m"]"#));
-    assert!(
-        overlap.contains("parts 1 and 2 overlap") && overlap.contains("ell"),
-        "{overlap}"
-    );
+    assert!(overlap.contains("parts 1 and 2 overlap") && overlap.contains("ell"), "{overlap}");
     for apart in [r#"["0 m", "0 m", "1.5 m"]"#, r#"["3 m", "0 m", "1 m"]"#] {
         let apart = wrong(&ell(apart));
         assert!(apart.contains("parts 1 and 2 are not one piece"), "{apart}");
@@ -66,25 +63,15 @@ fn strengths_that_do_not_act_on_glued_parts_are_told() {
     let weak = ell(r#"["0 m", "0 m", "1 m"]"#);
     let told = |space: &str, middle: &str| {
         let model = try_solid(&format!("{space}{middle}{TAIL}")).unwrap();
-        model
-            .warnings
-            .iter()
-            .map(|w| w.message.clone())
-            .collect::<Vec<_>>()
-            .join("\n")
+        model.warnings.iter().map(|w| w.message.clone()).collect::<Vec<_>>().join("\n")
     };
     let strong = SPACE.replace("friction_angle", "cohesion = \"1 MPa\"\nfriction_angle");
     let words = told(&strong, &weak);
-    assert!(
-        words.contains("cohesion and tension do not act between `ell` and `floor`"),
-        "{words}"
-    );
+    assert!(words.contains("cohesion and tension do not act between `ell` and `floor`"), "{words}");
     // It hangs in the air.
     let shifted = weak.replace("[[supports]]", "[[blocks]]\nname = \"other\"\nmaterial = \"rock\"\nbrick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"0 m\", \"20 m\", \"0 m\"] }\n[[supports]]");
-    let shifted = shifted.replace(
-        "name = \"ell\"",
-        "name = \"ell\"\nshift = [\"0 m\", \"0 m\", \"1 m\"]",
-    );
+    let shifted =
+        shifted.replace("name = \"ell\"", "name = \"ell\"\nshift = [\"0 m\", \"0 m\", \"1 m\"]");
     assert!(!told(&strong, &shifted).contains("cohesion and tension do not act"));
 }
 

@@ -16,10 +16,7 @@ brick = { size = ["1 m", "2 m", "3 m"], corner = ["1 m", "0 m", "0 m"] }
 "#;
 
 fn polyhedron(solid: &Solid) -> Polyhedron {
-    Polyhedron {
-        vertices: solid.vertices.clone(),
-        faces: solid.faces.clone(),
-    }
+    Polyhedron { vertices: solid.vertices.clone(), faces: solid.faces.clone() }
 }
 
 fn only_solid(setup: &Setup) -> Polyhedron {
@@ -43,10 +40,7 @@ fn a_brick_leans_in_its_direction_of_dip() {
     let moments = stone.moments();
     assert!((moments.volume - 6.0).abs() < 1e-13);
     let middle = Vec3::new(1.5, 1.0, 1.5);
-    assert!(
-        (moments.centroid - middle).length() < 1e-14,
-        "about its centroid"
-    );
+    assert!((moments.centroid - middle).length() < 1e-14, "about its centroid");
 }
 
 #[test]
@@ -88,10 +82,7 @@ fn what_cannot_be_turned_says_so() {
             r#"rotate = { angle = "5 deg", axis = [0, 0, 1], dip_direction = "3 deg" }"#,
             "dip_direction",
         ),
-        (
-            r#"rotate = { angle = "5 deg", axis = [0, 0, 0] }"#,
-            "no direction",
-        ),
+        (r#"rotate = { angle = "5 deg", axis = [0, 0, 0] }"#, "no direction"),
     ] {
         let told = refused(&format!("{BRICK}{rotate}"));
         assert!(told.contains(words), "{told}");
@@ -153,18 +144,12 @@ fn a_turned_grid_fits_a_charge() {
     let (angle, at, axis) = (0.6_f64, Vec3::new(1.1, 2.3, 1.9), Vec3::new(0.6, 0.0, 0.8));
     let turn = riprap_geom::Mat3::from_axis_angle(axis, angle);
     for (about, centre) in [
-        (
-            r#", about = ["1 m", "0 m", "0 m"]"#,
-            Vec3::X + turn * (at - Vec3::X),
-        ),
+        (r#", about = ["1 m", "0 m", "0 m"]"#, Vec3::X + turn * (at - Vec3::X)),
         ("", Vec3::splat(2.0) + turn * (at - Vec3::splat(2.0))),
     ] {
         let charge = CHARGE.replace(
             straight,
-            &format!(
-                "centre = [\"{:?} m\", \"{:?} m\", \"{:?} m\"]",
-                centre.x, centre.y, centre.z
-            ),
+            &format!("centre = [\"{:?} m\", \"{:?} m\", \"{:?} m\"]", centre.x, centre.y, centre.z),
         );
         let rotate =
             format!(r#"rotate = {{ angle = "{angle:?} rad", axis = [0.6, 0, 0.8]{about} }}"#);
@@ -175,11 +160,7 @@ fn a_turned_grid_fits_a_charge() {
         assert!((fitted.ratio.unwrap() - 1.0).abs() < 1e-12, "{fitted:?}");
         let (world, _) = crate::spatial::world::World::new(setup, Exec::new(1).unwrap()).unwrap();
         let cavity = &world.cavities[0];
-        assert_eq!(
-            (cavity.blocks.len(), cavity.walls.len()),
-            (8, 24),
-            "{about}"
-        );
+        assert_eq!((cavity.blocks.len(), cavity.walls.len()), (8, 24), "{about}");
         assert!((cavity.volume_ratio() - 1.0).abs() < 1e-9);
     }
 }
@@ -220,9 +201,7 @@ time_step = "50 us"
     simulation.run().unwrap();
     let along = |axis: char, block: usize| {
         let field = format!("block.displacement.{axis}");
-        simulation
-            .field(&field, &[format!("rock.{block}")])
-            .unwrap()
+        simulation.field(&field, &[format!("rock.{block}")]).unwrap()
     };
     let of = |block| Vec3::new(along('x', block), along('y', block), along('z', block));
     (1..=12).map(of).collect()
@@ -250,10 +229,9 @@ fn a_lattice_turned_with_its_gravity_moves_as_it_did() {
 /// step than the one that had not been stopped.
 #[test]
 fn the_time_step_goes_on_after_joints_have_given_way() {
-    let charge = CHARGE.replace("16 kg", "6 kg").replace(
-        "\"2 m\", \"2 m\", \"2 m\"",
-        "\"3.1 m\", \"3.1 m\", \"3.1 m\"",
-    );
+    let charge = CHARGE
+        .replace("16 kg", "6 kg")
+        .replace("\"2 m\", \"2 m\", \"2 m\"", "\"3.1 m\", \"3.1 m\", \"3.1 m\"");
     let text = format!(
         r#"
 riprap = 1

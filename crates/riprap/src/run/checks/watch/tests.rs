@@ -5,11 +5,7 @@ use crate::plan::Gauge;
 fn check(window: Window, expected: Expected) -> Check {
     Check {
         name: "c".to_owned(),
-        gauge: Gauge {
-            field: "block.displacement.x".to_owned(),
-            of: vec![0],
-            ..Gauge::default()
-        },
+        gauge: Gauge { field: "block.displacement.x".to_owned(), of: vec![0], ..Gauge::default() },
         unit: "m".to_owned(),
         shown: None,
         window,
@@ -33,11 +29,7 @@ fn fed(window: Window, expected: Expected) -> CheckResult {
 }
 
 fn over(reduce: Reduce) -> Window {
-    Window::Over {
-        from: 0.2,
-        to: 0.8,
-        reduce,
-    }
+    Window::Over { from: 0.2, to: 0.8, reduce }
 }
 
 #[test]
@@ -76,38 +68,17 @@ fn words_are_in_the_unit_of_the_scene() {
         let mut one = check(Window::End, expected);
         unit.clone_into(&mut one.unit);
         (one.absolute, one.relative) = (None, relative);
-        one.shown = given.map(|(unit, one)| Shown {
-            unit: unit.to_owned(),
-            one,
-        });
+        one.shown = given.map(|(unit, one)| Shown { unit: unit.to_owned(), one });
         let mut watch = Watch::new(one);
         watch.observe(1.0, value);
         watch.finish("", "", false).words
     };
     let deg = std::f64::consts::PI / 180.0;
-    let said = words(
-        "rad",
-        Some(("deg", deg)),
-        Expected::Value(2.0 * deg),
-        Some(0.01),
-        2.01 * deg,
-    );
+    let said = words("rad", Some(("deg", deg)), Expected::Value(2.0 * deg), Some(0.01), 2.01 * deg);
     assert_eq!(said, "2.01 deg, expected 2 deg (0.01 relative)");
-    let said = words(
-        "rad",
-        None,
-        Expected::Value(2.0 * deg),
-        Some(1e-6),
-        2.0 * deg,
-    );
+    let said = words("rad", None, Expected::Value(2.0 * deg), Some(1e-6), 2.0 * deg);
     assert_eq!(said, "2 deg, expected 2 deg (1e-6 relative)");
-    let said = words(
-        "Pa",
-        None,
-        Expected::Between(1.0e6, 2.5e6),
-        None,
-        1.234_567e6,
-    );
+    let said = words("Pa", None, Expected::Between(1.0e6, 2.5e6), None, 1.234_567e6);
     assert_eq!(said, "1.2346 MPa, expected 1 to 2.5 MPa");
     let band = Expected::Between(f64::NEG_INFINITY, 300.0);
     let said = words("N", Some(("kN", 1e3)), band, None, 250.0);
@@ -118,42 +89,21 @@ fn words_are_in_the_unit_of_the_scene() {
 fn a_reading_that_never_came_fails_with_its_reason() {
     let result = fed(Window::At(2.0), Expected::Value(0.0));
     assert_eq!((result.status, result.measured), (Status::Failed, None));
-    assert!(
-        result.note.contains("ended at 1 s, before 2 s"),
-        "{}",
-        result.note
-    );
+    assert!(result.note.contains("ended at 1 s, before 2 s"), "{}", result.note);
     let result = fed(over(Reduce::FirstAbove(99.0)), Expected::Value(0.0));
-    assert!(
-        result.note.contains("never came above 99"),
-        "{}",
-        result.note
-    );
-    let late = Window::Over {
-        from: 3.0,
-        to: 4.0,
-        reduce: Reduce::Max,
-    };
+    assert!(result.note.contains("never came above 99"), "{}", result.note);
+    let late = Window::Over { from: 3.0, to: 4.0, reduce: Reduce::Max };
     assert_eq!(fed(late, Expected::Value(0.0)).status, Status::Failed);
 }
 
 #[test]
 fn what_is_not_a_number_never_agrees() {
-    for window in [
-        Window::End,
-        over(Reduce::Max),
-        over(Reduce::Min),
-        over(Reduce::Mean),
-    ] {
+    for window in [Window::End, over(Reduce::Max), over(Reduce::Min), over(Reduce::Mean)] {
         let mut watch = Watch::new(check(window, Expected::Between(-1e300, 1e300)));
         for (t, v) in [(0.2, 0.0), (0.3, f64::NAN), (0.4, 1.0), (0.8, f64::NAN)] {
             watch.observe(t, v);
         }
-        assert_eq!(
-            watch.finish("", "", false).status,
-            Status::Failed,
-            "{window:?}"
-        );
+        assert_eq!(watch.finish("", "", false).status, Status::Failed, "{window:?}");
     }
 }
 
@@ -173,11 +123,7 @@ fn what_is_infinite_agrees_with_nothing_but_an_open_bound() {
     // The share of an infinite value was infinite too, and every difference within it.
     let said = result(formula("exp(1000)"), Some(1e-6), 2.0);
     assert_eq!(said.status, Status::Failed, "{said:?}");
-    assert!(
-        said.note.contains("`exp(1000)` gives inf at t = 0.5 s"),
-        "{}",
-        said.note
-    );
+    assert!(said.note.contains("`exp(1000)` gives inf at t = 0.5 s"), "{}", said.note);
     let said = result(formula("sqrt(t - 1)"), Some(1e-6), 2.0);
     assert!(said.note.contains("gives NaN"), "{}", said.note);
     let said = result(Expected::Value(1.0), Some(1e-6), f64::INFINITY);
@@ -197,19 +143,10 @@ fn tables_formulas_and_bands() {
     let names = vec![("g".to_owned(), 20.0)];
     let expected = Expected::Formula { formula, names };
     assert_eq!(fed(Window::At(0.5), expected).status, Status::Passed);
-    let table = Expected::Table {
-        t: vec![0.0, 1.0],
-        v: vec![0.0, 5.0],
-    };
+    let table = Expected::Table { t: vec![0.0, 1.0], v: vec![0.0, 5.0] };
     assert_eq!(fed(Window::At(0.5), table).status, Status::Passed);
-    assert_eq!(
-        fed(Window::End, Expected::Between(9.0, 11.0)).status,
-        Status::Passed
-    );
-    assert_eq!(
-        fed(Window::End, Expected::Between(9.0, 9.5)).status,
-        Status::Failed
-    );
+    assert_eq!(fed(Window::End, Expected::Between(9.0, 11.0)).status, Status::Passed);
+    assert_eq!(fed(Window::End, Expected::Between(9.0, 9.5)).status, Status::Failed);
     assert!(interpolate(&[], &[], 1.0).is_nan());
     assert_eq!(interpolate(&[0.0, 1.0], &[2.0, 3.0], 9.0), 3.0);
     assert_eq!(interpolate(&[0.0, 1.0], &[2.0, 3.0], -9.0), 2.0);
@@ -223,11 +160,7 @@ fn a_verdict_says_how_often_a_costly_field_was_read() {
         watch.next = next;
         watch.finish("", "", false).words
     };
-    assert!(
-        words(0.5 + 2e-3).ends_with("; read every 2 ms"),
-        "{}",
-        words(0.502)
-    );
+    assert!(words(0.5 + 2e-3).ends_with("; read every 2 ms"), "{}", words(0.502));
     assert!(!words(0.5).contains("read every"), "{}", words(0.5));
 }
 
