@@ -259,19 +259,14 @@ fn a_run_killed_at_its_end_has_the_same_checks() {
             )
         })
         .concat();
-    let (fall, _) = FALL.split_once("[[checks]]").expect("a check");
-    let fall = fall.replace("time_step", "damping.mass = \"20 1/s\"\ntime_step");
     let rock = LONG_STEP.replace("1 ms", "0.1 ms");
     let models = [
-        ("fall", fall),
         ("mass", rock.replace("[[phases]]", "[[phases]]\ndamping.mass = \"20 1/s\"")),
         ("local", rock.replace("[[phases]]", "[[phases]]\ndamping.local = 0.3")),
         ("none", rock),
     ];
     for (name, model) in models {
-        let unit = if name == "fall" { " J/m\"" } else { " J\"" };
-        let scene = format!("{model}{}", checks.replace(" J\"", unit));
-        bench.file(&format!("{name}.toml"), scene);
+        bench.file(&format!("{name}.toml"), format!("{model}{checks}"));
         let (run, scene) = (format!("{name}.run"), format!("{name}.toml"));
         bench.run(&["run", &scene, "-q", "--out", &run]).expect(0);
         let manifest = format!("{run}/manifest.json");
