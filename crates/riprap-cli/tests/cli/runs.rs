@@ -248,40 +248,6 @@ fn a_killed_run_resumes_to_the_same_bits() {
     bench.run(&["resume", "died.run"]).expect(2).warns(&["has ended already"]);
 }
 
-/// Forces that are found once more at the end of a run are those of its last phase, with its damping.
-#[test]
-fn a_run_killed_at_its_end_has_the_same_checks() {
-    let bench = Bench::new();
-    let checks: String = ["kinetic", "damping", "residual"]
-        .map(|term| {
-            format!(
-                "\n[[checks]]\nname = \"{term}\"\nfield = \"energy.{term}\"\nbetween = [\"-1e12 J\", \"1e12 J\"]\n"
-            )
-        })
-        .concat();
-    let rock = LONG_STEP.replace("1 ms", "0.1 ms");
-    let models = [
-        ("mass", rock.replace("[[phases]]", "[[phases]]\ndamping.mass = \"20 1/s\"")),
-        ("local", rock.replace("[[phases]]", "[[phases]]\ndamping.local = 0.3")),
-        ("none", rock),
-    ];
-    for (name, model) in models {
-        bench.file(&format!("{name}.toml"), format!("{model}{checks}"));
-        let (run, scene) = (format!("{name}.run"), format!("{name}.toml"));
-        bench.run(&["run", &scene, "-q", "--out", &run]).expect(0);
-        let manifest = format!("{run}/manifest.json");
-        let there = bench.read(&manifest);
-        let killed = there.replace("\"ended\": \"finished\"", "\"ended\": \"running\"");
-        assert_ne!(there, killed);
-        bench.file(&manifest, killed);
-        let checks = format!("{run}/checks.jsonl");
-        let before = bench.read(&checks);
-        bench.file(&checks, String::new());
-        bench.run(&["resume", &run]).expect(0);
-        assert_eq!(before, bench.read(&checks), "{name}");
-    }
-}
-
 #[test]
 fn nothing_to_resume_is_bad_input() {
     let bench = Bench::new();

@@ -215,9 +215,7 @@ impl Simulation {
             self.enter_phase()?;
         }
         let Some(phase) = self.phase().map(Rules::of) else {
-            // A run that is read again after its end has the forces of its last phase.
-            let damping = self.plan.phases.last().map(damping_of);
-            self.evaluate(&damping.unwrap_or_default(), 0.0)?;
+            self.evaluate(&Damping::default(), 0.0)?;
             return Ok(Stage::Done);
         };
         // Before the forces are found: weight is that of the instant at which they are.
