@@ -33,9 +33,7 @@ impl Guided {
     #[must_use]
     pub fn new(name: &str) -> Self {
         let target = target(name).expect("programs are called as targets are");
-        let files = seeds(target)
-            .expect("the corpus lies beside the sources")
-            .files;
+        let files = seeds(target).expect("the corpus lies beside the sources").files;
         let seeds = files.into_iter().map(|(_, bytes)| bytes).collect();
         Self { target, seeds }
     }
