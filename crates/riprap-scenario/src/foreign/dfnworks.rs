@@ -225,7 +225,7 @@ pub fn parse_families(bytes: &[u8]) -> Result<BTreeMap<i64, Family>, FileError> 
 /// Two axes of a fracture: those of the plane z = 0 turned to a normal, by the shortest way; a normal along -z leaves them.
 fn frame(normal: Vec3) -> [Vec3; 2] {
     let Vec3 { x, y, z } = normal;
-    if x.hypot(y) < 1e-12 {
+    if libm::hypot(x, y) < 1e-12 {
         return [Vec3::X, Vec3::Y];
     }
     // I + V + V V / (1 + z), with V of z cross the normal; written otherwise below, where 1 + z loses digits.

@@ -397,7 +397,7 @@ fn on_surface(hold: &mut Hold, kind: &BoundaryKind, normal: Vec3, account: Optio
     let mut add = |direction: Vec3, velocity| hold.add(direction, velocity, account);
     match kind {
         BoundaryKind::Held { normal: true, shear: true } => {
-            Vec3::AXES.into_iter().for_each(|axis| add(axis, None))
+            Vec3::AXES.into_iter().for_each(|axis| add(axis, None));
         }
         BoundaryKind::Held { normal: across, shear } => {
             if *across {

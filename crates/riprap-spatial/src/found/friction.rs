@@ -1,7 +1,7 @@
 //! From the sums over the surface to forces: pressure, dashpots, friction along the surface and against spinning about it.
 //!
 //! The contact carries a shear force and a torsion about its normal as springs on its area. Both slide together when they reach what Coulomb's
-//! law at every point of the surface allows, and along the slip that belongs to it ([`limit`]). Dashpots across the contact and against rocking act on the
+//! law at every point of the surface allows, and along the slip that belongs to it (`limit`). Dashpots across the contact and against rocking act on the
 //! pressure, those along it only while it sticks. Surfaces of a block on a ridge share those across, see [`share`].
 //!
 //! Deviation: the couple of the dashpots against rocking follows the second moments of the area about each axis instead of half

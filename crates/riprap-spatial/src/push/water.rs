@@ -68,7 +68,7 @@ pub(crate) fn on_block(world: &World, work: Option<&Workspace>, b: usize) -> Vec
         Some((deform, body, work)) => {
             let mut force = Vec3::ZERO;
             on_nodes(table, -world.gravity.z, deform, body, work.class(body), |_, push| {
-                force += push
+                force += push;
             });
             force
         }

@@ -66,7 +66,7 @@ impl Builder<'_> {
                         spacing,
                     }),
                     InSpace::Spatial => {
-                        self.spatial.bolts.push(spatial::setup::Bolt { name, head, toe, design })
+                        self.spatial.bolts.push(spatial::setup::Bolt { name, head, toe, design });
                     }
                 }
             }
