@@ -195,7 +195,7 @@ fn held(law: &ContactLaw, memory: &Memory, area: f64) -> f64 {
 /// A share of the undamped stable step that keeps the energy of what meets. Dashpots take energy and make none, so they shorten it only where the
 /// step would come too near to what is stable with them, `loss` of the undamped one.
 fn meeting(share: f64, loss: f64) -> f64 {
-    share.min(DAMPED * loss)
+    share.min(DAMPED.max(share) * loss)
 }
 
 /// Step that the edge of a block may go into another one, s: `dt² K = allowed²`, where the squared frequency K is `edge` (1/(m s²)) times the
