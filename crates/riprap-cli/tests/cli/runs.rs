@@ -248,6 +248,44 @@ fn a_killed_run_resumes_to_the_same_bits() {
     bench.run(&["resume", "died.run"]).expect(2).warns(&["has ended already"]);
 }
 
+/// A process that dies after its last checkpoint: what dampers do at the end depends on the last phase and its step.
+#[test]
+fn a_run_resumed_at_its_end_checks_the_same_bits() {
+    let scenes = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/verify");
+    let last = |balance: &str, unit: &str| {
+        format!(
+            "\n[[checks]]\nname = \"{balance}\"\nfield = \"energy.{balance}\"\nvalue = \"0 {unit}\"\n\
+             absolute = \"1e30 {unit}\"\n"
+        )
+    };
+    let damped = ["phases.p.damping.mass=3 1/s", "phases.p.time_step=1 ms"];
+    for (scene, unit, keys) in [
+        ("planar/drop_ledger", "J/m", &damped[..]),
+        ("spatial-contact/drop_ledger", "J", &damped[..]),
+        ("spatial-contact/drop_ledger", "J", &damped[..1]),
+        ("spatial-deformable/true_mass", "J", &[]),
+    ] {
+        let bench = Bench::new();
+        let text = std::fs::read_to_string(format!("{scenes}/{scene}.toml")).unwrap();
+        let text = [text, last("kinetic", unit), last("damping", unit)].concat();
+        bench.file("scene.toml", text);
+        let mut words = vec!["run", "scene.toml", "-q", "--out", "end.run"];
+        for key in keys {
+            words.extend(["--set", key]);
+        }
+        bench.run(&words);
+        let (before, manifest) =
+            (bench.read("end.run/checks.jsonl"), bench.read("end.run/manifest.json"));
+        assert!(before.lines().count() > 2, "{scene}: {before}");
+        let died = manifest.replace("\"ended\": \"finished\"", "\"ended\": \"running\"");
+        assert!(died != manifest, "{scene}: {manifest}");
+        bench.file("end.run/manifest.json", died);
+        bench.file("end.run/checks.jsonl", "");
+        bench.run(&["resume", "end.run"]);
+        assert_eq!(bench.read("end.run/checks.jsonl"), before, "{scene}");
+    }
+}
+
 #[test]
 fn nothing_to_resume_is_bad_input() {
     let bench = Bench::new();

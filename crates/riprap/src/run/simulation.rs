@@ -215,7 +215,8 @@ impl Simulation {
             self.enter_phase()?;
         }
         let Some(phase) = self.phase().map(Rules::of) else {
-            self.evaluate(&Damping::default(), 0.0)?;
+            let damping = self.plan.phases.last().map_or_else(Damping::default, |p| p.damping);
+            self.evaluate(&damping, self.cursor.closing_dt)?;
             return Ok(Stage::Done);
         };
         // Before the forces are found: weight is that of the instant at which they are.
@@ -250,6 +251,9 @@ impl Simulation {
         // Asked before the guard, which judges the last state of a phase whatever its step.
         let reason = self.phase_over(&phase);
         self.guard(reason.is_some())?;
+        if reason.is_some() {
+            self.cursor.closing_dt = self.dt;
+        }
         self.reason = reason;
         Ok(if reason.is_some() { Stage::PhaseEnd } else { Stage::Within })
     }

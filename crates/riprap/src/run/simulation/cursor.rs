@@ -40,6 +40,9 @@ pub struct Cursor {
     /// The stable step that was last looked for: joints that have given way since do not lengthen it, so that a run that is stopped
     /// goes on with the same.
     pub stable: Option<Stable>,
+    /// The step for which the last forces of the last phase were found, s: dampers depend on it, and a run that is resumed at its end finds
+    /// these forces again.
+    pub closing_dt: f64,
 }
 
 /// What a block is pressed into.
