@@ -216,7 +216,11 @@ fn cut(
 ) -> u16 {
     let (i, j) = context.sides(candidate);
     pieces::find(i, j, relative.shift, &mut workspace.pieces, &mut workspace.cuts);
-    pieces::regions(&mut workspace.pieces, i, j) as u16
+    let regions = pieces::regions(&mut workspace.pieces, i, j) as u16;
+    if context.laws[candidate.row as usize].normal == NormalLaw::PenetrationPotential {
+        pieces::straighten(&mut workspace.pieces, i, j);
+    }
+    regions
 }
 
 /// Pressure resultants of all regions of a pair, with the bits of their edges.

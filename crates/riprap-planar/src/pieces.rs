@@ -17,8 +17,10 @@ pub(crate) const TOUCH: f64 = 1e-10;
 pub(crate) struct Piece {
     /// Whether the edge belongs to the second block.
     pub second: bool,
-    /// The edge.
+    /// The edge, or the first of several on one line ([`straighten`]).
     pub edge: u16,
+    /// The last of them.
+    pub last: u16,
     /// Start and end as parameters on the edge.
     pub t: [f64; 2],
     /// Start and end, relative to the centroid of the first block, m.
@@ -149,6 +151,7 @@ fn collect(
             pieces.push(Piece {
                 second,
                 edge: k,
+                last: k,
                 t: [t0, t1],
                 ends: [x0 + back, x1 + back],
                 cut: [c0, c1],
@@ -197,6 +200,54 @@ pub(crate) fn regions(pieces: &mut [Piece], i: Side<'_>, j: Side<'_>) -> usize {
         }
     }
     count as usize
+}
+
+/// Joins pieces that meet at a corner without an angle, which is none to a law that looks at their ends and middle.
+pub(crate) fn straighten(pieces: &mut Vec<Piece>, i: Side<'_>, j: Side<'_>) {
+    let mut at = 0;
+    while let Some(&piece) = pieces.get(at) {
+        let own = if piece.second { j } else { i };
+        let before = previous(own, piece.edge);
+        let leads = |a: &Piece| {
+            a.second == piece.second
+                && a.last == before
+                && a.cut[1].is_none()
+                && a.edge != piece.edge
+        };
+        let starts = piece.cut[0].is_none() && straight(own, piece.edge);
+        let Some(a) = starts.then(|| pieces.iter().position(leads)).flatten() else {
+            at += 1;
+            continue;
+        };
+        let joined = &mut pieces[a];
+        joined.last = piece.last;
+        joined.ends[1] = piece.ends[1];
+        joined.cut[1] = piece.cut[1];
+        if piece.depth > joined.depth {
+            (joined.depth, joined.facing, joined.foot) = (piece.depth, piece.facing, piece.foot);
+        }
+        pieces.remove(at);
+    }
+}
+
+/// The first edge of the straight side that `edge` is a part of.
+pub(crate) fn first_of_side(block: Side<'_>, edge: u16) -> u16 {
+    // A closed outline has corners with an angle, so this ends.
+    let mut first = edge;
+    while straight(block, first) {
+        first = previous(block, first);
+    }
+    first
+}
+
+fn previous(block: Side<'_>, edge: u16) -> u16 {
+    edge.checked_sub(1).unwrap_or(block.turned.len() as u16 - 1)
+}
+
+/// Whether the corner at the start of `edge` has no angle, but for round-off.
+fn straight(block: Side<'_>, edge: u16) -> bool {
+    let [before, after] = [previous(block, edge), edge].map(|e| block.turned[e as usize].normal);
+    before.perp_dot(after).abs() <= TOUCH && before.dot(after) > 0.0
 }
 
 /// Whether two pieces, the first before the second in the list, touch each other or face each other.

@@ -5,8 +5,16 @@
 //! those with a piece in the region or that cut a piece of the other block.
 //!
 //! The source has four contact types (claims 4 to 7); in these the middle counts only between two
-//! crossings. In any other region it counts for what it has beyond both ends of its piece: a corner that
-//! is hardly inside then takes nothing from the rest of its edge.
+//! crossings. In any other region it counts on every piece: a corner that is hardly inside then takes
+//! nothing from the rest of its edge.
+//!
+//! **Faces.** Two corners, one of each block, whose edges run nearly parallel are no corner on corner
+//! but the ends of faces that press (claim 2), and their middles count too. On a straight line from a
+//! crossing to a corner the force would jump by a half when that corner lifts off, at a place that does
+//! not move with it: such a contact feeds a vibration. With the middle, the force is continuous and its
+//! stiffness against sinking and tilting is symmetric, and so is that of faces whose ends pass each other.
+//!
+//! A corner without an angle is none: pieces that meet in it are one ([`super::pieces::straighten`]).
 //!
 //! **Flush places.** Where sides of the two blocks lie on one line, or cross so gently that round-off or
 //! a hundredth of the overlap decides which corner is inside, the corners of both blocks are one
@@ -16,15 +24,16 @@
 //! Source: mutual penetration potentials, claims 4 to 8 (S301 to S43).
 //! Deviation: the vertex function is the smallest distance (the printed formula is lost).
 //! Deviation: overlaps with other numbers of inside corners than the four types are covered.
+//! Deviation: the middle counts on faces that have one corner of each block between them.
 //! Deviation: flush places, where the source's depths jump between zero and full with round-off.
 
 use riprap_geom::Vec2;
 
 use super::convex::Side;
-use super::pieces::{Piece, TOUCH, nearest};
+use super::pieces::{Piece, TOUCH, first_of_side, nearest};
 use super::setup::Reflex;
 
-/// Cosine of [`super::classify::PARALLEL`]: sides that look the same way.
+/// Cosine of [`super::classify::PARALLEL`]: sides that look the same way, faces that look at each other.
 const ALIGNED: f64 = 0.999_847_695_156_391_3;
 
 /// The parts of one piece with a linear potential: one, or two around its middle.
@@ -68,18 +77,20 @@ impl Local {
         let mut flush = false;
         for piece in pieces.iter().filter(|p| p.region == number) {
             let (own, other) = (usize::from(piece.second), usize::from(!piece.second));
-            self.edges[own].push(piece.edge);
-            self.edges[other].extend(piece.cut.iter().flatten());
             let ((block, against), shift) =
                 if piece.second { ((j, i), -shift) } else { ((i, j), shift) };
+            self.edges[own].push(first_of_side(block, piece.edge));
+            let cuts = piece.cut.iter().flatten();
+            self.edges[other].extend(cuts.map(|&edge| first_of_side(against, edge)));
             let edges = block.turned.len();
             if piece.depth <= TOUCH * block.turned[piece.edge as usize].length {
                 // No deeper than round-off, which also decides whether the edge below has a piece.
-                self.edges[other].push(piece.facing);
+                self.edges[other].push(first_of_side(against, piece.facing));
             }
             for end in 0..2 {
                 if piece.cut[end].is_none() {
-                    self.corners[own].push(((piece.edge as usize + end) % edges) as u16);
+                    let corner = [piece.edge as usize, piece.last as usize + 1][end];
+                    self.corners[own].push((corner % edges) as u16);
                 }
                 flush |= flush_edge(piece, end, block, against, shift).is_some();
             }
@@ -92,14 +103,20 @@ impl Local {
         // between three; the crossings lie on the edges at the other block's corner, or on one edge.
         let seen = [0, 1].map(|k| (self.corners[k].len(), self.edges[k].len()));
         self.literal = !flush
-            && matches!(
-                seen,
-                [(1, 2), (1, 2)]
-                    | [(1, 2), (0, 1)]
-                    | [(0, 1), (1, 2)]
-                    | [(2, 3), (0, 1)]
-                    | [(0, 1), (2, 3)]
-            );
+            && match seen {
+                [(1, 2), (1, 2)] => !self.faces(i, j),
+                [(1, 2) | (2, 3), (0, 1)] | [(0, 1), (1, 2) | (2, 3)] => true,
+                _ => false,
+            };
+    }
+
+    /// Whether local edges of both blocks look at each other within one degree.
+    fn faces(&self, i: Side<'_>, j: Side<'_>) -> bool {
+        let normal = |block: Side<'_>, edge: u16| block.turned[usize::from(edge)].normal;
+        self.edges[0].iter().any(|&e| {
+            let facing = |&f: &u16| normal(i, e).dot(normal(j, f)) < -ALIGNED;
+            self.edges[1].iter().any(facing)
+        })
     }
 
     /// Splits `piece` of `own` into parts with linear potential; `other` is the block it is inside of,
@@ -120,7 +137,7 @@ impl Local {
         let end = |k: usize| {
             let x = piece.ends[k] + to_other;
             if let Some(along) = flush_edge(piece, k, own, other, shift) {
-                return 0.5 * below_others(other, local, along, x);
+                return 0.5 * below_others(other, local, first_of_side(other, along), x);
             }
             if piece.cut[k].is_some() { 0.0 } else { depth(other, local, reflex, x) }
         };
@@ -131,9 +148,8 @@ impl Local {
         }
         let middle = 0.5 * (p + q);
         let below = depth(other, local, reflex, middle + to_other);
-        // What the middle has beyond both ends is added to the straight line between them: all of it between
-        // two crossings, nothing where a corner is as deep.
-        let at = 0.5 * (at_p + at_q) + (below - at_p.max(at_q)).max(0.0);
+        // Between two crossings the depth itself; where a corner ends the piece, no less than on a straight line.
+        let at = below.max(0.5 * (at_p + at_q));
         let first = Linear { p, q: middle, at_p, at_q: at };
         let second = Linear { p: middle, q, at_p: at, at_q };
         ([first, second], 2)
@@ -150,9 +166,9 @@ fn flush_edge(
     other: Side<'_>,
     shift: Vec2,
 ) -> Option<u16> {
-    let (n, edge) = (own.turned.len(), piece.edge as usize);
-    let (side, corner) =
-        if end == 0 { ((edge + n - 1) % n, edge) } else { ((edge + 1) % n, (edge + 1) % n) };
+    let n = own.turned.len();
+    let [first, next] = [piece.edge as usize, (piece.last as usize + 1) % n];
+    let (side, corner) = if end == 0 { ((first + n - 1) % n, first) } else { (next, next) };
     let side = &own.turned[side];
     let corner = own.turned[corner].start + shift;
     other.nearest.iter().copied().find(|&g| {

@@ -23,3 +23,28 @@ fn a_vertex_within_a_straight_side_changes_nothing() {
         }
     }
 }
+
+#[test]
+fn vertices_within_sides_change_nothing_wherever_the_ends_are() {
+    // One and two corners of the upper block inside; vertices in both faces, in their overlap and beside it.
+    for shift in [0.0, 0.4, 0.6, 1.0, 1.7, 2.2] {
+        let (left, right) = (shift - 0.5, shift + 0.5);
+        let top = rectangle(left, -1e-3, right, 1.0);
+        let plain = rectangle(-2.0, -1.0, 2.0, 0.0);
+        let whole = Model::pair(&top, &plain, general(law(SOURCE, 1e9))).wrench();
+        let middle = (shift - 0.1, -1e-3);
+        let split_top = points(&[(left, -1e-3), middle, (right, -1e-3), (right, 1.0), (left, 1.0)]);
+        let corners = [(-2.0, -1.0), (2.0, -1.0), (2.0, 0.0)];
+        let within = [(1.9, 0.0), (0.6, 0.0), (0.1, 0.0), (-0.2, 0.0)];
+        let split = points(&[corners.as_slice(), &within, &[(-2.0, 0.0)]].concat());
+        // The list of corners begins within the face.
+        let turned = points(&[&within[2..], &[(-2.0, 0.0)], &corners, &within[..2]].concat());
+        for (upper, lower) in
+            [(&top, &split), (&split_top, &plain), (&split_top, &split), (&split_top, &turned)]
+        {
+            let parted = Model::pair(upper, lower, general(law(SOURCE, 1e9))).wrench();
+            let off = (whole.force - parted.force).length();
+            assert!(off <= 1e-9 * whole.force.length(), "{shift}: {whole:?} {parted:?}");
+        }
+    }
+}
