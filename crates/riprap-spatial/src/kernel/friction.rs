@@ -22,8 +22,8 @@ mod limit;
 mod shared;
 
 use limit::Limit;
-pub use limit::Pieces;
-pub use shared::{Pressing, Shared, pressing, share};
+pub(crate) use limit::Pieces;
+pub(crate) use shared::{Pressing, Shared, pressing, share};
 
 /// Below this share of |S_F| over the integral of the depth, opposite pressures cancel and there is no one normal.
 const CANCELLED: f64 = 0.05;
@@ -162,7 +162,7 @@ impl Wrench {
 
 /// The answer of a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reply {
+pub(crate) struct Reply {
     /// Everything together.
     pub wrench: Wrench,
     /// The pressure alone.
@@ -265,7 +265,7 @@ struct Relative {
 /// The friction of a step is the work on the shear springs less the change of what they store; springs that a shrinking
 /// contact loses take their share with them, which is friction too. `offset` is what a joint has left, if one has let go; it is
 /// taken away where nothing is left of it.
-pub fn respond(
+pub(crate) fn respond(
     law: &ContactLaw,
     q: &Question,
     memory: &mut Memory,

@@ -3,11 +3,11 @@
 use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Mat3, Quat, Vec3};
 
+use crate::kernel::friction::Reply;
 use crate::kernel::kit::{Chance, KINDS, Kind, Placed, block};
 use crate::kernel::offset::{Carried, Offset};
-use crate::kernel::{
-    ContactLaw, Found, Memory, Motion, Pose, Question, Reply, Shape, Walker, part, respond,
-};
+use crate::kernel::surface::Walker;
+use crate::kernel::{ContactLaw, Found, Memory, Motion, Pose, Question, Shape, part, respond};
 
 mod frictionless;
 

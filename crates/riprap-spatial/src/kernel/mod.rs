@@ -12,42 +12,39 @@
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
 
-pub mod cells;
-pub mod frame;
-pub mod friction;
-pub mod glued;
-pub mod grid;
+pub(crate) mod cells;
+pub(crate) mod frame;
+pub(crate) mod friction;
+pub(crate) mod glued;
+pub(crate) mod grid;
 mod lateral;
 mod lever;
 pub mod limits;
 #[cfg(target_arch = "x86_64")]
 mod octagon;
-pub mod offset;
-pub mod peak;
-pub mod piece;
-pub mod planes;
+pub(crate) mod offset;
+pub(crate) mod peak;
+pub(crate) mod piece;
+pub(crate) mod planes;
 mod remnant;
-pub mod ridges;
-pub mod shape;
+pub(crate) mod ridges;
+pub(crate) mod shape;
 pub(crate) mod slip;
 pub(crate) mod springs;
-pub mod sums;
-pub mod surface;
-pub mod terrain;
-pub mod tetra;
+pub(crate) mod sums;
+pub(crate) mod surface;
+pub(crate) mod terrain;
+pub(crate) mod tetra;
 
 pub(crate) use friction::part;
-pub use friction::{
-    ContactLaw, Memory, Motion, Pieces, Pressing, Question, Reply, Shared, Wrench, pressing,
-    respond, share,
-};
-pub use grid::Role;
-pub use peak::{Peak, peak};
-pub use planes::Planes;
-pub use shape::{Body, Pose, Shape, ShapeError, turn};
-pub use sums::Sums;
-pub use surface::{Found, Pair, Walker};
-pub use terrain::{Reached, Terrain, Under};
+pub(crate) use friction::{ContactLaw, Memory, Motion, Pieces, Question, Wrench, respond};
+pub(crate) use grid::Role;
+pub(crate) use peak::{Peak, peak};
+pub(crate) use planes::Planes;
+pub(crate) use shape::{Body, Pose, Shape, turn};
+pub(crate) use sums::Sums;
+pub(crate) use surface::{Found, Pair};
+pub(crate) use terrain::{Reached, Terrain};
 
 #[cfg(test)]
 mod impacts;

@@ -161,7 +161,7 @@ impl<'a> DeformableView<'a> {
 
 /// Axial vector of the skew part of a displacement gradient, rad.
 #[must_use]
-pub fn axial(h: &Gradient) -> Vec3 {
+pub(crate) fn axial(h: &Gradient) -> Vec3 {
     0.5 * Vec3::new(h[2][1] - h[1][2], h[0][2] - h[2][0], h[1][0] - h[0][1])
 }
 

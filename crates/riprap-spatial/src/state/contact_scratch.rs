@@ -143,7 +143,7 @@ impl Desk {
 
 /// What pair `k` with this slot exerts, if it does.
 #[must_use]
-pub fn exerted<'a>(groups: &'a [PairGroup], slot: &Slot, k: usize) -> Option<&'a Exerted> {
+pub(crate) fn exerted<'a>(groups: &'a [PairGroup], slot: &Slot, k: usize) -> Option<&'a Exerted> {
     Some(&groups[k / GROUP].exerted[usize::from(slot.at?)])
 }
 

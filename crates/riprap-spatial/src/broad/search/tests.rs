@@ -4,8 +4,9 @@ use riprap_geom::polyhedron::{Polyhedron, hull};
 use riprap_geom::{Quat, Vec3};
 
 use super::*;
+use crate::kernel::Found;
 use crate::kernel::kit::{Chance, Placed};
-use crate::kernel::{Found, Walker};
+use crate::kernel::surface::Walker;
 
 /// Bricks, tetrahedra and hulls of 8 to 20 points, some flat or long.
 fn shape(chance: &mut Chance) -> Shape {

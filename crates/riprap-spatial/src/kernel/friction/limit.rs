@@ -23,7 +23,7 @@ const LINE_MEAN_RADIUS: f64 = 0.866;
 /// A surface with less area than this, over the square of its radius of gyration, is a line: 1000 times as long as wide.
 const NEEDLE: f64 = 1e-2;
 /// Shows all pieces of a surface that rub.
-pub type Pieces<'a> = dyn Fn(&mut dyn FnMut(&Polygon, &Frame)) + 'a;
+pub(crate) type Pieces<'a> = dyn Fn(&mut dyn FnMut(&Polygon, &Frame)) + 'a;
 
 /// Largest friction of a contact.
 pub(super) struct Limit<'a> {

@@ -7,7 +7,8 @@ use super::*;
 use crate::kernel::kit::{Chance, KINDS, Placed, block};
 use crate::kernel::lever::lever;
 use crate::kernel::sums::integrate;
-use crate::kernel::{Pieces, Pose, Shape, Walker};
+use crate::kernel::surface::Walker;
+use crate::kernel::{Pieces, Pose, Shape};
 
 /// A grid over a square about the origin.
 fn ground(half: f64, cells: usize, height: impl Fn(f64, f64) -> f64) -> Terrain {
