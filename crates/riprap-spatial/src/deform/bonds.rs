@@ -5,21 +5,21 @@
 
 use riprap_geom::Vec3;
 
-use super::links::{Link, Sheet};
-use super::relax::Breaks;
-use super::store::{Facet, Memory, Point, State};
-use crate::anchor::Freedoms;
+use crate::deform::relax::Breaks;
 use crate::exec::Divide;
 use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
 use crate::laws::bond;
 use crate::ledger::Works;
 use crate::setup::InterfaceLaw;
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
+use crate::state::anchor::Freedoms;
+use crate::state::deform::{Facet, Memory, Point, State};
+use crate::state::links::{Link, Sheet};
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
+use crate::state::sums;
 use crate::state::workspace::{BondWorks, FACETS, Workspace};
-use crate::sums;
-use crate::world::World;
+use crate::state::world::World;
 
 /// Facets of a piece of work.
 struct Piece<'a> {

@@ -6,19 +6,19 @@
 
 use riprap_geom::Vec3;
 
-use super::elements;
-use super::kick::Kick;
-use super::links::Links;
-use super::store::{Body, Deform};
+use crate::deform::elements;
+use crate::deform::kick::Kick;
 use crate::dynamics::damping::Damping;
 use crate::exec::Divide;
 use crate::lanes::Width;
 use crate::laws::tetrahedron::StartStress;
+use crate::state::deform::{Body, Deform};
+use crate::state::links::Links;
 use crate::state::push::Pushes;
 use crate::state::scratch::{NonFinite, Scratch};
+use crate::state::sums;
 use crate::state::workspace::{BODIES, BlockClass, Dashpot, KickSums, Workspace, start_of};
-use crate::sums;
-use crate::world::World;
+use crate::state::world::World;
 
 /// What is the same for all bodies.
 struct Context<'a> {
