@@ -5,6 +5,7 @@
 //! without force, and broken ones push along the normal that they have now. Both sides still meet at the points of the start: a
 //! facet whose sides have slid by more than about 1 % of a block carries less and less what new contacts would.
 
+use riprap_core::cut;
 use riprap_geom::{Mat3, Vec3};
 
 use crate::exec::{Divide, Exec};
@@ -51,9 +52,7 @@ struct Piece<'a> {
 
 impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.turns.split_at_mut(middle * BODIES);
-        let first = self.first;
-        (Self { first, turns: a }, Self { first: first + middle * BODIES, turns: b })
+        cut!(self, first: middle * BODIES, turns: middle * BODIES)
     }
 }
 

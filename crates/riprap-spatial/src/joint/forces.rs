@@ -11,7 +11,9 @@
 
 use riprap_geom::Vec3;
 
-use crate::exec::Divide;
+use riprap_core::cut;
+
+use crate::exec::{Cut, Divide};
 use crate::joint::patch;
 use crate::joint::patch::{Poses, Resultant, State};
 use crate::joint::wide;
@@ -80,31 +82,14 @@ pub(crate) struct Memory<'a> {
     pub wear: &'a mut [[[f64; 4]; 2]],
 }
 
-fn cut<T>(list: &mut [T], at: usize) -> (&mut [T], &mut [T]) {
-    // Memories that no patch of the model has are empty lists.
-    let at = at.min(list.len());
-    list.split_at_mut(at)
+// Memories that no patch of the model has are empty lists.
+impl Cut for Memory<'_> {
+    fn cut(self, at: usize) -> (Self, Self) {
+        cut!(self, flags: at, slip: at, normal_offset: at, accumulated_slip: at, wear: at)
+    }
 }
 
-impl<'a> Memory<'a> {
-    fn split(self, at: usize) -> (Self, Self) {
-        let (flags, slip) = (cut(self.flags, at), cut(self.slip, at));
-        let (normal_offset, accumulated_slip) =
-            (cut(self.normal_offset, at), cut(self.accumulated_slip, at));
-        let wear = cut(self.wear, at);
-        let part = |flags, slip, normal_offset, accumulated_slip, wear| Self {
-            flags,
-            slip,
-            normal_offset,
-            accumulated_slip,
-            wear,
-        };
-        (
-            part(flags.0, slip.0, normal_offset.0, accumulated_slip.0, wear.0),
-            part(flags.1, slip.1, normal_offset.1, accumulated_slip.1, wear.1),
-        )
-    }
-
+impl Memory<'_> {
     /// Memory of patch number `at` of this part.
     pub(crate) fn state(&mut self, at: usize) -> State<'_> {
         State {
@@ -133,29 +118,15 @@ pub(crate) struct First<'a> {
 
 impl Divide for First<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.tiles.split_at(middle);
-        let patches = b[0].patches.start - a[0].patches.start;
-        let blocks = b[0].blocks.start - a[0].blocks.start;
-        let slots = b[0].slots.start - a[0].slots.start;
-        let memory = self.memory.split(patches);
-        let [n0, n1] = self.net.map(|part| part.split(blocks));
-        let [s0, s1] = self.slots.map(|part| part.split(slots));
-        let lost = self.lost.split_at_mut(blocks / GROUP);
-        (
-            Self {
-                tiles: a,
-                memory: memory.0,
-                net: [n0.0, n1.0],
-                slots: [s0.0, s1.0],
-                lost: lost.0,
-            },
-            Self {
-                tiles: b,
-                memory: memory.1,
-                net: [n0.1, n1.1],
-                slots: [s0.1, s1.1],
-                lost: lost.1,
-            },
+        let [a, b] = [&self.tiles[0], &self.tiles[middle]];
+        let blocks = b.blocks.start - a.blocks.start;
+        cut!(
+            self,
+            tiles: middle,
+            memory: b.patches.start - a.patches.start,
+            net: blocks,
+            slots: b.slots.start - a.slots.start,
+            lost: blocks / GROUP,
         )
     }
 }

@@ -14,6 +14,7 @@
 //! Works (what forces did in the half step before and will do in the half step after) are added up over the 64 blocks of a
 //! group, rows first and then single blocks, and over a fixed tree of the groups.
 
+use riprap_core::cut;
 use riprap_geom::Vec3;
 
 use crate::exec::Divide;
@@ -43,29 +44,10 @@ struct Second<'a> {
 
 impl Divide for Second<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.tiles.split_at(middle);
-        let blocks = b[0].blocks.start - a[0].blocks.start;
-        let [n0, n1] = self.net.map(|part| part.split(blocks));
-        let count = b[0].faces.start - a[0].faces.start;
-        let faces = self.faces.split_at_mut(count);
-        let entries = self.entries.split_at_mut(count.min(self.entries.len()));
-        let partial = self.partial.split_at_mut(blocks / GROUP);
-        (
-            Self {
-                tiles: a,
-                net: [n0.0, n1.0],
-                faces: faces.0,
-                entries: entries.0,
-                partial: partial.0,
-            },
-            Self {
-                tiles: b,
-                net: [n0.1, n1.1],
-                faces: faces.1,
-                entries: entries.1,
-                partial: partial.1,
-            },
-        )
+        let [a, b] = [&self.tiles[0], &self.tiles[middle]];
+        let blocks = b.blocks.start - a.blocks.start;
+        let count = b.faces.start - a.faces.start;
+        cut!(self, tiles: middle, net: blocks, faces: count, entries: count, partial: blocks / GROUP)
     }
 }
 

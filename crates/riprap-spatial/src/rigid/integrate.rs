@@ -14,6 +14,7 @@ use crate::state::scratch::{Partial, Scratch};
 use crate::state::sums::Part;
 use crate::state::tiles::{GROUP, Row, Tile, Tiles};
 use crate::state::world::World;
+use riprap_core::cut;
 
 /// Piece of work of the integration.
 struct Piece<'a> {
@@ -28,33 +29,16 @@ struct Piece<'a> {
 
 impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.tiles.split_at(middle);
-        let blocks = b[0].blocks.start - a[0].blocks.start;
-        let [n0, n1] = self.net.map(|part| part.split(blocks));
-        let (displacement, velocity) =
-            (self.displacement.split(blocks), self.velocity.split(blocks));
-        let turned = self.turned.split_at_mut(blocks);
-        let peak = self.peak.split_at_mut(blocks);
-        let partial = self.partial.split_at_mut(blocks / GROUP);
-        (
-            Self {
-                tiles: a,
-                net: [n0.0, n1.0],
-                displacement: displacement.0,
-                velocity: velocity.0,
-                turned: turned.0,
-                peak: peak.0,
-                partial: partial.0,
-            },
-            Self {
-                tiles: b,
-                net: [n0.1, n1.1],
-                displacement: displacement.1,
-                velocity: velocity.1,
-                turned: turned.1,
-                peak: peak.1,
-                partial: partial.1,
-            },
+        let blocks = self.tiles[middle].blocks.start - self.tiles[0].blocks.start;
+        cut!(
+            self,
+            tiles: middle,
+            net: blocks,
+            displacement: blocks,
+            velocity: blocks,
+            turned: blocks,
+            peak: blocks,
+            partial: blocks / GROUP,
         )
     }
 }

@@ -17,6 +17,7 @@ use crate::state::anchor::Freedoms;
 use crate::state::bolts::{Bolt, Pin, chord};
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
+use riprap_core::cut;
 use riprap_geom::Vec3;
 
 /// Bolts that are solved by one thread in one go.
@@ -30,11 +31,7 @@ struct Piece<'a> {
 
 impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let at = (middle * CHUNK).min(self.bolts.len());
-        let (b0, b1) = self.bolts.split_at_mut(at);
-        let (d0, d1) = self.desks.split_at_mut(at);
-        let piece = |bolts, desks| Piece { bolts, desks };
-        (piece(b0, d0), piece(b1, d1))
+        cut!(self, bolts: middle * CHUNK, desks: middle * CHUNK)
     }
 }
 
