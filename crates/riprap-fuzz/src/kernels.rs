@@ -206,6 +206,6 @@ fn meet(shapes: [&Shape; 2], poses: [(Quat, Vec3); 2]) -> Option<Sums> {
     });
     match found {
         Found::Touching(sums) => Some(sums),
-        Found::Apart(_) | Found::Swallowed(_) => None,
+        Found::Apart(_) | Found::FullyPenetrated(_) => None,
     }
 }

@@ -269,7 +269,7 @@ impl Candidates {
             for (b, grown) in (first..).zip(boxes) {
                 *grown = match blocks.roles[b] {
                     Role::Absent => Box3::EMPTY,
-                    Role::Target | Role::Seeker => {
+                    Role::Passive | Role::Active => {
                         grown_box(blocks.shape(b), &search.pose[b], search.margin[b])
                     }
                 };

@@ -6,13 +6,14 @@
 //! Only planes are needed: no overlap polyhedron is ever made.
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
-//! `frame` the plane of a piece, `piece` its polygon (`octagon` the same in vector registers), `remnant` whether a face can have one, `sums` what pieces carry, `surface` all of them, `friction` the forces that follow;
+//! `frame` the plane of a piece, `piece` its polygon (`octagon` the same in vector registers), `face_clip` whether a face can have one, `sums` what pieces carry, `surface` all of them, `friction` the forces that follow;
 //! `glued` is a block of convex parts, `terrain` one on a height field; `grid` finds boxes that touch; `limits` knows how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
 
 pub(crate) mod cells;
+mod face_clip;
 pub(crate) mod frame;
 pub(crate) mod friction;
 pub(crate) mod glued;
@@ -26,7 +27,6 @@ pub(crate) mod offset;
 pub(crate) mod peak;
 pub(crate) mod piece;
 pub(crate) mod planes;
-mod remnant;
 pub(crate) mod ridges;
 pub(crate) mod shape;
 pub(crate) mod slip;
@@ -37,7 +37,7 @@ pub(crate) mod terrain;
 pub(crate) mod tetra;
 
 pub(crate) use friction::part;
-pub(crate) use friction::{ContactLaw, Memory, Motion, Pieces, Question, Wrench, respond};
+pub(crate) use friction::{ContactInput, ContactLaw, Memory, Motion, Pieces, Wrench, respond};
 pub(crate) use grid::Role;
 pub(crate) use peak::{Peak, peak};
 pub(crate) use planes::Planes;

@@ -156,7 +156,7 @@ pub enum Reached {
     /// It touches: see [`Treader::facets`].
     Touching,
     /// It lies below the surface as a whole: no force can be given. How deep its centroid is, m.
-    Swallowed(f64),
+    FullyPenetrated(f64),
 }
 
 /// The surface on one facet.
@@ -257,7 +257,7 @@ impl Treader {
             return Reached::Touching;
         }
         match terrain.depth(body.position) {
-            Some(depth) if depth > 0.0 => Reached::Swallowed(depth),
+            Some(depth) if depth > 0.0 => Reached::FullyPenetrated(depth),
             Some(_) | None => Reached::Apart(gap.max(0.0)),
         }
     }

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 
 use crate::kernel::frame::Frame;
-use crate::kernel::friction::{Contact, Question};
+use crate::kernel::friction::{Contact, ContactInput};
 use crate::kernel::lever::{FAR, Lever, for_points, lever};
 use crate::kernel::piece::Polygon;
 use crate::kernel::slip::{Rub, Rubs, Three, hold};
@@ -43,7 +43,7 @@ impl<'a> Limit<'a> {
     pub(super) fn new(
         [force, cohesion]: [f64; 2],
         contact: &'a Contact,
-        q: &Question<'a>,
+        q: &ContactInput<'a>,
         motion: (Vec3, f64),
     ) -> Self {
         Self {

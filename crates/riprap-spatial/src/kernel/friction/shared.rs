@@ -2,7 +2,7 @@
 
 use riprap_geom::Vec3;
 
-use crate::kernel::friction::{ContactLaw, Question, Wrench, about, against_rocking, meeting};
+use crate::kernel::friction::{ContactInput, ContactLaw, Wrench, about, against_rocking, meeting};
 
 /// The pressure of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,7 +26,7 @@ pub(crate) struct Shared {
 
 /// Pressure of a surface, and how fast its sides part; `None` where it has no one normal.
 #[must_use]
-pub(crate) fn pressing(law: &ContactLaw, q: &Question) -> Option<Pressing> {
+pub(crate) fn pressing(law: &ContactLaw, q: &ContactInput) -> Option<Pressing> {
     meeting(law, q).map(|met| Pressing {
         force: met.contact.elastic,
         parting: met.velocity.normal,
@@ -40,7 +40,7 @@ pub(crate) fn pressing(law: &ContactLaw, q: &Question) -> Option<Pressing> {
 /// back. So they act on the rate of the energy of all of them, `power` (W, the sum of force times velocity of parting), and press along the
 /// gradient of that energy: in proportion to the pressure of each. `q` has the sums of all.
 #[must_use]
-pub(crate) fn share(law: &ContactLaw, q: &Question, power: f64) -> Option<Shared> {
+pub(crate) fn share(law: &ContactLaw, q: &ContactInput, power: f64) -> Option<Shared> {
     let met = meeting(law, q)?;
     let c = &met.contact;
     let across = law.dashpot(law.normal_stiffness, c.area, met.mass, q.last_dt);

@@ -221,7 +221,7 @@ fn gaps_are_bounds() {
                     }
                 }
                 Reached::Touching => touching += 1,
-                Reached::Swallowed(_) => {}
+                Reached::FullyPenetrated(_) => {}
             }
         }
     }
@@ -235,7 +235,7 @@ fn a_block_below_the_surface_is_swallowed() {
     let at =
         |z: f64| find(&mut Treader::default(), &terrain, &shape, Pose::at(Vec3::new(0.1, 0.2, z)));
     assert_eq!(at(0.4), Reached::Touching);
-    assert_eq!(at(-3.0), Reached::Swallowed(3.0));
+    assert_eq!(at(-3.0), Reached::FullyPenetrated(3.0));
     assert!(matches!(at(1.0), Reached::Apart(gap) if (gap - 0.5).abs() < 1e-12));
     let beside = Pose::at(Vec3::new(5.0, 0.0, -1.0));
     let beside = find(&mut Treader::default(), &terrain, &shape, beside);
