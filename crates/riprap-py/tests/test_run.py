@@ -63,7 +63,7 @@ def test_a_callback_sees_and_stops(slide_file, tmp_path):
     uncut = riprap.run(slide_file, tmp_path / "uncut.run", threads=1, progress=False)
     assert whole.state_hash == uncut.state_hash
     assert (whole.path / "histories.csv").read_bytes() == (uncut.path / "histories.csv").read_bytes()
-    with pytest.raises(riprap.RunError, match="ended already"):
+    with pytest.raises(riprap.RunError, match="already ended"):
         riprap.resume(whole)
 
 

@@ -102,7 +102,7 @@ def test_a_time_step_that_is_too_long_is_told_at_its_place(tmp_path):
     scenario = riprap.Scenario(text)
     ask = [scenario.check, lambda: scenario.run(tmp_path / "a.run", progress=False), lambda: riprap.Simulation(scenario)]
     for question in ask:
-        with pytest.raises(riprap.ScenarioError, match="longer than the stable one") as caught:
+        with pytest.raises(riprap.ScenarioError, match="exceeds the stable step") as caught:
             question()
         assert caught.value.diagnostics[0].line == 1 + text[: text.index('"1 s"')].count("\n")
     assert not (tmp_path / "a.run").exists()

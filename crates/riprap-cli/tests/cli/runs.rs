@@ -245,7 +245,7 @@ fn a_killed_run_resumes_to_the_same_bits() {
         let text = |run: &str| bench.read(&format!("{run}/{file}"));
         assert!(text("died.run") == text("whole.run"), "{file} differs");
     }
-    bench.run(&["resume", "died.run"]).expect(2).warns(&["has ended already"]);
+    bench.run(&["resume", "died.run"]).expect(2).warns(&["has already ended"]);
 }
 
 /// A process that dies after its last checkpoint: what dampers do at the end depends on the last phase and its step.
@@ -393,12 +393,15 @@ time_step = "0.1 ms"
         bench.run(&["check", "next.toml"]).expect(2).warns(words);
     };
     asked("block,x_m\nbrick.1,3\n", &["no column `y_m`", "x_m, y_m, z_m"]);
-    asked("block,vx_m_s,vy_m_s,vz_m_s\nbrick,3,0,0\n", &["name no block", "`brick` first"]);
+    asked(
+        "block,vx_m_s,vy_m_s,vz_m_s\nbrick,3,0,0\n",
+        &["name blocks that this scene does not have", "`brick` first"],
+    );
     asked("block,qw,qx,qy,qz\nbrick.1,1,1,0,0\n", &["length 1.41"]);
     asked(
         "block,vx_m_s,vy_m_s,vz_m_s\nbrick.1,3,0,0\nbrick.1,4,0,0\n",
         &["two states", "rows 1 and 2"],
     );
-    asked("block,colour\nbrick.1,3\n", &["says nothing of its blocks"]);
+    asked("block,colour\nbrick.1,3\n", &["has no column with a state of blocks"]);
     asked("name,x_m,y_m,z_m\nbrick.1,3,0,0\n", &["no column `block`"]);
 }

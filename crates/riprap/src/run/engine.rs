@@ -274,14 +274,10 @@ impl Engine {
     #[must_use]
     pub fn limited_by(&self, rule: TimeStep) -> &'static str {
         match self {
-            Self::Planar(_) => "a block that is fast for its size",
+            Self::Planar(_) => "a block that moves fast for its size",
             Self::Spatial(e) => {
                 let gas = spatial::cavity::step_limit(&e.world) < self.contact_step_limit(rule);
-                if gas {
-                    "gas that expands"
-                } else {
-                    "blocks that touch or are fast for their size"
-                }
+                if gas { "expanding gas" } else { "blocks in contact, or fast for their size" }
             }
         }
     }

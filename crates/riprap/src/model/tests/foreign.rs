@@ -171,10 +171,10 @@ fn joints_cut_blocks_in_space() {
     refused(of("cut = {}\n"), "is cut by no joints");
     refused(
         of("cut.joints.csv = \"../scenarios/good/traces.csv\"\n"),
-        "does not say how its joints lie",
+        "has no columns with the orientation of the joints",
     );
     let flat = "cut.joints.csv = \"shapes/joints_flat.csv\"\n";
-    refused(of(flat), "does not say how its joints lie");
+    refused(of(flat), "has no columns with the orientation of the joints");
     let bent = "cut.joints.csv = \"shapes/joints_bent.csv\"\n";
     refused(of(bent), "fracture 7 is not flat");
     let unknown = "cut.joints = { csv = \"shapes/joints_polygons.csv\", bridges = \"intact\" }\n";
@@ -308,6 +308,6 @@ fn a_glued_mesh_keeps_its_groups() {
     // The block is larger than what the file calls so.
     let fields = crate::run::engine::Kind::Spatial.fields();
     let model = built(format!("{SPACE}{GRAIN}{glued}{TAIL}"), fields).unwrap();
-    let told = |w: &Diagnostic| w.message.contains("group `left` of the mesh has");
+    let told = |w: &Diagnostic| w.message.contains("group `left` of the mesh contains");
     assert!(model.warnings.iter().any(told), "{:?}", model.warnings);
 }

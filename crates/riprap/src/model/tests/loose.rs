@@ -76,7 +76,7 @@ fn blocks_that_hang_in_the_air_of_a_static_phase_are_told() {
         beside,
         [(
             "model.falls",
-            "block `loose` touches nothing and has nothing below: the static phase `go` never comes to rest"
+            "block `loose` touches nothing and has nothing below; the static phase `go` cannot reach equilibrium"
                 .to_owned()
         )]
     );

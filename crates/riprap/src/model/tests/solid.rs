@@ -331,7 +331,7 @@ fn stresses_have_the_sign_of_their_name() {
     assert_eq!(model.warnings[0].code, "in_situ.weight");
     // What nobody carries is refused, unless a static phase comes first.
     let bare = tension.replace(&sides, "");
-    assert!(refused(&bare).contains("is carried by nobody"));
+    assert!(refused(&bare).contains("is not balanced by any boundary"));
     let text =
         format!("{SPACE}{bare}{TAIL}").replace("name = \"go\"", "name = \"go\"\nkind = \"static\"");
     assert!(try_solid(&text).is_ok());

@@ -368,7 +368,7 @@ fn rhythms_longer_than_the_run_are_told() {
     assert_eq!(
         rare(&history("2 ms"), time),
         [
-            "history `v` is written at the start and at the ends of phases alone: `every`, 0.002 s, is longer than the run, 0.001 s"
+            "history `v` is written only at the start and at the end of each phase: `every` (0.002 s) is longer than the run (0.001 s)"
         ]
     );
     assert_eq!(rare(&frames("2 ms"), time).len(), 1);

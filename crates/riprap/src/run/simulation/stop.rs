@@ -44,7 +44,7 @@ fn due(step: u64, rhythm: u64, growth: u32) -> bool {
 
 /// What is no number of a block and `other`.
 fn how_deep(other: &str) -> String {
-    format!("how deep it and block `{other}` lie in each other")
+    format!("its overlap with block `{other}`")
 }
 
 impl Simulation {
@@ -286,7 +286,7 @@ impl Simulation {
             put_in += view.released_by_overlaps();
         }
         if !put_in.is_finite() {
-            return Err(self.no_number("the energy put in by loads, supports and gravity"));
+            return Err(self.no_number("the energy input of loads, supports and gravity"));
         }
         let bearable = BLOW_UP * put_in + LEFT_TO_LEDGER * view.largest_work();
         // Where nothing has been put in and nothing has worked the bound is zero, and round-off alone is above that.
