@@ -144,7 +144,7 @@ def test_pictures(slide, blast, tmp_path):
         slide.plot("blocks", by="velocty")
     with pytest.raises(riprap.PlotError, match="in the plane"):
         slide.plot("ppv")
-    with pytest.raises(ValueError, match="pictures are"):
+    with pytest.raises(ValueError, match="valid pictures"):
         slide.plot("nonsense")
     with pytest.raises(ValueError, match="normal"):
         blast.plot("section", normal="w")

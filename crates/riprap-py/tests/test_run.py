@@ -122,7 +122,7 @@ def test_ctrl_c_stops_a_run(slide_file, tmp_path):
 
 
 def test_folders_are_not_overwritten(slide, slide_file, tmp_path):
-    with pytest.raises(riprap.RunError, match="holds a run already"):
+    with pytest.raises(riprap.RunError, match="already contains a run"):
         riprap.run(slide_file, slide.path, progress=False)
     other = tmp_path / "other"
     other.mkdir()

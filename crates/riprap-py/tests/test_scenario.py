@@ -85,7 +85,7 @@ def test_set_and_cases(slide_file):
     assert "damping_ratio = 0.3" in again.text
     with pytest.raises(riprap.ScenarioError, match="did you mean `friction_angle`"):
         riprap.Scenario(slide_file, set={"interfaces.default.friction": 1})
-    with pytest.raises(ValueError, match="its cases are"):
+    with pytest.raises(ValueError, match="valid cases"):
         scenario.check("nonsense")
 
 
@@ -138,7 +138,7 @@ def test_a_path_may_have_an_equals_sign(sliding_block, tmp_path):
     names = {f.name for f in riprap.fields("planar")}
     assert "block.displacement" in names
     assert {f.name for f in riprap.fields("spatial")} != names
-    with pytest.raises(ValueError, match="planar and spatial"):
+    with pytest.raises(ValueError, match="planar, spatial"):
         riprap.fields("flat")
     assert riprap.schema()["properties"]
     assert "friction" in riprap.explain("interfaces.default.friction_angle")

@@ -125,7 +125,7 @@ def test_two_at_once_are_turned_away(sliding_block):
             return False
 
         sim.advance(callback=look)
-        assert len(said) == 2 and "being advanced" in said[0]
+        assert len(said) == 2 and "is advancing" in said[0]
         worker = threading.Thread(target=lambda: sim.advance(steps=10))
         worker.start()
         worker.join()

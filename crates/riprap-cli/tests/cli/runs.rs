@@ -82,7 +82,7 @@ fn old_results_are_kept_unless_forced() {
     let bench = Bench::with_scene();
     bench.run(&["run", "fall.toml", "-q", "--out", "a.run"]).expect(0);
     let said = bench.run(&["run", "fall.toml", "-q", "--out", "a.run"]).expect(2);
-    said.warns(&["holds a run already", "--force"]);
+    said.warns(&["already contains a run", "--force"]);
     bench.run(&["run", "fall.toml", "-q", "--out", "a.run", "--force"]).expect(0);
     std::fs::create_dir(bench.path("mine")).unwrap();
     bench.file("mine/thesis.txt", "years of work");
@@ -289,7 +289,7 @@ fn a_run_resumed_at_its_end_checks_the_same_bits() {
 #[test]
 fn nothing_to_resume_is_bad_input() {
     let bench = Bench::new();
-    bench.run(&["resume", "nowhere"]).expect(2).warns(&["nowhere does not exist", "takes a run"]);
+    bench.run(&["resume", "nowhere"]).expect(2).warns(&["nowhere does not exist", "needs a run folder"]);
 }
 
 /// The cases ran with the value of `--set`, under the names and values of the sweep.

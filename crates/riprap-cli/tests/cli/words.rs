@@ -241,7 +241,7 @@ fn words_are_explained_by_what_speaks_of_them() {
     ]);
     bench.run(&["explain", "pore", "pressure"]).expect(0);
     bench.run(&["explain", "block.velocity"]).expect(0).says(&["a field of [space.spatial]"]);
-    bench.run(&["explain", "nonsense"]).expect(2).warns(&["nothing was found"]);
+    bench.run(&["explain", "nonsense"]).expect(2).warns(&["page or scene contains this word"]);
     bench.run(&["explain", "fricton_angel"]).expect(2).warns(&["friction_angle"]);
     bench.run(&["explain", "phases.fall.utnil"]).expect(2).warns(&["until"]);
 }

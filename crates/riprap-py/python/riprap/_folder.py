@@ -223,7 +223,7 @@ def ending(folder: Path, manifest: Mapping[str, Any], strict: bool) -> RunFolder
 
     run = RunFolder(folder)
     if strict and manifest.get("ended") == "unstable":
-        raise UnstableError(f"{manifest.get('message')}\n  results up to there: {folder}", run)
+        raise UnstableError(f"{manifest.get('message')}\n  results up to this point: {folder}", run)
     return run
 
 
