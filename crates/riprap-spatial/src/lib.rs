@@ -64,39 +64,31 @@
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
-mod anchor;
-pub mod bolts;
-mod bound;
-mod boundary;
-pub mod build;
-pub mod cavity;
-pub mod contacts;
-pub mod deform;
-pub mod divisible;
-pub mod edit;
-mod entries;
-mod forces;
-pub mod found;
-mod gather;
-mod integrate;
-mod kick;
-mod layout;
-mod meet;
-mod meet_solids;
-mod overlap;
-mod patch;
-mod push;
-pub mod read;
-mod refine;
-pub mod region;
+// Rooms by floors, lowest first (`floors.txt`, kept by `cargo xtask test modules`): a room names only rooms before it.
 pub mod setup;
-pub mod stable;
-mod state;
-pub mod step;
-pub mod tiles;
-mod wide;
 
-pub use read::{fields, view};
+pub mod broad;
+pub mod kernel;
+
+pub mod faces;
+pub mod joint;
+pub mod push;
+pub mod state;
+
+pub mod contact;
+pub mod deform;
+pub mod query;
+pub mod rigid;
+pub mod stable;
+pub mod step;
+
+pub mod topology;
+
+pub mod build;
+pub mod read;
+
+pub use query::view;
+pub use read::fields;
 pub use riprap_core::lanes;
 use riprap_core::{accounts, dynamics, exec, failed, field, frame, laws, ledger, profile};
 pub use state::{sums, world};

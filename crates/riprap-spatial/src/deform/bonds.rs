@@ -3,23 +3,24 @@
 //! Tension positive, the normal points from A to B, the jump is `u_B - u_A`. A point pulls A with `A t` and B with
 //! the opposite, so momentum is kept; both anchors stand in the same spot, so angular momentum is too.
 
+use riprap_core::cut;
 use riprap_geom::Vec3;
 
-use super::links::{Link, Sheet};
-use super::relax::Breaks;
-use super::store::{Facet, Memory, Point, State};
-use crate::anchor::Freedoms;
+use crate::deform::relax::Breaks;
 use crate::exec::Divide;
 use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
 use crate::laws::bond;
 use crate::ledger::Works;
 use crate::setup::InterfaceLaw;
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
+use crate::state::anchor::Freedoms;
+use crate::state::deform::{Facet, Memory, Point, State};
+use crate::state::links::{Link, Sheet};
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
+use crate::state::sums;
 use crate::state::workspace::{BondWorks, FACETS, Workspace};
-use crate::sums;
-use crate::world::World;
+use crate::state::world::World;
 
 /// Facets of a piece of work.
 struct Piece<'a> {
@@ -34,31 +35,17 @@ struct Piece<'a> {
 
 impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.facets.split_at_mut(middle * FACETS);
-        let points = (b[0].first - a[0].first) as usize;
-        let sheets = self.sheets.split_at_mut(middle * FACETS);
-        let worn = self.worn.split_at_mut(middle * FACETS);
-        let (memory, slots) = (self.memory.split_at_mut(points), self.slots.split_at_mut(points));
-        let works = self.works.split_at_mut(middle);
-        (
-            Self {
-                facets: a,
-                sheets: sheets.0,
-                first: self.first,
-                worn: worn.0,
-                memory: memory.0,
-                slots: slots.0,
-                works: works.0,
-            },
-            Self {
-                facets: b,
-                sheets: sheets.1,
-                first: self.first + points,
-                worn: worn.1,
-                memory: memory.1,
-                slots: slots.1,
-                works: works.1,
-            },
+        let at = middle * FACETS;
+        let points = (self.facets[at].first - self.facets[0].first) as usize;
+        cut!(
+            self,
+            facets: at,
+            sheets: at,
+            first: points,
+            worn: at,
+            memory: points,
+            slots: points,
+            works: middle,
         )
     }
 }

@@ -5,19 +5,21 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 
-use super::hold::Hold;
-use super::store::{Acts, Anchor, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
-use crate::accounts::{self, Holder};
-use crate::build::error::BuildError;
-use crate::deform::shape::{PARALLEL, centred, face_of};
+use crate::accounts;
+use crate::accounts::Holder;
 use crate::dynamics::{Formula, TimeFunction};
-use crate::overlap::Overlap;
+use crate::faces::deformable::{PARALLEL, centred, face_of};
+use crate::faces::overlap::Overlap;
 use crate::setup::deform::{BondLaw, BondSprings, NodeHold};
+use crate::setup::error::BuildError;
 use crate::setup::{BoundaryKind, Material, Motion, Setup, Shape};
+use crate::state::anchor::Anchor;
+use crate::state::deform::{Acts, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
 use crate::state::face::Face;
+use crate::state::hold::Hold;
 use crate::state::interface::Origin;
 use crate::state::workspace::{BlockClass, Workspace};
-use crate::world::World;
+use crate::state::world::World;
 
 /// Share of a face's area below which a node of it counts as covered.
 const COVERED: f64 = 1e-9;
@@ -205,7 +207,7 @@ fn notch(world: &World, deform: &mut Deform) -> Result<(), BuildError> {
 ///
 /// A rigid block of a lattice has its own compliance, `h/M` and `h/2G` with h from centroid to face, which a deformable one
 /// brings along: without it a P wave would be reflected.
-pub(super) fn stiffness(
+pub(crate) fn stiffness(
     setup: &Setup,
     law: &BondLaw,
     materials: [usize; 2],

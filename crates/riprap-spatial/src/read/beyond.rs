@@ -6,15 +6,15 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use crate::bolts::install;
-use crate::boundary::Context;
-use crate::found::grid::Role;
-use crate::found::{Body, Peak, Planes, Shape, peak, planes, turn};
+use crate::kernel::grid::Role;
+use crate::kernel::{Body, Peak, Planes, Shape, peak, planes, turn};
 use crate::laws::bolt::BarState;
 use crate::laws::tetrahedron::{Gradient, Strain, tensor};
+use crate::push::bolts::install;
+use crate::push::boundary::Context;
+use crate::query::view::View;
 use crate::read::fields::principal;
 use crate::read::tetrahedra::strain;
-use crate::read::view::View;
 use crate::setup::{BoundaryKind, Kinematics};
 use crate::state::bolts::{Bolt, chord};
 

@@ -4,15 +4,15 @@ use riprap_core::laws::behaviour::{Closure, Weakening};
 use riprap_core::laws::parameters::{Dashpots, Failure, JointLaw, Points};
 use riprap_geom::Vec3;
 
-use super::view::View;
-use crate::contacts::limit::Ease;
-use crate::contacts::terrain::share;
-use crate::contacts::{constants, joined, make_shapes, roles};
-use crate::deform::contact::between;
-use crate::deform::contact::search::shown;
-use crate::found::desk::Desk;
-use crate::found::{Role, limits};
-use crate::world::World;
+use crate::contact::deformable::between;
+use crate::contact::deformable::search::shown;
+use crate::contact::limit::Ease;
+use crate::contact::terrain::share;
+use crate::contact::{constants, joined, make_shapes, roles};
+use crate::kernel::{Role, limits};
+use crate::query::view::View;
+use crate::state::contact_scratch::Desk;
+use crate::state::world::World;
 
 /// A block that can meet others, and the softest law under which it can.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 use riprap_geom::Vec3;
 
 use crate::accounts::Holder;
-use crate::read::view::View;
-use crate::world::World;
+use crate::query::view::View;
+use crate::state::world::World;
 
 impl World {
     /// Living blocks on which support number `k` acts: the last support of a block alone acts on it, unless a phase releases the block.

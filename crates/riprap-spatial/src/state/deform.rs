@@ -3,14 +3,15 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use super::cutting::Cutting;
-use super::hold::Hold;
-use super::interface::Origin;
-use super::relax::Relax;
-pub use crate::anchor::Anchor;
-use crate::laws::bond::{self, Traction};
+use crate::laws::bond;
+use crate::laws::bond::Traction;
 use crate::laws::tetrahedron::Symmetric;
 use crate::setup::deform::Strain;
+pub use crate::state::anchor::Anchor;
+use crate::state::cutting::Cutting;
+use crate::state::hold::Hold;
+use crate::state::interface::Origin;
+use crate::state::relax::Relax;
 
 /// Not a deformable block.
 pub const RIGID: u32 = u32::MAX;

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::found::offset::Offset;
-use crate::found::{Memory, Role, Search};
+use crate::broad::search::Search;
+use crate::kernel::offset::Offset;
+use crate::kernel::{Memory, Role};
 
 /// Found contacts of all rigid blocks; empty where no blocks can meet but those that patches join.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

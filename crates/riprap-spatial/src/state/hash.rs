@@ -2,12 +2,12 @@
 
 use riprap_core::state_hash::StateHash;
 
-use super::deform::{Deform, State};
-use super::found::FoundContacts;
-use super::patches::{Patches, flag};
-use super::world::World;
-use crate::found::offset::Offset;
-use crate::found::{Memory, Pose};
+use crate::kernel::offset::Offset;
+use crate::kernel::{Memory, Pose};
+use crate::state::deform::{Deform, State};
+use crate::state::found::FoundContacts;
+use crate::state::patches::{Patches, flag};
+use crate::state::world::World;
 
 impl World {
     /// blake3 of motion and memory: equal hashes mean that two models go on alike, bit for bit.

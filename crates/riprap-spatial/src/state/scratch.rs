@@ -2,20 +2,20 @@
 
 use std::sync::OnceLock;
 
-use super::push::{Pushes, Wrench};
-use super::sums::Sums;
-use super::workspace::Workspace;
 use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
-use crate::found::cells::CellDesk;
-use crate::found::desk::Desk;
+use crate::kernel::cells::CellDesk;
 use crate::lanes::Width;
 use crate::laws::bolt::Desk as BoltDesk;
 use crate::ledger::Works;
 use crate::profile::Profile;
-use crate::tiles::{Cut, Tiles};
-use crate::wide::Wide;
+use crate::state::contact_scratch::Desk;
+use crate::state::push::{Pushes, Wrench};
+use crate::state::sums::Sums;
+use crate::state::tiles::{Cut, Tiles};
+use crate::state::wide::Wide;
+use crate::state::workspace::Workspace;
 
 /// What a step works with.
 #[derive(Debug)]

@@ -115,7 +115,7 @@ impl Simulation {
 
     /// Deformable blocks that should be cut and cannot, in words.
     fn left_whole(&self) -> Option<String> {
-        let left = crate::spatial::deform::cut::crooked(&self.view().spatial()?);
+        let left = crate::spatial::topology::cut::crooked(&self.view().spatial()?);
         (left > 0).then(|| {
             format!(
                 "{left} blocks meet the cutting criterion but stay whole: an earlier cut left their faces non-planar, and cutting them would change \

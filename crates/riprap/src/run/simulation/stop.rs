@@ -7,8 +7,9 @@ use crate::ledger::{COLUMNS, Unexplained};
 use crate::plan::{PhaseKind, Relaxing};
 use crate::planar::setup::NormalLaw;
 use crate::run::engine::View;
-use crate::spatial::found::desk::{Deepest, Pressed};
-use crate::spatial::found::limits::{self, Depth};
+use crate::spatial::kernel::limits;
+use crate::spatial::kernel::limits::Depth;
+use crate::spatial::state::contact_scratch::{Deepest, Pressed};
 
 /// Overlap over the smaller inscribed radius at which a run is stopped: beyond 1 blocks pass through.
 const WORST_OVERLAP: f64 = 0.5;
