@@ -53,13 +53,13 @@ pub fn along(
         let [a, b] = [within(&frame, &line.from)?, within(&frame, &line.to)?];
         let length = a.distance(b);
         if length.is_nan() || length <= 0.0 {
-            let what = "the line has no length; give two places".to_owned();
+            let what = "the line has zero length; give two different points".to_owned();
             return Err(PlotError::NothingToDraw { what });
         }
         let pieces = pieces(&frame, a, b);
         if pieces.is_empty() {
             let what = format!(
-                "the line from {} to {} meets no block where it was before it moved",
+                "the line from {} to {} meets no block of the undeformed model",
                 place(&line.from),
                 place(&line.to)
             );
@@ -107,7 +107,7 @@ fn within(frame: &Frame, at: &[f64]) -> Result<Vec3, PlotError> {
             let given = at.len();
             let place = place(at);
             let what = format!(
-                "the run is {space}, where a place has {wanted}; {place} has {given} coordinates"
+                "the run is {space}, where a point has {wanted}; {place} has {given} coordinates"
             );
             Err(PlotError::NothingToDraw { what })
         }

@@ -85,7 +85,7 @@ pub fn answer(run: &Run, path: &str, query: &Query<'_>) -> Result<Answer, Proble
         ["events"] => Ok(json_answer(&run.lines("events.jsonl").into())),
         ["checks"] => Ok(json_answer(&run.lines("checks.jsonl").into())),
         ["file", ref name @ ..] => file(run, &name.join("/")),
-        _ => Err(unknown(&format!("there is no answer to {path:?}"))),
+        _ => Err(unknown(&format!("unknown request {path:?}"))),
     }
 }
 

@@ -161,7 +161,7 @@ fn a_step_above_the_stable_one_is_bad_input() {
         bench.run(&[verb, "long.toml"]).expect(2).warns(&[
             "long.toml:24:13",
             "phase `go`",
-            "stable one",
+            "stable step",
         ]);
     }
     assert!(!bench.path("long.run").exists());
@@ -289,7 +289,10 @@ fn a_run_resumed_at_its_end_checks_the_same_bits() {
 #[test]
 fn nothing_to_resume_is_bad_input() {
     let bench = Bench::new();
-    bench.run(&["resume", "nowhere"]).expect(2).warns(&["nowhere does not exist", "needs a run folder"]);
+    bench
+        .run(&["resume", "nowhere"])
+        .expect(2)
+        .warns(&["nowhere does not exist", "needs a run folder"]);
 }
 
 /// The cases ran with the value of `--set`, under the names and values of the sweep.

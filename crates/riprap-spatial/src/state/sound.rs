@@ -87,7 +87,7 @@ impl World {
         below("class of patches", patches.class.iter().copied(), self.classes.len())?;
         // Lists of which a model without what they hold has none.
         for (what, length) in [
-            ("tractions at rest", patches.prestress.len()),
+            ("initial tractions", patches.prestress.len()),
             ("slips", patches.slip.len()),
             ("normal offsets", patches.normal_offset.len()),
             ("accumulated slips", patches.accumulated_slip.len()),

@@ -164,15 +164,14 @@ impl Book {
                 self.notes.extend(damaged);
             }
             self.notes.push(format!(
-                "The replay has one frame of {count} only and shows no motion: two frames would take more than {} MiB. \
-                 Look at the motion with `riprap view`.",
+                "The replay has only one of {count} frames and shows no motion: two frames would exceed {} MiB. View the motion with `riprap view`.",
                 limits.bytes >> 20
             ));
         }
         if sound.is_empty() {
             return Err(Problem::missing(
-                "There is no frame that could be shown.",
-                "Ask for frames in the scene: [[outputs]] frames = { every = ... }",
+                "The run has no frames to show.",
+                "Request frames in the scene: [[outputs]] frames = { every = ... }",
             ));
         }
         Ok(sound)
@@ -189,7 +188,7 @@ impl Book {
                 .and_then(|()| self.ask(run, &format!("shape/{k}"), None, &format!("shape/{n}")));
             match done {
                 Ok(()) => sound.push(k),
-                Err(problem) => self.notes.push(format!("frame {} is left out: {problem}", k + 1)),
+                Err(problem) => self.notes.push(format!("frame {} was left out: {problem}", k + 1)),
             }
             if self.bytes > limits.bytes {
                 break;

@@ -530,7 +530,8 @@ mod tests {
         let bond = "brittle_bond = { thickness = \"10 mm\", tension = \"8 MPa\", cohesion = \"80 MPa\", friction_angle = \"30 deg\" }";
         let elastic = "brittle_bond = { thickness = \"10 mm\", elastic = true }";
         let tells = |block: &str, bond: &str, phase: &str| {
-            let wanted = "the steps of phase `run` are 95 % of the stable one, and bonds can break";
+            let wanted =
+                "the steps of phase `run` are 95 % of the stable step, and bonds can break";
             bar(block, bond, phase, "").iter().any(|s| s.starts_with(wanted))
         };
         assert!(tells(soft, bond, "safety = 0.95"));
@@ -572,7 +573,7 @@ mod tests {
             let more = format!(
                 "[[boundaries]]\nname = \"push\"\non.plane = \"x-min\"\nmoved.velocity.x = {velocity}\n"
             );
-            let wanted = "the boundary `push` is moved while the static phase `run` looks for rest";
+            let wanted = "the boundary `push` is driven in the static phase `run`";
             let told = bar("", "elastic = true", phase, &more);
             told.iter().any(|s| s.starts_with(wanted))
         };

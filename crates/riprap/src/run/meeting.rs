@@ -388,12 +388,12 @@ mod tests {
     #[test]
     fn contacts_that_are_too_soft_are_told_with_their_key() {
         let soft = cube_over_floor("1 MPa/m", "-0.1 m/s").warnings.join("\n");
-        assert!(soft.contains("`cube` is pressed in by 2.5 % of its size"), "{soft}");
+        assert!(soft.contains("`cube` penetrates by 2.5 % of its size"), "{soft}");
         assert!(soft.contains("`interfaces.default.normal_stiffness`"), "{soft}");
-        assert!(!soft.contains("starts with"), "{soft}");
+        assert!(!soft.contains("starts at"), "{soft}");
         let fast = cube_over_floor("100 MPa/m", "-40 m/s").warnings.join("\n");
-        assert!(fast.contains("`cube` starts with 40.000 m/s"), "{fast}");
-        assert!(fast.contains("where the run stops"), "{fast}");
+        assert!(fast.contains("`cube` starts at 40.000 m/s"), "{fast}");
+        assert!(fast.contains("and the run would stop"), "{fast}");
         assert!(!fast.contains("own weight"), "{fast}");
     }
 

@@ -180,9 +180,9 @@ fn counts_bound_what_is_unpacked() {
     let bytes = blocks(&frame, &Exec::serial()).unwrap();
     let said = |bytes: &[u8]| parsed(bytes).unwrap_err().to_string();
     let huge = said(&claiming(&bytes, "NumberOfPoints", 400_000_000));
-    assert!(huge.contains("which a file of"), "{huge}");
+    assert!(huge.contains("which do not fit in a file of"), "{huge}");
     let many = said(&claiming(&bytes, "NumberOfCells", u64::MAX));
-    assert!(many.contains("which a file of"), "{many}");
+    assert!(many.contains("which do not fit in a file of"), "{many}");
     let few = said(&claiming(&bytes, "NumberOfPoints", 5999));
     assert!(few.contains("more than the counts of the file allow"), "{few}");
 }

@@ -150,23 +150,23 @@ fn says_what_is_wrong() {
     };
     for (file, from, to, says) in [
         (0, "2 1 1\n", "", "radii_Final.dat` has 4 fractures, "),
-        (0, "2 1 1\n", "2 1\n", "radii_Final.dat`, line 3: a row has three numbers"),
-        (0, "3 3 2\n", "3 x 2\n", "radii_Final.dat`, line 4: `x` is no finite number"),
-        (0, "3 3 2\n", "3 -3 2\n", "radii_Final.dat`, line 4: radii are above 0"),
-        (0, "3 3 2\n", "3 0 2\n", "radii_Final.dat`, line 4: radii are above 0"),
+        (0, "2 1 1\n", "2 1\n", "radii_Final.dat`, line 3: a row needs three numbers"),
+        (0, "3 3 2\n", "3 x 2\n", "radii_Final.dat`, line 4: `x` is not a finite number"),
+        (0, "3 3 2\n", "3 -3 2\n", "radii_Final.dat`, line 4: radii must be above 0"),
+        (0, "3 3 2\n", "3 0 2\n", "radii_Final.dat`, line 4: radii must be above 0"),
         (0, "3 3 2\n", "3 3 2.5\n", "radii_Final.dat`, line 4: the third number"),
-        (1, "0 0 -1", "0 0 0", "normal_vectors.dat`, line 3: a normal has a length"),
-        (1, "0 0 -1", "0 0 nan", "normal_vectors.dat`, line 3: `nan` is no finite"),
+        (1, "0 0 -1", "0 0 0", "normal_vectors.dat`, line 3: a normal must have non-zero length"),
+        (1, "0 0 -1", "0 0 nan", "normal_vectors.dat`, line 3: `nan` is not a finite"),
         (2, "9 9 9 R", "9 9 9", "and `"),
-        (2, "9 9 9 R", "9 9 9 Q", "translations.dat`, line 3: `Q` is no finite number"),
-        (3, "Vertices: 8", "Vertices: 2", "families.dat`, line 11: `2` is no number of corners"),
-        (3, "Vertices: 8", "Vertices: 4000000000", "`4000000000` is no number of corners"),
+        (2, "9 9 9 R", "9 9 9 Q", "translations.dat`, line 3: `Q` is not a finite number"),
+        (3, "Vertices: 8", "Vertices: 2", "families.dat`, line 11: `2` is not a number of corners"),
+        (3, "Vertices: 8", "Vertices: 4000000000", "`4000000000` is not a number of corners"),
         (3, "-rad: 1.57", "-rad: y", "families.dat`, line 6: `y07963"),
         (
             3,
             "Global Family: 2",
             "Global Family: two",
-            "families.dat`, line 10: `two` is no number of a family",
+            "families.dat`, line 10: `two` is not a family number",
         ),
     ] {
         let error = said(file, from, to);

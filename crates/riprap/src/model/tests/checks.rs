@@ -136,5 +136,5 @@ absolute = "0.2 deg"
     let text = bad(&format!(
         "{CUBE}[[checks]]\nname = \"limit\"\nfield = \"bisect.limit\"\nvalue = 1.0\nrelative = 0.1\n"
     ));
-    assert!(text.contains("there is no [bisect]"), "{text}");
+    assert!(text.contains("the scene has no [bisect]"), "{text}");
 }

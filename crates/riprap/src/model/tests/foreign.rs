@@ -231,8 +231,8 @@ fn networks_of_other_programs_cut_blocks() {
     };
     let least = setup.blocks.iter().map(|b| volume_of(&b.shape));
     assert!((least.fold(f64::INFINITY, f64::min) - 0.002 * 0.001 * 4.0).abs() < 1e-9);
-    refused(of("itasca = \"shapes/joints.csv\""), "no DFN file of Itasca");
-    refused(of("dfnworks = \"shapes/joints.csv\""), "known by their names, radii_Final.dat");
+    refused(of("itasca = \"shapes/joints.csv\""), "not an Itasca DFN file");
+    refused(of("dfnworks = \"shapes/joints.csv\""), "recognised by their names, radii_Final.dat");
     refused(of("dfnworks = \"shapes\""), "radii_Final.dat");
     refused(of("itasca = \"a.dat\", dfnworks = \"b.dat\""), "only one is possible");
 }

@@ -483,7 +483,7 @@ history = {{ name = "p", field = "cavity.pressure", of = "charge", every = "1 us
     let text = check(
         "field = \"block.velocity.x\"\nat_point = [\"9 m\", \"0 m\", \"0 m\"]\nvalue = \"1 m/s\"",
     );
-    assert!(text.contains("no block holds this point"), "{text}");
+    assert!(text.contains("no block contains this point"), "{text}");
 }
 
 #[test]

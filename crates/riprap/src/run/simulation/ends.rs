@@ -209,6 +209,6 @@ mod tests {
     fn contacts_with_an_edge_that_no_face_has_made_are_told() {
         assert_eq!(open_surfaces(0), None);
         let said = open_surfaces(2).expect("a warning");
-        assert!(said.starts_with("2 edges of contacts"), "{said}");
+        assert!(said.starts_with("2 edges of contact polygons"), "{said}");
     }
 }

@@ -390,11 +390,13 @@ mod tests {
         assert!(matches!(lost, RunError::NoSurface { .. }));
         let words = lost.to_string();
         assert!(words.contains("2.6000e-6 m") && words.contains("2.1000e-1 m"), "{words}");
-        assert!(!words.contains("as far as") && !lost.doubts_the_step());
+        assert!(!words.contains("beyond the inscribed radius") && !lost.doubts_the_step());
         for deep in [0.21, 0.42] {
             let through = of(deep, 0.21);
             assert!(matches!(through, RunError::PassesThrough { .. }));
-            assert!(through.to_string().contains("reaches (2.1000e-1 m)"));
+            assert!(
+                through.to_string().contains("inscribed radius of the thinner one (2.1000e-1 m)")
+            );
         }
         assert!(matches!(of(f64::NAN, 0.21), RunError::NoSurface { .. }));
     }

@@ -127,7 +127,7 @@ fn blocks_of_three_joint_sets_can_be_split() {
     let (setup, model) = solid(&refine("{ all = {} }", r#"during = { broken = 0.5 }"#));
     assert_eq!(setup.refinements.len(), 1);
     let told = format!("{:?}", model.warnings);
-    assert!(told.contains("touch this place stay whole"), "{told}");
+    assert!(told.contains("in this region stay whole"), "{told}");
 }
 
 #[test]
