@@ -167,7 +167,7 @@ fn in_space(frame: &Frame, i: usize, body: &Body, [a, b]: [Vec3; 2]) -> Vec<f64>
     for face in frame.solids.iter().flat_map(|s| s.of(i)) {
         for pair in face.windows(2).skip(1) {
             let [p, q, r] = [face[0], pair[0], pair[1]].map(|c| corners[c as usize]);
-            // On which side of each edge the line passes; edges that two triangles share are told the same by both.
+            // On which side of each edge the line passes; edges that two triangles share are judged alike by both.
             let sides = [q.cross(r), r.cross(p), p.cross(q)].map(|n| n.dot(way));
             let inside = |sign: f64| sides.iter().all(|s| sign * s >= 0.0);
             let normal = (q - p).cross(r - p);

@@ -160,7 +160,7 @@ pub enum PlotError {
         /// What was asked for.
         path: PathBuf,
     },
-    /// The SVG could not be turned into a PNG: a mistake of ours.
+    /// The SVG could not be turned into a PNG: a fault of ours.
     #[error("could not draw the PNG: {reason}; use the extension .svg to get the SVG")]
     Render {
         /// What the renderer said.

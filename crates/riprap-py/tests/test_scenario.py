@@ -120,7 +120,7 @@ def test_words():
     with pytest.raises(ValueError, match="16 GPx"):
         riprap.si("16 GPx")
     assert riprap.si("2 mm", "m") == 2e-3
-    with pytest.raises(ValueError, match="cannot be measured in m"):
+    with pytest.raises(ValueError, match="cannot be converted to m"):
         riprap.si("2 s", "m")
 
 

@@ -113,7 +113,7 @@ pub struct Marks {
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
-    /// Held as long as the folder is written; the system lets go of it when the process dies.
+    /// Held as long as the folder is written; the system releases it when the process dies.
     _lock: File,
     histories: Option<Series>,
     energy: Option<Series>,

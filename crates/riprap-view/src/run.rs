@@ -1,7 +1,7 @@
 //! One run folder, opened for looking: frames by their place in the list of frames, read when asked for.
 //!
 //! Only the public readers of `riprap_record` touch the files, and only names that they make themselves or that
-//! lie inside the folder. A run that goes on while it is looked at is read anew each time.
+//! lie inside the folder. A run that goes on while it is looked at is read again each time.
 
 use riprap_geom::Vec3;
 use riprap_record::conditions::{self, Conditions};
@@ -50,7 +50,7 @@ struct Memory {
 }
 
 impl Run {
-    /// A folder, sound or not: what is wrong with it is told when it is asked for something.
+    /// A folder, sound or not: what is wrong with it is reported when it is asked for something.
     pub fn new(path: &Path) -> Self {
         Run { path: path.to_owned(), memory: Mutex::default() }
     }

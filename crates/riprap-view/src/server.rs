@@ -3,7 +3,7 @@
 //! Who may ask: this machine only, and of its users those who know the random part of the address, which is printed on the
 //! terminal. A browser is started with an address that works once, since the command lines of a machine can be read by all
 //! its users. A page of another site that has its own name resolve to 127.0.0.1 (DNS rebinding) is refused by its `Host` header,
-//! and no answer may be read or framed by other sites. Nothing can be changed through it. Whoever connects and says nothing is let go
+//! and no answer may be read or framed by other sites. Nothing can be changed through it. A connection without a request is closed
 //! after `PATIENCE`, and at most `CONNECTIONS` are answered at a time.
 
 use axum::Router;
@@ -100,7 +100,7 @@ impl Server {
                         once: random()?,
                     });
                 }
-                // What is told is about the port that was asked for.
+                // What is reported is about the port that was asked for.
                 Err(error) => problem = problem.or(Some(error)),
             }
         }

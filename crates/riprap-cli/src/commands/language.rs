@@ -34,7 +34,7 @@ pub fn explain(args: &Explain, style: Style) -> Result<(), Failure> {
                 None => text,
             },
             Ok(text) => text,
-            // A path with dots was meant as a field or a key, and its slip is told.
+            // A path with dots was meant as a field or a key, and its slip is reported.
             Err(why) if what.contains('.') => {
                 concepts::field(what.trim()).ok_or(Failure::Input(why))?
             }

@@ -36,7 +36,7 @@ pub fn run(args: &Report) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Draws the model at its first frame, coloured by material; in space a section. What cannot be drawn is told and left out.
+/// Draws the model at its first frame, coloured by material; in space a section. What cannot be drawn is reported and left out.
 fn set_up(run: &Path) -> Result<(), Failure> {
     let plots = run.join("plots");
     std::fs::create_dir_all(&plots)

@@ -23,7 +23,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
     if args.scene.change.case.is_some() {
         scene.cases = vec![scenes::case(&scene, &args.scene.change)?];
     }
-    // A slip in the last case is told now, not when all others have been run.
+    // A slip in the last case is reported now, not when all others have been run.
     sweep::check_all(&scene)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "sweep", args.force);
     let path = folder.join("sweep.csv");

@@ -59,7 +59,7 @@ fn model(file: &Path, change: &Change, folder: &Path, style: Style) -> Result<Li
     job::preview(prepared.job(), folder).map_err(|error| Failure::of_job(error, &scene))
 }
 
-/// Writes the model anew whenever the scene has been saved. What is wrong with it is told here and on the page.
+/// Rewrites the model whenever the scene has been saved. What is wrong with it is reported here and on the page.
 fn watch(file: &Path, change: &Change, folder: &Path, style: Style, shown: Live) {
     let mut shown = Some(shown);
     let saved = || std::fs::metadata(file).and_then(|m| m.modified()).ok();
@@ -116,7 +116,7 @@ fn serve(runs: &[PathBuf], args: &View) -> Result<(), Failure> {
     Ok(server.run()?)
 }
 
-/// A folder that is broken is told about on the page; one that does not exist is a slip of the pen.
+/// A folder that is broken is reported on the page; one that does not exist is a slip of the pen.
 fn exists(run: &Path) -> Result<(), Failure> {
     if run.is_dir() {
         return Ok(());

@@ -215,7 +215,7 @@ fn ctrl_c_leaves_a_checkpoint_and_resume_goes_on() {
     });
     run.signal("INT");
     let said = run.end().expect(130).warns(&["a checkpoint is in a.run", "riprap resume a.run"]);
-    assert!(said.out.contains("stopped:"), "{}", said.out);
+    assert!(said.out.contains("stopped after "), "{}", said.out);
     // What can go on has not failed.
     assert!(!said.out.contains("FAILED"), "{}", said.out);
     assert!(bench.read("a.run/manifest.json").contains("\"ended\": \"interrupted\""));

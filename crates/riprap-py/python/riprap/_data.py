@@ -58,7 +58,7 @@ class Field(np.ndarray):
 def _missing(kind: str, name: str, known: list[str]) -> KeyError:
     close = difflib.get_close_matches(name, known, n=1)
     hint = f"; did you mean {close[0]!r}?" if close else ""
-    return KeyError(f"there is no {kind} {name!r}{hint} (there is: {', '.join(known) or 'nothing'})")
+    return KeyError(f"unknown {kind} {name!r}{hint} (valid names: {', '.join(known) or 'none'})")
 
 
 class Fields(Mapping[str, Field]):

@@ -177,7 +177,7 @@ impl Book {
         Ok(sound)
     }
 
-    /// Begins anew with motion and shapes of the chosen frames, until they are too large; the sound ones among them.
+    /// Restarts with motion and shapes of the chosen frames, until they are too large; the sound ones among them.
     fn moved(&mut self, run: &Run, chosen: &[usize], limits: Limits) -> Vec<usize> {
         *self = Book::default();
         let mut sound = Vec::new();

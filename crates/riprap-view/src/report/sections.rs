@@ -319,7 +319,7 @@ mod tests {
         let mut none = String::new();
         events(&mut none, &run);
         assert!(none.is_empty());
-        // What cannot be read is told.
+        // What cannot be read is reported.
         std::fs::create_dir(path.join("events.jsonl")).unwrap();
         events(&mut none, &run);
         assert!(none.contains("not a plain file"), "{none}");

@@ -1,4 +1,4 @@
-//! Conditions whose work is told: an account for every boundary, support and load.
+//! Conditions whose work is reported: an account for every boundary, support and load.
 
 use super::builder::Builder;
 use crate::accounts::{Condition, Holder};

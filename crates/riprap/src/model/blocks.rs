@@ -365,7 +365,7 @@ impl Builder<'_> {
             GeomError::ShortEdges { .. } => SHORT_EDGES,
             GeomError::Arrangement { .. } => ("geometry.joints", "change the seed or a spacing"),
         };
-        // Places are told in the coordinates of the file.
+        // Places are reported in the coordinates of the file.
         let mut error = error.clone();
         match &mut error {
             GeomError::SelfIntersecting { at, .. }

@@ -61,7 +61,7 @@ impl Builder<'_> {
                         format!("write `{field}.x`, `.y` or `.magnitude`"),
                     ),
                     FieldError::NoComponents { field, .. } => {
-                        (format!("`{field}` is a single number"), format!("write `{field}`"))
+                        (format!("`{field}` is a scalar"), format!("write `{field}`"))
                     }
                 };
                 let help = format!("{help}; `riprap fields` lists all");

@@ -5,7 +5,7 @@
 //! the pen, and blocks apart from all others where the first phase looks for rest. What has nothing below it and falls for ever is
 //! told in any static phase. Blocks of grids, cells and pours are left out: they are made side by side, or apart on purpose.
 //!
-//! Whether blocks touch is judged by their boxes: who is told touches nothing for certain, not all who do are told.
+//! Whether blocks touch is judged by their boxes: a block that is reported touches nothing for certain, but not every such block is reported.
 
 use std::collections::BTreeSet;
 

@@ -103,7 +103,7 @@ impl Builder<'_> {
         sum / mass
     }
 
-    /// An acceleration turns each block about its own centroid, which is told where there are several.
+    /// An acceleration turns each block about its own centroid, which is reported where there are several.
     fn tell_turning_each(&mut self, on: &Target) {
         let message =
             "a prescribed angular acceleration rotates each of these blocks about its own centroid";

@@ -155,7 +155,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
     found
 }
 
-/// Phases with a damping of joints in a model in space that has none, in words. Models of deformable blocks alone are told of where they
+/// Phases with a damping of joints in a model in space that has none, in words. Models of deformable blocks alone are reported where they
 /// are made.
 pub(super) fn undamped(view: &View<'_>, plan: &Plan) -> Option<String> {
     let world = view.spatial()?.world;

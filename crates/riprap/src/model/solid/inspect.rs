@@ -96,7 +96,7 @@ impl Builder<'_> {
         let shape = |k: u32| &self.spatial.blocks[blocks[k as usize] as usize].shape;
         let hull = |k: u32| match shape(k) {
             Shape::Polyhedron(_) => Some(Hull::of(shape(k))),
-            // Two bricks are their boxes; a brick among polyhedra is rare. What lies in terrain is told by `on_terrain`.
+            // Two bricks are their boxes; a brick among polyhedra is rare. What lies in terrain is reported by `on_terrain`.
             // Glued parts are looked at part by part.
             Shape::Brick { .. } | Shape::Terrain(_) | Shape::Glued(_) => None,
         };
@@ -150,7 +150,7 @@ impl Builder<'_> {
         let tables: Vec<(std::ops::Range<u32>, (Vec3, Vec3), bool)> = self
             .directory
             .tables()
-            // What lies in terrain is told by `on_terrain`.
+            // What lies in terrain is reported by `on_terrain`.
             .filter(|(_, blocks)| {
                 !blocks.clone().any(|b| self.spatial.blocks[b as usize].shape.is_terrain())
             })

@@ -384,7 +384,7 @@ friction_angle = "0 deg"
     let weaker = weaker.strength.unwrap();
     assert_eq!((weaker.tension, weaker.friction, weaker.cohesion), (0.0, 0.0, 2e6));
     assert!(model.plan.phases[0].contacts.is_empty());
-    // Dilation goes no further than friction, and is told.
+    // Dilation goes no further than friction, and is reported.
     assert_eq!((weaker.dilation > 0.9, weaker.dilating()), (true, 0.0));
     let told = |w: &crate::scenario::Diagnostic| w.message.contains("`weaker` lowers the friction");
     assert_eq!(model.warnings.iter().filter(|w| told(w)).count(), 1);

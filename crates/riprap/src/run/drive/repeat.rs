@@ -18,7 +18,7 @@ const BLOCKS: usize = 20_000;
 /// Steps that a repetition may take, and seconds.
 const STEPS: u64 = 20 * EVERY;
 const PATIENCE: Duration = Duration::from_secs(20);
-/// A residual that half the step changes by less than this share of itself does not hang on the step.
+/// A residual that half the step changes by less than this share of itself does not depend on the step.
 const SAME: f64 = 0.25;
 
 /// A state from which a stretch can be repeated.

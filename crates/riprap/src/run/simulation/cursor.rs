@@ -269,7 +269,7 @@ impl PhaseEnd {
             Reason::Iterations => Some("iterations"),
             Reason::Balanced | Reason::AtRest | Reason::Sinking => None,
         };
-        // Iterations without balance are told by `Unconverged`.
+        // Iterations without balance are reported by `Unconverged`.
         if let (Some(what), Some(wanted)) = (unused, self.wanted)
             && self.unbalanced > wanted
             && self.reason != Reason::Iterations

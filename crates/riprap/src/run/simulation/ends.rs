@@ -6,10 +6,10 @@ use crate::plan::PhaseKind;
 use crate::run::engine::View;
 use crate::run::{meeting, overruled, rough};
 
-/// Share of the largest energy that moved from which on what edits have added is told.
+/// Share of the largest energy exchanged from which on what edits have added is reported.
 const MADE: f64 = 0.05;
 
-/// Share of what a joint conducts that its shape leaves out from which on it is told.
+/// Share of what a joint conducts that its shape leaves out above which it is reported.
 const OBTUSE: f64 = 0.05;
 
 impl Simulation {

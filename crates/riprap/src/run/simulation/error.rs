@@ -76,7 +76,7 @@ pub enum RunError {
     Residual {
         /// What the ledger does not account for.
         what: Unexplained,
-        /// It over the largest energy that moved, per cent.
+        /// It over the largest energy exchanged, per cent.
         percent: f64,
         /// What is allowed, per cent.
         allowed: f64,

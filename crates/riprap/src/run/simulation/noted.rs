@@ -1,4 +1,4 @@
-//! What a run goes through that its laws do not mean: found at the looks of the guard, noted where it was largest, told at the end.
+//! What a run goes through that its laws do not mean: found at the looks of the guard, noted where it was largest, reported at the end.
 
 use super::cursor::{Noticed, Turned};
 use super::{RunError, Simulation, cause};

@@ -20,7 +20,7 @@ const CROSSED: f64 = 0.2;
 const LOOK: u64 = 50;
 /// Steps between two drawings of the ledger: one costs as much as some steps.
 const LEDGER: u64 = 1000;
-/// Residual over the largest energy that moved from which on a run is warned of.
+/// Residual over the largest energy exchanged above which a run is warned of.
 const NOTED: f64 = 0.01;
 /// The same of what a law without potential makes by itself.
 const TOLD: f64 = 0.1;
@@ -177,7 +177,7 @@ impl Simulation {
         }
         match limits::judge(found.ratio, 1.0) {
             Depth::TooDeep => return Err(self.too_deep(found)),
-            // Only the deepest one is told at the end, so that a long run leaves one warning and not thousands.
+            // Only the deepest one is reported at the end, so that a long run leaves one warning and not thousands.
             Depth::Deep if found.ratio > self.cursor.deepest.as_ref().map_or(0.0, |d| d.ratio) => {
                 let (names, into) = self.pressed(found);
                 self.cursor.deepest = Some(Deep {
@@ -363,7 +363,7 @@ impl Simulation {
         }
     }
 
-    /// Share of the largest energy that moved from which on it is told: where no run is stopped for it, only what would stop one else.
+    /// Share of the largest energy exchanged above which it is reported: where no run is stopped for it, only what would stop one else.
     pub(super) fn noted(&self, what: Unexplained) -> f64 {
         if self.forbids(what) { NOTED } else { TOLD }
     }

@@ -1,4 +1,4 @@
-//! Blocks of glued parts: what they weigh, what is refused, what is told.
+//! Blocks of glued parts: what they weigh, what is refused, what is reported.
 
 use super::*;
 
