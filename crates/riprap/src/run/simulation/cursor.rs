@@ -468,7 +468,7 @@ mod tests {
         }
         let mut forged = plane();
         forged.cursor.phase = 7;
-        assert_eq!(forged.sound().unwrap_err(), "phase 7 of 1 is not there");
+        assert_eq!(forged.sound().unwrap_err(), "phase 7 of 1 does not exist");
     }
 
     #[test]
