@@ -206,7 +206,7 @@ fn block(run: &Run, k: usize, id: usize) -> Result<Answer, Problem> {
     let at = at.ok_or_else(|| {
         Problem::missing(
             format!("there is no block {id} in frame {k}"),
-            "It was split, cut or taken out.",
+            "It was split, cut or removed.",
         )
     })?;
     let rows: Vec<Value> = columns
