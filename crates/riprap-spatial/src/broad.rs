@@ -1,3 +1,3 @@
 //! Broad phase: which pairs of blocks may touch, and with which of their faces.
 
-pub mod search;
+pub(crate) mod search;

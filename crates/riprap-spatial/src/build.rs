@@ -77,7 +77,7 @@ impl World {
             deform: None,
             found: FoundContacts::default(),
             failed: FailedPoints::default(),
-            looked: 0,
+            last_check_step: 0,
             events: Vec::new(),
             works: Works::default(),
             accounts: vec![Account::default(); setup.accounts.len()],

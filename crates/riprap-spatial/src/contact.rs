@@ -15,11 +15,11 @@ use riprap_geom::polyhedron::{Polyhedron, hull};
 mod acting;
 pub(crate) mod constants;
 mod felt;
-mod give_way;
 pub(crate) mod glued;
 mod held;
 pub(crate) mod limit;
 mod relaw;
+mod release;
 mod stored;
 pub(crate) mod terrain;
 
@@ -36,20 +36,22 @@ use crate::setup;
 use crate::setup::InterfaceLaw;
 use crate::setup::error::BuildError;
 use crate::state::bodies::{Bodies, Turned};
-use crate::state::contact_scratch::{Acting, Desk, PairGroup, Slot, WhoDesk, Workspace};
+use crate::state::contact_scratch::{
+    Acting, ContactScratch, PairGroup, RoleScratch, Slot, Workspace,
+};
 use crate::state::found::FoundPair;
 use crate::state::lineage::Origin;
 use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
 pub(crate) use acting::act;
-pub(crate) use give_way::give_way;
 use held::Joints;
 pub use relaw::change_laws;
+pub(crate) use release::release;
 pub(crate) use stored::{begin, stored};
 
 /// Steps between two looks at joints that have failed since.
-const LOOK: u64 = 16;
+const CHECK_INTERVAL: u64 = 16;
 /// Way in steps of the present length that margins are made for.
 const LOOKAHEAD: f64 = 50.0;
 
@@ -77,8 +79,8 @@ pub fn meeting(world: &World) -> Meeting {
         let material = setup.blocks[b].material as usize;
         match role {
             Role::Absent => {}
-            Role::Target => used[material][0] = true,
-            Role::Seeker => {
+            Role::Passive => used[material][0] = true,
+            Role::Active => {
                 meeting.seekers += 1;
                 used[material] = [true; 2];
             }
@@ -119,7 +121,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     let n = world.alive.len();
     let known = world.found.roles.len() == n;
     // Not without a move: what is found must not hang on how often an instant is evaluated.
-    let look = world.pending > 0.0 && world.step.is_multiple_of(LOOK);
+    let look = world.pending > 0.0 && world.step.is_multiple_of(CHECK_INTERVAL);
     let looked = !known || world.fresh || look;
     let mut renew = false;
     // Lent by the desk, so that a look takes no memory.
@@ -134,7 +136,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         scratch.desk.ready = false;
     }
     scratch.desk.deepest = None;
-    if !world.found.roles.contains(&Role::Seeker) {
+    if !world.found.roles.contains(&Role::Active) {
         if !world.found.pairs.is_empty() {
             leave(world, scratch);
         }
@@ -178,7 +180,7 @@ fn leave(world: &mut World, scratch: &mut Scratch) {
     }
     world.found.search = Default::default();
     world.found.held.clear();
-    scratch.desk = Desk::default();
+    scratch.desk = ContactScratch::default();
     scratch.tiles.make_rows(world);
 }
 
@@ -207,21 +209,21 @@ fn hidden_of_split(world: &World, pairs: &[FoundPair]) -> BTreeMap<[u32; 2], [f6
 
 /// Who can meet whom.
 pub(crate) fn roles(world: &World) -> Vec<Role> {
-    let mut desk = WhoDesk::default();
+    let mut desk = RoleScratch::default();
     find_roles(world, &mut desk);
     desk.roles
 }
 
 /// As [`roles`], into a desk.
-fn find_roles(world: &World, desk: &mut WhoDesk) {
-    let WhoDesk { roles, whole, joined } = desk;
+fn find_roles(world: &World, desk: &mut RoleScratch) {
+    let RoleScratch { roles, whole, joined } = desk;
     let n = world.alive.len();
     roles.clear();
     roles.extend((0..n).map(|b| {
         if !world.alive[b] || world.deforms(b) || world.is_terrain(b) {
             Role::Absent
         } else {
-            Role::Seeker
+            Role::Active
         }
     }));
     whole.clear();
@@ -241,8 +243,8 @@ fn find_roles(world: &World, desk: &mut WhoDesk) {
         return;
     };
     for b in 0..n {
-        if whole[b] && roles[b] == Role::Seeker && joined.leader(b as u32) == lattice {
-            roles[b] = Role::Target;
+        if whole[b] && roles[b] == Role::Active && joined.leader(b as u32) == lattice {
+            roles[b] = Role::Passive;
         }
     }
 }
@@ -257,14 +259,14 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
     }
     let roles = roles(world);
     let count = roles.iter().filter(|role| **role != Role::Absent).count();
-    if count < 2 || !roles.contains(&Role::Seeker) {
+    if count < 2 || !roles.contains(&Role::Active) {
         return Ok(());
     }
     let mut used = vec![[false; 2]; world.setup.materials.len()];
     let mut seen = vec![false; world.solids.len()];
     for (b, role) in roles.iter().enumerate().filter(|(_, r)| **r != Role::Absent) {
         let spec = &world.setup.blocks[b];
-        used[spec.material as usize][usize::from(*role == Role::Seeker)] = true;
+        used[spec.material as usize][usize::from(*role == Role::Active)] = true;
         if std::mem::replace(&mut seen[world.solid[b] as usize], true) {
             continue;
         }
@@ -323,7 +325,7 @@ pub(crate) fn glued_of(shape: &setup::Shape, centre: Vec3) -> Result<Option<Glue
 
 /// Makes the shapes of the mass classes that have none yet. A class whose blocks take no part, or whose shape is refused (a block
 /// that building let pass is none of these), has that of a small cube, which nothing asks for.
-pub(crate) fn make_shapes(world: &World, desk: &mut Desk) {
+pub(crate) fn make_shapes(world: &World, desk: &mut ContactScratch) {
     if desk.shapes.len() == world.solids.len() {
         return;
     }
@@ -394,7 +396,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     };
     let was_target = |b: &u32| {
         let role = up(*b).find_map(|b| were.get(b as usize));
-        role == Some(&Role::Target)
+        role == Some(&Role::Passive)
     };
     let of_parents = |[i, j]: [u32; 2]| {
         let pair = |i: u32, j: u32| hidden.get(&[i.min(j), i.max(j)]).copied();
@@ -418,7 +420,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
             FoundPair {
                 ends,
                 offset: offset.map(Box::new),
-                in_place: was_held,
+                seated: was_held,
                 ..FoundPair::default()
             }
         },
@@ -436,7 +438,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
 }
 
 /// Which pairs each block is in.
-fn incidence(world: &World, desk: &mut Desk) {
+fn incidence(world: &World, desk: &mut ContactScratch) {
     let pairs = &world.found.pairs;
     desk.blocks = pairs.iter().flat_map(|p| p.ends).collect();
     desk.blocks.sort_unstable();

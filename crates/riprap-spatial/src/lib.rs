@@ -65,20 +65,21 @@
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
 // Rooms by floors, lowest first (`floors.txt`, kept by `cargo xtask test modules`): a room names only rooms before it.
+// Private ones are known outside by what is named below.
 pub mod setup;
 
-pub mod broad;
-pub mod kernel;
+mod broad;
+mod kernel;
 
-pub mod faces;
-pub mod joint;
-pub mod push;
-pub mod state;
+mod faces;
+mod joint;
+mod push;
+mod state;
 
-pub mod contact;
+mod contact;
 pub mod deform;
-pub mod query;
-pub mod rigid;
+mod query;
+mod rigid;
 pub mod stable;
 pub mod step;
 
@@ -87,8 +88,16 @@ pub mod topology;
 pub mod build;
 pub mod read;
 
+pub use contact::{Meeting, change_laws, meeting, step_limit};
+pub use faces::{divisible, region};
+pub use kernel::limits;
+pub use kernel::shape::{Body, Shape, turn};
+pub use kernel::sums::Sums;
+pub use kernel::surface::{Found, Pair, Walker};
+pub use push::{bolts, charge};
 pub use query::view;
 pub use read::fields;
 pub use riprap_core::lanes;
 use riprap_core::{accounts, dynamics, exec, failed, field, frame, laws, ledger, profile};
-pub use state::{sums, world};
+pub use state::contact_scratch::{Deepest, Pressed};
+pub use state::{sums, tiles, world};

@@ -68,7 +68,7 @@ pub fn evaluate(
     // Before the search: a pair that its joint lets go must meet in this evaluation,
     // or its force would be missing for a step.
     let [meet, deformable] = stage(scratch, "search", |scratch| {
-        contact::give_way(world, scratch);
+        contact::release(world, scratch);
         crate::contact::deformable::part(world, scratch);
         let meet = contact::refresh(world, scratch);
         contact::terrain::prepare(world, scratch);

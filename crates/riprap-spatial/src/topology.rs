@@ -103,10 +103,10 @@ pub fn refine_running(
     damping: &Damping,
     dt: f64,
 ) -> Result<usize, EditError> {
-    if world.looked == world.step {
+    if world.last_check_step == world.step {
         return Ok(0);
     }
-    world.looked = world.step;
+    world.last_check_step = world.step;
     let splits = plan(world, scratch)?;
     if !splits.is_empty() {
         split(world, scratch, &splits, damping, dt)?;

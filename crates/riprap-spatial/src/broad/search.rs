@@ -106,7 +106,7 @@ impl Search {
 ///
 /// A turn by the angle a changes the quaternion by 2 sin(a/4) and moves a point at the radius by 2 R sin(a/2).
 #[must_use]
-pub fn path_bound(from: &Pose, to: &Pose, radius: f64) -> f64 {
+pub(crate) fn path_bound(from: &Pose, to: &Pose, radius: f64) -> f64 {
     let turned = (to.rotation - from.rotation)
         .length_squared()
         .min((to.rotation + from.rotation).length_squared());
@@ -269,7 +269,7 @@ impl Candidates {
             for (b, grown) in (first..).zip(boxes) {
                 *grown = match blocks.roles[b] {
                     Role::Absent => Box3::EMPTY,
-                    Role::Target | Role::Seeker => {
+                    Role::Passive | Role::Active => {
                         grown_box(blocks.shape(b), &search.pose[b], search.margin[b])
                     }
                 };

@@ -6,13 +6,13 @@ use crate::accounts::Entries;
 use crate::deform::relax;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
-use crate::kernel::cells::CellDesk;
+use crate::kernel::cells::TetContactScratch;
 use crate::lanes::Width;
 use crate::ledger::Works;
 use crate::profile::Profile;
 use crate::push::bolts;
 use crate::setup::JointLaw;
-use crate::state::contact_scratch::Desk;
+use crate::state::contact_scratch::ContactScratch;
 use crate::state::push::Pushes;
 use crate::state::scratch::{Lost, Partial, Scratch};
 use crate::state::sums::Sums;
@@ -36,8 +36,8 @@ impl Scratch {
             damping: Damping::default(),
             rebuilds: 0,
             deform: None,
-            desk: Desk::default(),
-            deformable: CellDesk::default(),
+            desk: ContactScratch::default(),
+            deformable: TetContactScratch::default(),
             inradii: Vec::new(),
             bolts: Vec::new(),
             slots: [Sums::default(), Sums::default()],

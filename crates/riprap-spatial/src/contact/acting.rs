@@ -13,9 +13,10 @@ use crate::contact::limit::{Known, Speeds};
 use crate::contact::{glued, left};
 use crate::exec::{CHUNK, Exec};
 use crate::kernel::glued::{Glued, Placed};
-use crate::kernel::{Body, Found, Motion, Pair, Pose, Question, Shape, part, planes, respond};
+use crate::kernel::{Body, ContactInput, Found, Motion, Pair, Pose, Shape, part, planes, respond};
 use crate::state::contact_scratch::{
-    Acting, Deepest, Desk, Exerted, PairGroup, PairSums, Pressed, Slot, Workspace, exerted,
+    Acting, ContactScratch, Deepest, Exerted, PairGroup, PairSums, Pressed, Slot, Workspace,
+    exerted,
 };
 use crate::state::found::FoundPair;
 use crate::state::scratch::Scratch;
@@ -24,13 +25,13 @@ use crate::state::world::{Bodies, World};
 /// What rounding may take from a gap, over the gap.
 const ROUNDING: f64 = 1e-9;
 /// Gap over the smaller inscribed radius beyond which blocks no longer lie in place: that at which a joint of a cube lets go.
-const IN_PLACE: f64 = 0.02;
+const SEATED: f64 = 0.02;
 
 /// Finds what all pairs exert, and the sums on each block.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let desk = &mut scratch.desk;
     place(world, desk, &scratch.exec);
-    let Desk { slots, groups, workspaces, sums, .. } = desk;
+    let ContactScratch { slots, groups, workspaces, sums, .. } = desk;
     let evaluation = Evaluation {
         bodies: BodiesInPairs {
             shapes: &desk.shapes,
@@ -70,7 +71,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
                 let k = first + k;
                 evaluation.pair(k, pair, slot, group, workspace);
-                slot.slight = false;
+                slot.negligible_impact = false;
                 if let Some(impact) = evaluation.known.impact(k, pair, slot, evaluation.gravity) {
                     group.note(impact);
                 }
@@ -88,15 +89,15 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     world.works.contact_path += sums.booked;
     world.works.edit_defect += sums.booked - sums.left;
     desk.deepest = sums.deepest;
-    limit::find_slight(world, desk, sums.impacts);
+    limit::find_negligible_impacts(world, desk, sums.impacts);
     sum(desk, &scratch.exec);
     let stable = limit::longest_step(world, desk, &scratch.exec);
     world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
 }
 
 /// Turns the blocks that are in a pair to where they are now.
-fn place(world: &World, desk: &mut Desk, exec: &Exec) {
-    let Desk { blocks, shapes, poses, turns, normals, first_normal, turning, .. } = desk;
+fn place(world: &World, desk: &mut ContactScratch, exec: &Exec) {
+    let ContactScratch { blocks, shapes, poses, turns, normals, first_normal, turning, .. } = desk;
     if poses.len() != blocks.len() || normals.len() != first_normal[blocks.len()] as usize {
         *poses = vec![Pose::at(Vec3::ZERO); blocks.len()];
         *turns = vec![Mat3::IDENTITY; blocks.len()];
@@ -255,13 +256,13 @@ impl Evaluation<'_> {
                 *pair = FoundPair {
                     ends: pair.ends,
                     gap: gap - ROUNDING * gap,
-                    in_place: pair.in_place && gap <= IN_PLACE * constants.inradius,
+                    seated: pair.seated && gap <= SEATED * constants.inradius,
                     ..FoundPair::default()
                 };
                 *slot = Slot { nearing, ..Slot::default() };
                 return;
             }
-            Found::Swallowed(radius) => {
+            Found::FullyPenetrated(radius) => {
                 // No force can be given: not a number stops the run, and the deepest contact is to blame.
                 let mut unknown = Exerted::default();
                 unknown.elastic.force = Vec3::NAN;
@@ -282,7 +283,7 @@ impl Evaluation<'_> {
         let falls = workspace.walker.falling(&law, &surface);
         let reply = respond(
             &law,
-            &Question {
+            &ContactInput {
                 sums: &surface,
                 pieces: &|show| workspace.walker.rubbing(show),
                 origin: planes::origin(&bodies[0], &bodies[1]),
@@ -320,14 +321,14 @@ impl Evaluation<'_> {
             touching: true,
             area: reply.area,
             nearing,
-            slight: false,
+            negligible_impact: false,
         };
     }
 }
 
 /// Adds what the pairs exert, block by block in the order of the pairs.
-fn sum(desk: &mut Desk, exec: &Exec) {
-    let Desk { acting, first_pair, incidence, slots, groups, .. } = desk;
+fn sum(desk: &mut ContactScratch, exec: &Exec) {
+    let ContactScratch { acting, first_pair, incidence, slots, groups, .. } = desk;
     exec.chunks(acting, |first, chunk| {
         for (ends, acting) in first_pair[first..].windows(2).zip(chunk) {
             *acting = Acting::default();

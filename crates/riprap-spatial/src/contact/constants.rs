@@ -8,18 +8,18 @@ use crate::joint::classes::stiffness;
 use crate::kernel::glued::Glued;
 use crate::kernel::{ContactLaw, Pose, Shape};
 use crate::setup::{InterfaceLaw, Setup};
-use crate::state::contact_scratch::{Constants, Desk, Facing};
+use crate::state::contact_scratch::{Constants, ContactScratch, FacePair};
 use crate::state::world::World;
 
 /// Finds what is the same for all pairs of the candidate list until the next one.
-pub(super) fn find(world: &World, desk: &mut Desk, exec: &Exec) {
+pub(super) fn find(world: &World, desk: &mut ContactScratch, exec: &Exec) {
     desk.rows = world.setup.interfaces.iter().map(of_row).collect();
     let blocks = 0..world.alive.len();
     desk.inverse_masses = blocks.map(|b| inverse_mass(world, b)).collect();
     let (lists, shapes, glued) = (&desk.candidates.lists, &desk.shapes, &desk.glued);
     let candidates = &desk.candidates.pairs;
     let rows = &desk.rows;
-    let of_run = |run: std::ops::Range<usize>| -> (Vec<Constants>, Vec<Facing>) {
+    let of_run = |run: std::ops::Range<usize>| -> (Vec<Constants>, Vec<FacePair>) {
         let mut constants = Vec::with_capacity(run.len());
         let mut facings = Vec::new();
         for c in &candidates[run] {
@@ -74,7 +74,7 @@ fn constants_of(
     ends: [u32; 2],
     rows: &[ContactLaw],
     faces: [&[u16]; 2],
-) -> (Constants, Option<Facing>) {
+) -> (Constants, Option<FacePair>) {
     let (poses, margin) = placed(world, ends);
     let shape = ends.map(|b| &shapes[world.solid[b as usize] as usize]);
     let constants = Constants {
@@ -83,8 +83,8 @@ fn constants_of(
     };
     let law = constants.law(rows);
     let facing = limit::facing(shape, poses, margin, faces.map(|f| f.iter().copied()));
-    let eases = || ends.map(|b| limit::Ease::of(world, shapes, b as usize));
-    let with_square = |found: Facing| found.with_square(eases(), poses, &law);
+    let eases = || ends.map(|b| limit::InverseInertia::of(world, shapes, b as usize));
+    let with_square = |found: FacePair| found.with_square(eases(), poses, &law);
     (constants, facing.map(with_square))
 }
 
@@ -94,7 +94,7 @@ fn constants_of_glued(
     (shapes, glued): (&[Shape], &[Glued]),
     ends: [u32; 2],
     rows: &[ContactLaw],
-) -> (Constants, Option<Facing>) {
+) -> (Constants, Option<FacePair>) {
     let (poses, margin) = placed(world, ends);
     let of = ends.map(|b| &glued[world.solid[b as usize] as usize]);
     let constants = Constants {
@@ -103,8 +103,8 @@ fn constants_of_glued(
         ..plain(&world.setup, ends, of.map(|glued| glued.inradius))
     };
     let law = constants.law(rows);
-    let eases = || ends.map(|b| limit::Ease::of(world, shapes, b as usize));
-    let with_square = |found: Facing| found.with_square(eases(), poses, &law);
+    let eases = || ends.map(|b| limit::InverseInertia::of(world, shapes, b as usize));
+    let with_square = |found: FacePair| found.with_square(eases(), poses, &law);
     let facing = glued::facing(of, poses, margin, with_square);
     (constants, facing)
 }

@@ -2,12 +2,12 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use crate::contact::limit::Ease;
+use crate::contact::limit::InverseInertia;
 use crate::kernel::{ContactLaw, Pose, Shape};
-use crate::state::contact_scratch::Facing;
+use crate::state::contact_scratch::FacePair;
 
 /// Where springs of a contact are, seen from a block.
-pub(super) struct Spread {
+pub(super) struct AreaMoments {
     /// Unit normal, of either sign.
     pub(super) normal: Vec3,
     /// Their centre from the centroid of the block, m.
@@ -20,14 +20,14 @@ pub(super) struct Spread {
     pub(super) held: f64,
 }
 
-impl Facing {
+impl FacePair {
     /// The smaller face, turned into space, seen from a block from which it is `way` (m) to the centroid of its own; a share of it where
     /// no more than a small part can be in touch.
     ///
     /// Springs of the area a at a place r from the centre of a face of the area A and the radius of gyration i answer a motion u of the
     /// centre and a turn t by `a (u + t r)² <= a (1 + r²/i²) (u² + t² i²)`: nowhere are they stiffer than `(1 + r²/i²) a/A` of the whole face.
-    pub(super) fn spread(&self, turn: Mat3, way: Vec3) -> Spread {
-        Spread {
+    pub(super) fn spread(&self, turn: Mat3, way: Vec3) -> AreaMoments {
+        AreaMoments {
             normal: turn * self.normal,
             arm: turn * self.centre + way,
             area: self.face.min((1.0 + self.corner / self.polar) * self.area),
@@ -39,14 +39,14 @@ impl Facing {
     /// Finds how fast the smaller face alone is as a spring, for the slower of both blocks.
     pub(super) fn with_square(
         mut self,
-        eases: [Ease; 2],
+        eases: [InverseInertia; 2],
         poses: [Pose; 2],
         law: &ContactLaw,
     ) -> Self {
         let of = poses[self.side];
         let turn = Mat3::from_quat(of.rotation);
         let squares = [0, 1].map(|s| {
-            let mut felt = Felt::default();
+            let mut felt = ContactStiffness::default();
             felt.add(&eases[s], law, &self.spread(turn, of.position - poses[s].position));
             felt.bound()
         });
@@ -91,17 +91,17 @@ impl Facing {
 /// Springs of the contacts of a block, as its motion feels them, 1/s²: displacements times the root of the mass, rotations times that of the
 /// inertia.
 #[derive(Default)]
-pub(super) struct Felt {
+pub(super) struct ContactStiffness {
     /// Rows of the symmetric matrix of displacements along x, y, z and rotations about x, y, z.
     rows: [[f64; 6]; 6],
     /// Of contacts whose place is not known, wherever they are.
     pub(super) anywhere: f64,
 }
 
-impl Felt {
+impl ContactStiffness {
     /// Adds a contact.
-    pub(super) fn add(&mut self, ease: &Ease, law: &ContactLaw, spread: &Spread) {
-        let &Spread { normal: n, arm, area, polar, held } = spread;
+    pub(super) fn add(&mut self, ease: &InverseInertia, law: &ContactLaw, spread: &AreaMoments) {
+        let &AreaMoments { normal: n, arm, area, polar, held } = spread;
         let (across, along) =
             (2.0 * area * law.normal_stiffness, 2.0 * area.max(held) * law.shear_stiffness);
         let force = |d: Vec3| along * d + (across - along) * n.dot(d) * n;
@@ -155,10 +155,10 @@ mod tests {
 
     use super::*;
 
-    fn cube() -> (Shape, Ease) {
+    fn cube() -> (Shape, InverseInertia) {
         let shape = Shape::brick(Vec3::splat(0.5)).unwrap();
         // 1 kg, 1 m: I = 1/6.
-        let ease = Ease { mass: 1.0, inertia: 6.0, height: 0.25, reach: 0.75 };
+        let ease = InverseInertia { mass: 1.0, inertia: 6.0, height: 0.25, reach: 0.75 };
         (shape, ease)
     }
 
@@ -174,9 +174,9 @@ mod tests {
     #[test]
     fn one_face_has_the_frequency_of_the_closed_form() {
         let (shape, ease) = cube();
-        let face = Facing::new(1.0, 0, &shape, 0);
+        let face = FacePair::new(1.0, 0, &shape, 0);
         assert!((face.polar - 1.0 / 6.0).abs() < 1e-15 && face.centre.length() == 0.5);
-        let mut felt = Felt::default();
+        let mut felt = ContactStiffness::default();
         let turn = Mat3::from_quat(Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), 0.7));
         felt.add(&ease, &LAW, &face.spread(turn, Vec3::ZERO));
         // ks = 1/2 at half an edge, twice; tilting against J = 1/6 in full, as a bound of the moments across.
@@ -192,15 +192,15 @@ mod tests {
     fn a_small_part_of_a_face_is_no_stiffer_than_its_share() {
         let (shape, ease) = cube();
         let area = 0.01;
-        let face = Facing::new(area, 0, &shape, 0);
+        let face = FacePair::new(area, 0, &shape, 0);
         let whole = face.spread(Mat3::IDENTITY, Vec3::ZERO);
         assert!((whole.area - 4.0 * area).abs() < 1e-12);
-        let mut share = Felt::default();
+        let mut share = ContactStiffness::default();
         share.add(&ease, &LAW, &whole);
         let [_, e, h] = riprap_geom::polyhedron::frame(face.normal);
         for (s, t) in [(0.45, 0.45), (0.45, 0.0), (0.0, -0.45), (-0.45, 0.45), (0.0, 0.0)] {
-            let mut part = Felt::default();
-            let spread = Spread {
+            let mut part = ContactStiffness::default();
+            let spread = AreaMoments {
                 normal: face.normal,
                 arm: face.centre + s * e + t * h,
                 area,
@@ -218,13 +218,13 @@ mod tests {
     #[test]
     fn a_part_of_a_face_is_no_stiffer_than_the_face() {
         let (shape, ease) = cube();
-        let face = Facing::new(1.0, 0, &shape, 0).spread(Mat3::IDENTITY, Vec3::ZERO);
-        let mut whole = Felt::default();
+        let face = FacePair::new(1.0, 0, &shape, 0).spread(Mat3::IDENTITY, Vec3::ZERO);
+        let mut whole = ContactStiffness::default();
         whole.add(&ease, &LAW, &face);
         // A quarter of it, in a corner.
         let [_, e, h] = riprap_geom::polyhedron::frame(face.normal);
-        let mut part = Felt::default();
-        let spread = Spread {
+        let mut part = ContactStiffness::default();
+        let spread = AreaMoments {
             normal: face.normal,
             arm: face.arm + 0.25 * (e + h),
             area: 0.25,

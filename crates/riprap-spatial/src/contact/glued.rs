@@ -7,11 +7,11 @@ use riprap_geom::Vec3;
 
 use crate::contact::limit;
 use crate::kernel::glued::{Glued, Placed, Touch};
-use crate::kernel::{ContactLaw, Motion, Pose, Question, respond};
+use crate::kernel::{ContactInput, ContactLaw, Motion, Pose, respond};
 use crate::setup::error::BuildError;
 use crate::setup::{FaceSet, Setup, Shape, Solid};
 use crate::state::contact_scratch::{
-    Deepest, Exerted, Facing, GluedWorkspace, PairGroup, Pressed, Slot,
+    Deepest, Exerted, FacePair, GluedWorkspace, PairGroup, Pressed, Slot,
 };
 use crate::state::found::{FoundPair, PieceContact};
 use crate::state::world::World;
@@ -69,7 +69,7 @@ pub(super) fn act(
                     gap = 0.0;
                     continue;
                 }
-                Touch::Swallowed(radius) => {
+                Touch::FullyPenetrated(radius) => {
                     // No force can be given: not a number stops the run, and the deepest contact is to blame.
                     exerted.elastic.force = Vec3::NAN;
                     pair.depth = 2.0 * radius;
@@ -93,7 +93,7 @@ pub(super) fn act(
             let falls = gluer.walker.falling(law, &surface);
             let reply = respond(
                 law,
-                &Question {
+                &ContactInput {
                     sums: &surface,
                     pieces: &|show| gluer.walker.rubbing(show),
                     origin,
@@ -149,9 +149,9 @@ pub(super) fn facing(
     blocks: [&Glued; 2],
     poses: [Pose; 2],
     margin: f64,
-    with_square: impl Fn(Facing) -> Facing,
-) -> Option<Facing> {
-    let mut best: Option<Facing> = None;
+    with_square: impl Fn(FacePair) -> FacePair,
+) -> Option<FacePair> {
+    let mut best: Option<FacePair> = None;
     let mut all = 0.0;
     for a in blocks[0].convex_pieces() {
         for b in blocks[1].convex_pieces() {

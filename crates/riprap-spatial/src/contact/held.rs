@@ -3,7 +3,7 @@
 //! In a lattice most pairs of blocks that are near each other share an edge or a corner only. While blocks that both of them
 //! are joined to hold them, small kinematics hold between them too: they overlap by a small share of their size, in a rim, and what they
 //! would exert there is nothing beside what their faces do. Such pairs are not looked at. Joints hold as long as they are there,
-//! broken or not: what slides, turns or opens beyond its bounds gives way ([`mod@super::give_way`]), and a pair is looked at from the instant
+//! broken or not: what slides, turns or opens beyond its bounds gives way ([`mod@super::release`]), and a pair is looked at from the instant
 //! on at which no chain of joints is left. It starts without force then ([`super::rebuild`]).
 
 use crate::contact::limit::facing;
@@ -86,7 +86,7 @@ fn share(a: &[u32], b: &[u32]) -> bool {
 mod tests {
     use riprap_geom::Vec3;
 
-    use crate::contact::give_way::let_go;
+    use crate::contact::release::release_pairs;
     use crate::contact::tests::{Run, above_floor, brick};
     use crate::state::patches::flag;
 
@@ -122,7 +122,7 @@ mod tests {
             run.world.bodies.displacement[axis][4] = -depth;
         }
         run.evaluate();
-        let_go(&mut run.world, &mut run.scratch, &[[2, 4], [3, 4]]);
+        release_pairs(&mut run.world, &mut run.scratch, &[[2, 4], [3, 4]]);
         run.evaluate();
         assert_eq!(run.world.found.held, [[2, 3]]);
         let pair = |run: &Run| {

@@ -8,8 +8,8 @@
 //!
 //! An impact in the middle of a step, and parting in it, does wrong to the energy by a share that grows with the square of the step. So
 //! faces that are about to meet flat allow, until they have parted, the smaller share of a stable step that counts with any place of the contact; where blocks lie in
-//! place since a joint of theirs has let go (`in_place`), that of joints, which open and close in such steps too. So it does for
-//! the stiffest pairs whose impacts together are [`SLIGHT`], which would make the shortest steps: the sand between rocks that fly. With one degree of freedom and steps of half the stable one the energy after an impact is off
+//! place since a joint of theirs has let go (`seated`), that of joints, which open and close in such steps too. So it does for
+//! the stiffest pairs whose impacts together are [`NEGLIGIBLE`], which would make the shortest steps: the sand between rocks that fly. With one degree of freedom and steps of half the stable one the energy after an impact is off
 //! by up to 0.12 of it (one standard deviation) but by less than 0.005 in the mean over its phase, so that the errors of many impacts do not add up.
 //!
 //! Contacts of edges and corners grow: A is what makes the present area as safe as a share of the stable step for growing springs asks, and no
@@ -24,12 +24,12 @@ use std::collections::BinaryHeap;
 
 use riprap_geom::Vec3;
 
-use crate::contact::felt::{Felt, Spread};
+use crate::contact::felt::{AreaMoments, ContactStiffness};
 use crate::exec::Exec;
 use crate::kernel::{ContactLaw, Memory, Pose, Role, Shape};
 use crate::laws::damping::stable_share;
 use crate::state::bodies::{Bodies, SolidClass};
-use crate::state::contact_scratch::{Constants, Desk, Facing, Impact, Slot};
+use crate::state::contact_scratch::{Constants, ContactScratch, FacePair, Impact, Slot};
 use crate::state::found::FoundPair;
 use crate::state::world::World;
 
@@ -45,9 +45,9 @@ const DAMPED: f64 = 0.375;
 const EDGE: f64 = 0.5;
 /// Faces of which less than this is in touch may come to touch anywhere.
 const MOSTLY: f64 = 0.5;
-/// Energy of all impacts of faces at one instant, over the largest energy that has moved in the run: at most this is slight. The errors of n
+/// Energy of all impacts of faces at one instant, over the largest energy that has moved in the run: at most this is negligible. The errors of n
 /// impacts, each of a tenth of its energy and of either sign, are then `1e-4 sqrt(n)` of the scale by which the residual is judged.
-const SLIGHT: f64 = 1e-3;
+const NEGLIGIBLE: f64 = 1e-3;
 /// Share of the time until two blocks can meet that a step may take. The kick of a step spans half of the step before it too, and
 /// the limit is that of the last evaluation: steps shrink with the gap, so that the first kick of a contact is a short one.
 const APPROACH: f64 = 0.25;
@@ -59,7 +59,7 @@ const FLIGHT: f64 = 0.25;
 const FACING: f64 = -0.98;
 
 /// Longest step, s.
-pub(super) fn longest_step(world: &World, desk: &mut Desk, exec: &Exec) -> f64 {
+pub(super) fn longest_step(world: &World, desk: &mut ContactScratch, exec: &Exec) -> f64 {
     let transit = transit(world, desk, exec);
     let limit =
         StepLimit { world, desk, speeds: Speeds::of(world), gravity: world.gravity.length() };
@@ -72,7 +72,7 @@ pub(super) fn longest_step(world: &World, desk: &mut Desk, exec: &Exec) -> f64 {
 /// What the pairs of a block allow.
 struct StepLimit<'a> {
     world: &'a World,
-    desk: &'a Desk,
+    desk: &'a ContactScratch,
     speeds: Speeds<'a>,
     /// m/s².
     gravity: f64,
@@ -83,8 +83,8 @@ impl StepLimit<'_> {
     fn of_block(&self, mut longest: f64, at: usize) -> f64 {
         let Self { world, desk, speeds, gravity } = self;
         let b = desk.blocks[at] as usize;
-        let ease = Ease::of(world, &desk.shapes, b);
-        let (mut felt, mut damping) = (Felt::default(), 0.0_f64);
+        let ease = InverseInertia::of(world, &desk.shapes, b);
+        let (mut felt, mut damping) = (ContactStiffness::default(), 0.0_f64);
         let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
         for &(k, second) in &desk.incidence[pairs] {
             let k = k as usize;
@@ -98,9 +98,9 @@ impl StepLimit<'_> {
             let loss = stable_share(law.damping_ratio);
             let flat = constants.facing(&desk.facings);
             let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
-            let slight = desk.all_slight || slot.slight;
-            let share = if slight { BOUNDED } else { SAFETY };
-            let as_joint = pair.in_place || slight;
+            let negligible_impact = desk.all_negligible || slot.negligible_impact;
+            let share = if negligible_impact { BOUNDED } else { SAFETY };
+            let as_joint = pair.seated || negligible_impact;
             // In the root of an area, from the bound of all that touches to the step of what grows.
             let growth = BOUNDED * loss / meeting(share, loss);
             let alone = flat.map_or(f64::INFINITY, |flat| {
@@ -136,7 +136,7 @@ impl StepLimit<'_> {
                     let growth = growth * growth;
                     for piece in pair.pieces.iter().filter(|p| p.memory.area > 0.0) {
                         let face = flat.map_or(0.0, |flat| flat.face);
-                        let spread = Spread {
+                        let spread = AreaMoments {
                             normal: piece.memory.normal,
                             arm: piece.memory.arms[usize::from(second)],
                             area: (growth * piece.area).min(most).max(face),
@@ -149,12 +149,12 @@ impl StepLimit<'_> {
                     continue;
                 }
                 let mostly = flat.is_none_or(|flat| slot.area >= MOSTLY * flat.area);
-                if known && (slight || mostly) {
+                if known && (negligible_impact || mostly) {
                     let grown = growth * growth * slot.area;
-                    let spread = Spread {
+                    let spread = AreaMoments {
                         normal: memory.normal,
                         arm: memory.arms[usize::from(second)],
-                        area: if slight {
+                        area: if negligible_impact {
                             slot.area
                         } else {
                             grown.min(most).max(flat.map_or(slot.area, |f| f.area))
@@ -214,36 +214,36 @@ fn until_change(pair: &FoundPair, slot: &Slot, gravity: f64) -> f64 {
     APPROACH * time_for(way, slot.nearing, gravity)
 }
 
-/// Says of each pair whether its impact is slight: the stiffest ones, whose steps would be the shortest, as long as all of them together
+/// Says of each pair whether its impact is negligible: the stiffest ones, whose steps would be the shortest, as long as all of them together
 /// are. Their energy is that of the approach, by its bound, and of the pressure; pairs that cannot meet in a step that is as long as joints
 /// allow have none, and those that lie in place are left out. `energy`: that of all impacts, J.
-pub(super) fn find_slight(world: &World, desk: &mut Desk, energy: f64) {
-    let slight = SLIGHT * world.works.peak;
-    desk.all_slight = energy <= slight;
-    if desk.all_slight {
+pub(super) fn find_negligible_impacts(world: &World, desk: &mut ContactScratch, energy: f64) {
+    let most = NEGLIGIBLE * world.works.peak;
+    desk.all_negligible = energy <= most;
+    if desk.all_negligible {
         return;
     }
     let mut impacts = std::mem::take(&mut desk.impacts);
     impacts.clear();
     impacts.extend(desk.groups.iter().flat_map(|group| &group.impacts));
-    // Few of many are slight: a heap gives the stiffest ones without sorting all.
+    // Few of many are negligible: a heap gives the stiffest ones without sorting all.
     let mut impacts = BinaryHeap::from(impacts);
     let mut so_far = 0.0;
     while let Some(impact) = impacts.pop() {
         so_far += impact.energy;
-        if so_far > slight {
+        if so_far > most {
             break;
         }
-        desk.slots[impact.pair as usize].slight = true;
+        desk.slots[impact.pair as usize].negligible_impact = true;
     }
     desk.impacts = impacts.into_vec();
 }
 
-/// What is the same in all steps for all pairs, as in [`Desk`].
+/// What is the same in all steps for all pairs, as in [`ContactScratch`].
 pub(super) struct Known<'a> {
     pub(super) constants: &'a [Constants],
     pub(super) rows: &'a [ContactLaw],
-    pub(super) facings: &'a [Facing],
+    pub(super) facings: &'a [FacePair],
     pub(super) inverse_masses: &'a [f64],
 }
 
@@ -256,7 +256,7 @@ impl Known<'_> {
         slot: &Slot,
         gravity: f64,
     ) -> Option<Impact> {
-        if pair.in_place {
+        if pair.seated {
             return None;
         }
         let constants = &self.constants[k];
@@ -330,7 +330,7 @@ fn time_for(way: f64, v: f64, g: f64) -> f64 {
 }
 
 /// Longest step in which no pair can pass through each other, s.
-fn transit(world: &World, desk: &Desk, exec: &Exec) -> f64 {
+fn transit(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
     let g = world.gravity.length();
     exec.smallest(world.found.pairs.len(), |pairs| {
         let times = pairs.map(|k| {
@@ -358,7 +358,7 @@ pub(super) fn reach(world: &World) -> f64 {
 }
 
 /// How easily forces move and turn a block.
-pub(crate) struct Ease {
+pub(crate) struct InverseInertia {
     /// 1/kg.
     pub(super) mass: f64,
     /// 1/(kg m²).
@@ -369,7 +369,7 @@ pub(crate) struct Ease {
     pub(super) reach: f64,
 }
 
-impl Ease {
+impl InverseInertia {
     pub(crate) fn of(world: &World, shapes: &[Shape], b: usize) -> Self {
         let [free, turns] = world.freedoms(b);
         let solid = world.solid_of(b);
@@ -426,7 +426,7 @@ pub(super) fn facing<F: IntoIterator<Item = u16> + Clone>(
     poses: [Pose; 2],
     margin: f64,
     faces: [F; 2],
-) -> Option<Facing> {
+) -> Option<FacePair> {
     let mut most = 0.0;
     let mut found = None;
     let [of_first, of_second] = faces;
@@ -452,5 +452,5 @@ pub(super) fn facing<F: IntoIterator<Item = u16> + Clone>(
             }
         }
     }
-    found.map(|(area, side, faces)| Facing::new(area, side, shapes[side], faces[side] as usize))
+    found.map(|(area, side, faces)| FacePair::new(area, side, shapes[side], faces[side] as usize))
 }

@@ -12,7 +12,7 @@ use riprap_geom::Vec3;
 use crate::exec::Exec;
 use crate::kernel::Memory;
 use crate::kernel::glued::Glued;
-use crate::state::contact_scratch::Desk;
+use crate::state::contact_scratch::ContactScratch;
 use crate::state::found::{FacetContact, FoundPair};
 use crate::state::world::World;
 
@@ -29,7 +29,7 @@ enum Bound {
 }
 
 /// What is stored in the pressure of found contacts lies between these, J. What a joint has handed over is known.
-fn bounds(world: &World, desk: &Desk, exec: &Exec, bound: Bound) -> [f64; 2] {
+fn bounds(world: &World, desk: &ContactScratch, exec: &Exec, bound: Bound) -> [f64; 2] {
     let pair = |k: usize| {
         let Some(by) = desk.exerted(k) else {
             return [0.0; 2];
@@ -59,7 +59,7 @@ fn bounds(world: &World, desk: &Desk, exec: &Exec, bound: Bound) -> [f64; 2] {
 }
 
 /// `F d/2` of each pair, and of each facet on terrain in turn, J: what they store in proportion to each other.
-pub(super) fn at_most(world: &World, desk: &Desk) -> (Vec<f64>, Vec<f64>) {
+pub(super) fn at_most(world: &World, desk: &ContactScratch) -> (Vec<f64>, Vec<f64>) {
     let pair = |(k, pair): (usize, &FoundPair)| {
         let by = desk.exerted(k);
         by.map_or(0.0, |by| 0.5 * by.elastic.force.length() * pair.depth)
@@ -71,7 +71,7 @@ pub(super) fn at_most(world: &World, desk: &Desk) -> (Vec<f64>, Vec<f64>) {
 }
 
 /// Energy of a facet of block `b` on terrain, J.
-fn facet(desk: &Desk, b: usize, on: &FacetContact) -> f64 {
+fn facet(desk: &ContactScratch, b: usize, on: &FacetContact) -> f64 {
     let laws = desk.terrain.laws.get(b);
     let law = laws.and_then(|laws| laws.get(on.terrain()));
     let stiffness = law.map_or(0.0, |law| law.normal_stiffness);
@@ -79,7 +79,7 @@ fn facet(desk: &Desk, b: usize, on: &FacetContact) -> f64 {
 }
 
 /// `F D/2` of a pair that presses with this force (N), J; piece by piece of blocks of glued parts.
-fn of_pair(world: &World, desk: &Desk, k: usize, force: f64) -> f64 {
+fn of_pair(world: &World, desk: &ContactScratch, k: usize, force: f64) -> f64 {
     let pair = &world.found.pairs[k];
     let most = |force: f64, way: f64| {
         let rim = (way / desk.constants[k].inradius).min(1.0);
@@ -98,7 +98,7 @@ fn of_pair(world: &World, desk: &Desk, k: usize, force: f64) -> f64 {
 /// By how much the two blocks of a pair, or two pieces of them, overlap along their normal, m.
 fn way(
     world: &World,
-    desk: &Desk,
+    desk: &ContactScratch,
     pair: &FoundPair,
     pieces: Option<[u16; 2]>,
     memory: &Memory,
@@ -129,7 +129,7 @@ fn of_piece(glued: &Glued, piece: u16) -> (&crate::kernel::Shape, Vec3) {
 }
 
 /// How far a block, or a piece of it, reaches below a facet of terrain, m: as far as its sharpest edge does at this depth.
-fn below(world: &World, desk: &Desk, b: usize, on: &FacetContact) -> f64 {
+fn below(world: &World, desk: &ContactScratch, b: usize, on: &FacetContact) -> f64 {
     let class = world.solid[b] as usize;
     let sharpest = match desk.glued.get(class).filter(|glued| !glued.is_convex()) {
         Some(glued) => of_piece(glued, on.piece()).0.sharpness(),
@@ -140,7 +140,7 @@ fn below(world: &World, desk: &Desk, b: usize, on: &FacetContact) -> f64 {
 
 /// Energy of the pressure of found contacts less that at the start, J: the work on it, within what it can be. Steps that are long beside
 /// an impact leave in that work what they made or lost, and blocks that are apart store nothing: what is left over is a defect of the law.
-pub(crate) fn stored(world: &World, desk: &Desk, exec: &Exec) -> f64 {
+pub(crate) fn stored(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
     let work = world.works.contact_path;
     if work == 0.0 || desk.slots.len() != world.found.pairs.len() {
         return work;
@@ -155,7 +155,7 @@ pub(crate) fn stored(world: &World, desk: &Desk, exec: &Exec) -> f64 {
 }
 
 /// Notes what contacts of blocks that are built into each other store at the start, which no work has put in.
-pub(crate) fn begin(world: &mut World, desk: &Desk, exec: &Exec) {
+pub(crate) fn begin(world: &mut World, desk: &ContactScratch, exec: &Exec) {
     [_, world.found.at_start] = bounds(world, desk, exec, Bound::Way);
 }
 

@@ -13,13 +13,13 @@ use crate::kernel::frame::Frame;
 use crate::kernel::glued::Glued;
 use crate::kernel::piece::Polygon;
 use crate::kernel::{
-    Body, ContactLaw, Motion, Pieces, Question, Reached, Shape, Sums, Terrain, Wrench, respond,
+    Body, ContactInput, ContactLaw, Motion, Pieces, Reached, Shape, Sums, Terrain, Wrench, respond,
     turn,
 };
 use crate::laws::damping::stable_share;
 use crate::setup;
 use crate::state::bodies::{Bodies, Turned};
-use crate::state::contact_scratch::{Acting, Desk, TerrainWorkspace};
+use crate::state::contact_scratch::{Acting, ContactScratch, TerrainWorkspace};
 use crate::state::event::EditKind;
 use crate::state::found::{FacetContact, OnTerrain};
 use crate::state::scratch::Scratch;
@@ -51,7 +51,7 @@ impl World {
 /// Finds what terrain does to all blocks.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let n = world.alive.len();
-    let Desk { shapes, glued, terrain: desk, .. } = &mut scratch.desk;
+    let ContactScratch { shapes, glued, terrain: desk, .. } = &mut scratch.desk;
     world.found.terrain.resize_with(n, OnTerrain::default);
     desk.exerted.resize(n, Acting::default());
     desk.workspaces.resize_with(n.div_ceil(piece(n)), TerrainWorkspace::default);
@@ -210,7 +210,7 @@ impl Evaluation<'_> {
             };
             match reached {
                 Reached::Apart(gap) => clear = clear.min(gap),
-                Reached::Swallowed(_) => {
+                Reached::FullyPenetrated(_) => {
                     // No force can be given: not a number stops the run with the name of the block.
                     exerted.elastic.force = Vec3::NAN;
                     clear = 0.0;
@@ -283,8 +283,10 @@ impl Here<'_> {
             );
             let law = self.law.part(on.sums.vector_area.length() / whole);
             let pieces = |show: &mut dyn FnMut(&Polygon, &Frame)| workspace.under.rubbing(on, show);
-            let question =
-                Question { shared: workspace.ridges.shared(k), ..self.question(&on.sums, &pieces) };
+            let question = ContactInput {
+                shared: workspace.ridges.shared(k),
+                ..self.question(&on.sums, &pieces)
+            };
             let reply = respond(&law, &question, &mut contact.memory, &mut None);
             workspace.friction += reply.friction;
             contact.stored = contact.memory.stored(law.shear_stiffness);
@@ -299,8 +301,8 @@ impl Here<'_> {
         }
     }
 
-    fn question<'q>(&self, sums: &'q Sums, pieces: &'q Pieces<'q>) -> Question<'q> {
-        Question {
+    fn question<'q>(&self, sums: &'q Sums, pieces: &'q Pieces<'q>) -> ContactInput<'q> {
+        ContactInput {
             sums,
             pieces,
             origin: self.position,
@@ -327,7 +329,7 @@ pub(crate) fn share(law: &ContactLaw) -> f64 {
 }
 
 /// Longest step, s: what is near counts with its largest face flat on the ground, what falls with a share of the time until it can touch.
-fn longest_step(world: &World, desk: &Desk) -> f64 {
+fn longest_step(world: &World, desk: &ContactScratch) -> f64 {
     let gravity = world.gravity.length();
     let mut longest = f64::INFINITY;
     for (b, state) in world.found.terrain.iter().enumerate() {
@@ -340,7 +342,7 @@ fn longest_step(world: &World, desk: &Desk) -> f64 {
         // Faces in a hollow are no faces of the hull.
         let glued = desk.glued.get(world.solid[b] as usize);
         let area = glued.map_or(area, |glued| area.max(glued.largest));
-        let ease = super::limit::Ease::of(world, &desk.shapes, b).of_area(area);
+        let ease = super::limit::InverseInertia::of(world, &desk.shapes, b).of_area(area);
         let mut stable = f64::INFINITY;
         for law in laws {
             let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);

@@ -377,8 +377,8 @@ fn slight_impacts_do_not_shorten_the_step() {
     let mut run = Run::new(above_floor(vec![block], 0.5, 0.1), 1, 1e-4);
     // The joint of the start is gone.
     run.evaluate();
-    super::give_way::let_go(&mut run.world, &mut run.scratch, &[[0, 1]]);
-    run.world.found.pairs[0].in_place = false;
+    super::release::release_pairs(&mut run.world, &mut run.scratch, &[[0, 1]]);
+    run.world.found.pairs[0].seated = false;
     run.until(5e-4);
     assert!(run.world.found.pairs[0].depth > 0.0);
     let mut limit = |peak: f64| {
@@ -506,7 +506,7 @@ fn the_state_hash_covers_what_contacts_remember() {
         *sliding = !*sliding;
     });
     change("gap", &|w| w.found.pairs[apart].gap += 1e-3);
-    change("in place", &|w| w.found.pairs[apart].in_place = true);
+    change("in place", &|w| w.found.pairs[apart].seated = true);
     change("faces", &|w| w.found.pairs[apart].next = Some([7, 7]));
     change("offset", &|w| {
         w.found.pairs[touching].offset = Some(Box::new(joint));

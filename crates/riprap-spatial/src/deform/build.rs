@@ -139,7 +139,7 @@ pub fn join(
         let points = super::overlay::points(world, deform, classes, overlap);
         let starts = super::in_situ::tractions(world, deform, classes, overlap, &points);
         let memory = |start| Memory { start, ..Memory::default() };
-        deform.worn.push(world.setup.in_situ.is_some());
+        deform.has_history.push(world.setup.in_situ.is_some());
         deform.memory.extend(starts.into_iter().map(memory));
         deform.facets.push(Facet {
             blocks: overlap.blocks,
@@ -153,7 +153,7 @@ pub fn join(
             row,
             rigid,
             origin: Origin::Built,
-            whole_until: 0,
+            intact_until_step: 0,
             parted: false,
         });
         deform.points.extend(points);
@@ -189,7 +189,7 @@ fn notch(world: &World, deform: &mut Deform) -> Result<(), BuildError> {
                 let own = || inside(place(world, deform, &deform.points[p], 0));
                 if whole || (notch.springs && own()) {
                     found = true;
-                    deform.worn[k] = true;
+                    deform.has_history[k] = true;
                     deform.memory[p].law.damage = 1.0;
                     deform.memory[p].state = State::Opened;
                 }

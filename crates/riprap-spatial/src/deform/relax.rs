@@ -12,7 +12,7 @@ use crate::state::workspace::{BlockClass, Workspace};
 use riprap_geom::Vec3;
 
 /// Iterations between two looks at convergence and damping.
-pub const LOOK: u32 = 25;
+pub const CHECK_INTERVAL: u32 = 25;
 /// Share by which the masses exceed the limit of stability.
 pub(crate) const MARGIN: f64 = 1.05;
 /// Largest damping.
@@ -59,7 +59,7 @@ impl Relax {
         let ratio = if net == 0.0 { 0.0 } else { net / scale };
         self.iterations += 1;
         self.since += 1;
-        if self.since < LOOK {
+        if self.since < CHECK_INTERVAL {
             return;
         }
         self.since = 0;

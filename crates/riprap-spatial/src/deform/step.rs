@@ -54,7 +54,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
     let Some((deform, work)) = world.deform.as_deref().zip(scratch.deform.as_deref_mut()) else {
         return Ok(());
     };
-    let felt = Felt {
+    let felt = ContactStiffness {
         masses: [&work.masses, &work.fictitious],
         dashpots: &work.dashpots,
         pushes: &scratch.pushes,
@@ -97,7 +97,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
 }
 
 /// What nodes feel in a kick besides their state.
-struct Felt<'a> {
+struct ContactStiffness<'a> {
     /// Masses and fictitious ones, kg.
     masses: [&'a [f64]; 2],
     dashpots: &'a [Dashpot],
@@ -114,11 +114,11 @@ pub(crate) fn kick<'a>(
 ) -> Kick<'a> {
     let (masses, dashpots) = ([&work.masses[..], &work.fictitious], &work.dashpots[..]);
     let pushes = &scratch.pushes;
-    let felt = Felt { masses, dashpots, pushes };
+    let felt = ContactStiffness { masses, dashpots, pushes };
     felt.kick(world, deform, (scratch.damping, scratch.width), dt)
 }
 
-impl<'a> Felt<'a> {
+impl<'a> ContactStiffness<'a> {
     fn kick(
         self,
         world: &World,

@@ -286,7 +286,7 @@ mod tests {
             row: 0,
             rigid: [false; 2],
             origin: Default::default(),
-            whole_until: 0,
+            intact_until_step: 0,
             parted: false,
         };
         let mut facets: Vec<Facet> = (0..LANES).map(facet).collect();

@@ -14,7 +14,7 @@ pub(crate) const PARALLEL: f64 = 1.0 - 1e-9;
 
 /// A convex solid with its centroid at the origin, and that centroid.
 #[must_use]
-pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
+pub(crate) fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
     match shape {
         Shape::Brick { centre, half } => (Polyhedron::brick(Vec3::ZERO, *half), *centre),
         Shape::Polyhedron(solid) => {
@@ -38,13 +38,13 @@ pub fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
 
 /// Face of a kind with the outward normal `n`, the nearest to `at` (m from the centroid) of several.
 #[must_use]
-pub fn face_of(kind: &BlockClass, n: Vec3, at: Vec3) -> usize {
+pub(crate) fn face_of(kind: &BlockClass, n: Vec3, at: Vec3) -> usize {
     face_with(&kind.mesh, kind.faces.len(), n, at)
 }
 
 /// As [`face_of`], for the first `count` faces of a mesh about its centroid.
 #[must_use]
-pub fn face_with(mesh: &Tetrahedra, count: usize, n: Vec3, at: Vec3) -> usize {
+pub(crate) fn face_with(mesh: &Tetrahedra, count: usize, n: Vec3, at: Vec3) -> usize {
     let mut best = (0, f64::NEG_INFINITY, f64::INFINITY);
     for face in 0..count {
         let mut area = Vec3::ZERO;

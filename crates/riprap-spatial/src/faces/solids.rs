@@ -94,7 +94,7 @@ fn each_touch(
         let [a, b] = [a, b].map(|k| &sides[order[k as usize]]);
         !back_to_back([a, b])
     };
-    let seekers = vec![Role::Seeker; boxes.len()];
+    let seekers = vec![Role::Active; boxes.len()];
     let mut grid = Grid::default();
     let mut pairs = grid.close_pairs(&boxes, &seekers, apart, &Exec::serial()).to_vec();
     pairs.sort_unstable_by_key(|&[a, b]| [b, a]);

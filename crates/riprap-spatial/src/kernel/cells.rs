@@ -14,7 +14,7 @@ use crate::kernel::tetra::{Cell, Piece, Workspace as Overlapping};
 
 /// A block now.
 #[derive(Clone, Debug)]
-pub struct Star {
+pub struct TetFan {
     /// Its centre, m; cells are about it.
     pub origin: Vec3,
     /// Box around it.
@@ -29,7 +29,7 @@ pub struct Star {
     pub(super) points: Vec<Vec3>,
 }
 
-impl Default for Star {
+impl Default for TetFan {
     fn default() -> Self {
         Self {
             origin: Vec3::ZERO,
@@ -42,7 +42,7 @@ impl Default for Star {
     }
 }
 
-impl Star {
+impl TetFan {
     /// Puts the cells of a block, whose nodes are at `place` (m) now, in their places; of one that bends, `tets` are the tetrahedra.
     pub fn put(
         &mut self,
@@ -181,13 +181,13 @@ pub struct PairWorkspace {
 
 /// Workspace for all found contacts of deformable blocks.
 #[derive(Debug, Default)]
-pub struct CellDesk {
+pub struct TetContactScratch {
     /// Whether the list of pairs is that of the state.
     pub ready: bool,
     /// Blocks that are in a pair, ascending, then terrain.
     pub members: Vec<Member>,
     /// Where they are; of terrain, which has a member for each block near it, what is near that.
-    pub stars: Vec<Star>,
+    pub stars: Vec<TetFan>,
     /// Per pair.
     pub constants: Vec<PairConstants>,
     /// Per pair.

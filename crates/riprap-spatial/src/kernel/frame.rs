@@ -6,7 +6,7 @@ use crate::kernel::planes::Planes;
 use crate::lanes::{LANES, Lanes, Number, Vectors, cross, dot, minus, scaled};
 
 /// Normals that differ by less are parallel: their faces share no piece.
-pub const PARALLEL: f64 = 2e-7;
+pub(crate) const PARALLEL: f64 = 2e-7;
 /// A plane farther from the origin than this, times the radius of the smaller block, has no point in it.
 const OUT_OF_REACH: f64 = 1.0 + 1e-9;
 
@@ -93,7 +93,7 @@ impl Frame {
 
 /// Frames of pieces side by side, each in a lane.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Frames {
+pub(crate) struct Frames {
     /// As of one.
     pub normal: Vectors,
     /// As of one.
@@ -107,7 +107,7 @@ impl Frames {
     /// The planes of pieces (f, g), numbers in `planes`, at most as many as lanes.
     #[inline(always)]
     #[must_use]
-    pub fn between(planes: &Planes, pieces: &[[usize; 2]], reach: f64) -> Self {
+    pub(crate) fn between(planes: &Planes, pieces: &[[usize; 2]], reach: f64) -> Self {
         let (mut a, mut b, mut rise) = (Vectors::default(), Vectors::default(), [0.0; LANES]);
         for (lane, &[f, g]) in pieces.iter().enumerate() {
             for (of, k) in [(&mut a, f), (&mut b, g)] {
@@ -137,7 +137,7 @@ impl Frames {
     /// That of a lane; `None` for parallel planes and where it is out of reach.
     #[inline]
     #[must_use]
-    pub fn get(&self, lane: usize) -> Option<Frame> {
+    pub(crate) fn get(&self, lane: usize) -> Option<Frame> {
         let vector = |of: &Vectors| Vec3::new(of[0].0[lane], of[1].0[lane], of[2].0[lane]);
         self.there[lane].then(|| Frame {
             normal: vector(&self.normal),

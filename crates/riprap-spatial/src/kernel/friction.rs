@@ -22,8 +22,8 @@ mod limit;
 mod shared;
 
 use limit::Limit;
-pub use limit::Pieces;
-pub use shared::{Pressing, Shared, pressing, share};
+pub(crate) use limit::Pieces;
+pub(crate) use shared::{Pressing, Shared, pressing, share};
 
 /// Below this share of |S_F| over the integral of the depth, opposite pressures cancel and there is no one normal.
 const CANCELLED: f64 = 0.05;
@@ -162,7 +162,7 @@ impl Wrench {
 
 /// The answer of a contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reply {
+pub(crate) struct ContactOutput {
     /// Everything together.
     pub wrench: Wrench,
     /// The pressure alone.
@@ -216,7 +216,7 @@ struct Contact {
 
 /// What the law is asked.
 #[derive(Clone, Copy)]
-pub struct Question<'a> {
+pub struct ContactInput<'a> {
     /// Sums over the surface.
     pub sums: &'a Sums,
     /// Shows the pieces of the surface that rub; asked only near slip.
@@ -265,12 +265,12 @@ struct Relative {
 /// The friction of a step is the work on the shear springs less the change of what they store; springs that a shrinking
 /// contact loses take their share with them, which is friction too. `offset` is what a joint has left, if one has let go; it is
 /// taken away where nothing is left of it.
-pub fn respond(
+pub(crate) fn respond(
     law: &ContactLaw,
-    q: &Question,
+    q: &ContactInput,
     memory: &mut Memory,
     offset: &mut Option<Box<Offset>>,
-) -> Reply {
+) -> ContactOutput {
     let k = 2.0 * law.normal_stiffness;
     let elastic = wrench(q, k * q.sums.force, k * q.sums.moment);
     let mut work = memory.work(&q.motion, q.dt);
@@ -278,7 +278,7 @@ pub fn respond(
         let lost = memory.stored(law.shear_stiffness);
         let booked = part(offset.take(), &q.motion, memory, q.dt);
         *memory = Memory::default();
-        return Reply {
+        return ContactOutput {
             wrench: elastic,
             elastic,
             booked,
@@ -286,7 +286,7 @@ pub fn respond(
             friction: work + lost,
             stored: -lost,
             point: q.origin,
-            ..Reply::default()
+            ..ContactOutput::default()
         };
     };
     let Meeting { contact: c, at, arms, velocity: v, mass } = meeting;
@@ -358,7 +358,7 @@ pub fn respond(
         (normal - pressed) * c.normal + (shear - memory.shear),
         rocking + (torsion - memory.torsion) * c.normal,
     );
-    Reply {
+    ContactOutput {
         wrench: elastic.plus(&spring).plus(&offset_wrench).plus(&drag),
         elastic,
         spring,
@@ -391,7 +391,7 @@ fn against_rocking(across: f64, c: &Contact, v: &Relative, normal: f64) -> Vec3 
     shorten(couple, normal * reach)
 }
 
-fn meeting(law: &ContactLaw, q: &Question) -> Option<Meeting> {
+fn meeting(law: &ContactLaw, q: &ContactInput) -> Option<Meeting> {
     let contact = contact(law, q)?;
     let at = q.origin + contact.point;
     let arms = q.centres.map(|centre| at - centre);
@@ -415,7 +415,7 @@ fn about(arms: [Vec3; 2], force: Vec3, couple: Vec3) -> Wrench {
 }
 
 /// Ends what a joint has left where its blocks have parted, or where there is no contact with one normal any more, after the last half
-/// step; what is to be booked, J (see [`Reply::booked`]).
+/// step; what is to be booked, J (see [`ContactOutput::booked`]).
 pub(crate) fn part(
     offset: Option<Box<Offset>>,
     motion: &[Motion; 2],
@@ -474,7 +474,7 @@ fn advance(
     memory.polar = polar;
 }
 
-fn wrench(q: &Question, force: Vec3, moment: Vec3) -> Wrench {
+fn wrench(q: &ContactInput, force: Vec3, moment: Vec3) -> Wrench {
     Wrench {
         force,
         moment_a: -(moment + (q.origin - q.centres[0]).cross(force)),
@@ -483,7 +483,7 @@ fn wrench(q: &Question, force: Vec3, moment: Vec3) -> Wrench {
 }
 
 /// `None` where the surface has no one normal: opposite pressures that cancel, or a touch lost in round-off.
-fn contact(law: &ContactLaw, q: &Question) -> Option<Contact> {
+fn contact(law: &ContactLaw, q: &ContactInput) -> Option<Contact> {
     let s = q.sums;
     let length = s.force.length();
     if length < CANCELLED * s.weight || s.depth < LOST * q.radius {

@@ -147,7 +147,7 @@ pub enum Touch {
     /// They overlap: the sums over their own share of the surface, about the origin in space, m.
     Touching(Sums, Vec3),
     /// One lies in the other so deep that no force can be given; radius of the largest ball in both, m.
-    Swallowed(f64),
+    FullyPenetrated(f64),
 }
 
 /// Workspace for evaluating pairs one after the other.
@@ -225,7 +225,7 @@ impl Gluer {
         let (found, origin, _) = look(walker, whole);
         let mut sums = match found {
             Found::Apart(gap) => return Touch::Apart(gap),
-            Found::Swallowed(radius) => return Touch::Swallowed(radius),
+            Found::FullyPenetrated(radius) => return Touch::FullyPenetrated(radius),
             Found::Touching(sums) => sums,
         };
         let mut all = sums.weight;
@@ -236,7 +236,7 @@ impl Gluer {
                 }
                 match look(other, [m, n]) {
                     (Found::Apart(_), ..) => {}
-                    (Found::Swallowed(radius), ..) => return Touch::Swallowed(radius),
+                    (Found::FullyPenetrated(radius), ..) => return Touch::FullyPenetrated(radius),
                     (Found::Touching(own), at, sign) => {
                         all += sign.abs() * own.weight;
                         sums.plus(&own, sign, at - origin);

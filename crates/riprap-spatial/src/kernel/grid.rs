@@ -29,9 +29,9 @@ pub enum Role {
     Absent,
     /// It can be met by a seeker; two targets never make a pair. For blocks that cannot come together: fixed ones, and
     /// those of a lattice whose joints are whole.
-    Target,
+    Passive,
     /// It can meet everybody.
-    Seeker,
+    Active,
 }
 
 /// A box with faces normal to the axes.
@@ -174,12 +174,12 @@ impl Grid {
         if roles[b as usize] == Role::Absent || !own.is_finite() {
             return;
         }
-        let seeks = roles[b as usize] == Role::Seeker;
+        let seeks = roles[b as usize] == Role::Active;
         let level = self.level(own);
-        for (role, runs) in [Role::Target, Role::Seeker].into_iter().zip(&self.runs) {
+        for (role, runs) in [Role::Passive, Role::Active].into_iter().zip(&self.runs) {
             // Of two seekers of one size the smaller number looks; a target leaves its own size to the seekers.
-            let both = role == Role::Seeker && seeks;
-            if !seeks && role == Role::Target {
+            let both = role == Role::Active && seeks;
+            if !seeks && role == Role::Passive {
                 continue;
             }
             for &(grid, start, end) in runs {
@@ -264,8 +264,8 @@ fn number(coordinate: f64) -> i64 {
 fn key(role: Role, level: u32, cell: [i64; 3]) -> u128 {
     let [x, y, z] = cell.map(|c| (c + LAST_CELL) as u128);
     let role = match role {
-        Role::Absent | Role::Target => 0,
-        Role::Seeker => 1,
+        Role::Absent | Role::Passive => 0,
+        Role::Active => 1,
     };
     let head = role << 7 | u128::from(level);
     ((head << CELL_BITS | z) << CELL_BITS | y) << CELL_BITS | x
@@ -302,7 +302,7 @@ mod tests {
         for i in 0..boxes.len() {
             for j in i + 1..boxes.len() {
                 let there = roles[i] != Role::Absent && roles[j] != Role::Absent;
-                let seeks = roles[i] == Role::Seeker || roles[j] == Role::Seeker;
+                let seeks = roles[i] == Role::Active || roles[j] == Role::Active;
                 if there && seeks && boxes[i].meets(&boxes[j]) {
                     pairs.push([i as u32, j as u32]);
                 }
@@ -314,8 +314,8 @@ mod tests {
     fn roles(chance: &mut Chance, n: usize) -> Vec<Role> {
         let role = |r: f64| match r {
             r if r < 0.1 => Role::Absent,
-            r if r < 0.5 => Role::Target,
-            _ => Role::Seeker,
+            r if r < 0.5 => Role::Passive,
+            _ => Role::Active,
         };
         (0..n).map(|_| role(chance.unit())).collect()
     }
@@ -326,7 +326,7 @@ mod tests {
         let mut grid = Grid::default();
         for (n, ratio) in [(0, 1.0), (1, 1.0), (300, 1.0), (1500, 30.0), (1500, 1000.0)] {
             let boxes = boxes(&mut chance, n, ratio);
-            for roles in [vec![Role::Seeker; n], roles(&mut chance, n)] {
+            for roles in [vec![Role::Active; n], roles(&mut chance, n)] {
                 let wanted = all_pairs(&boxes, &roles);
                 assert!(n < 300 || wanted.len() > n / 10, "{n}: {}", wanted.len());
                 for threads in [1, 3] {
@@ -359,7 +359,7 @@ mod tests {
         ];
         let wanted = [[0, 2], [0, 7], [2, 7], [3, 7], [4, 5], [4, 7], [5, 7]];
         let mut grid = Grid::default();
-        let seekers = [Role::Seeker; 9];
+        let seekers = [Role::Active; 9];
         let pairs = grid.close_pairs(&boxes, &seekers, |_, _| false, &Exec::serial());
         assert_eq!(pairs, wanted);
         // Boxes without extent fall into one cell.

@@ -3,11 +3,11 @@
 use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Mat3, Quat, Vec3};
 
+use crate::kernel::friction::ContactOutput;
 use crate::kernel::kit::{Chance, KINDS, Kind, Placed, block};
 use crate::kernel::offset::{Carried, Offset};
-use crate::kernel::{
-    ContactLaw, Found, Memory, Motion, Pose, Question, Reply, Shape, Walker, part, respond,
-};
+use crate::kernel::surface::Walker;
+use crate::kernel::{ContactInput, ContactLaw, Found, Memory, Motion, Pose, Shape, part, respond};
 
 mod frictionless;
 
@@ -121,7 +121,7 @@ impl Two {
     }
 
     /// Forces now; `dt` has passed since the last time.
-    fn reply(&mut self, dt: f64) -> Option<Reply> {
+    fn reply(&mut self, dt: f64) -> Option<ContactOutput> {
         let placed = Placed::new(
             [&self.blocks[0].shape, &self.blocks[1].shape],
             [self.blocks[0].pose, self.blocks[1].pose],
@@ -135,7 +135,7 @@ impl Two {
         self.touched = true;
         self.lowest = self.lowest.min(self.blocks[1].pose.position.z);
         let falls = self.walker.falling(&self.law, &sums);
-        let question = Question {
+        let question = ContactInput {
             sums: &sums,
             pieces: &|show| self.walker.rubbing(show),
             origin: placed.origin(),
@@ -154,7 +154,7 @@ impl Two {
     }
 
     /// One step; `first` kicks by half.
-    fn step(&mut self, dt: f64, first: bool) -> Option<Reply> {
+    fn step(&mut self, dt: f64, first: bool) -> Option<ContactOutput> {
         let reply = self.reply(if first { 0.0 } else { dt });
         let kick = if first { 0.5 * dt } else { dt };
         if let Some(r) = &reply {
@@ -436,7 +436,7 @@ fn friction_and_damping_are_what_is_lost() {
 
 /// A cube of 1 m that lies 1 mm deep in a fixed plate; the joint that has let go carried `share` of the pressure there, with springs
 /// `softness` times as stiff as those of the law.
-fn let_go(share: f64, softness: f64, velocity: Vec3) -> (Two, f64) {
+fn released_pair(share: f64, softness: f64, velocity: Vec3) -> (Two, f64) {
     let (stiffness, depth) = (1e9, 1e-3);
     let mut cube = Free::brick(Vec3::ONE, 2500.0);
     cube.pose.position = Vec3::new(0.0, 0.0, 1.0 - depth);
@@ -458,7 +458,7 @@ fn let_go(share: f64, softness: f64, velocity: Vec3) -> (Two, f64) {
 #[test]
 fn what_a_joint_did_not_carry_gives_no_energy() {
     // 1 m along the plate, ten times the way over which what is too much fades.
-    let (mut two, _) = let_go(0.0, 1.0, Vec3::new(1.0, 0.0, 0.0));
+    let (mut two, _) = released_pair(0.0, 1.0, Vec3::new(1.0, 0.0, 0.0));
     let before = two.energy();
     for n in 0..10_000 {
         two.step(1e-4, n == 0);
@@ -480,7 +480,7 @@ fn what_a_joint_did_not_carry_gives_no_energy() {
 #[test]
 fn a_joint_that_pressed_softer_gives_back_what_it_had_stored() {
     for softness in [1.0, 0.5] {
-        let (mut two, energy) = let_go(0.5, softness, Vec3::ZERO);
+        let (mut two, energy) = released_pair(0.5, softness, Vec3::ZERO);
         two.collide(2e-5);
         let gained = two.energy() / energy;
         assert!((gained - 1.0).abs() < 5e-3, "{softness}: {gained}");
@@ -488,7 +488,7 @@ fn a_joint_that_pressed_softer_gives_back_what_it_had_stored() {
         let made = two.booked / energy - 1.0;
         assert!(made.abs() < 5e-3, "{softness}: {made}");
         // Pressed further in, it takes up energy and gives the same again.
-        let (mut two, energy) = let_go(0.5, softness, Vec3::new(0.0, 0.0, -0.5));
+        let (mut two, energy) = released_pair(0.5, softness, Vec3::new(0.0, 0.0, -0.5));
         let before = two.energy();
         two.collide(2e-5);
         let gained = (two.energy() - before) / energy;

@@ -105,7 +105,8 @@ mod tests {
 
     use super::*;
     use crate::kernel::kit::{Chance, KINDS, Placed, overlapping};
-    use crate::kernel::{Pose, Shape, Walker};
+    use crate::kernel::surface::Walker;
+    use crate::kernel::{Pose, Shape};
 
     /// Against differences of the force itself, of random pairs.
     #[test]

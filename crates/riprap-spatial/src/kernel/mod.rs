@@ -6,48 +6,45 @@
 //! Only planes are needed: no overlap polyhedron is ever made.
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
-//! `frame` the plane of a piece, `piece` its polygon (`octagon` the same in vector registers), `remnant` whether a face can have one, `sums` what pieces carry, `surface` all of them, `friction` the forces that follow;
+//! `frame` the plane of a piece, `piece` its polygon (`octagon` the same in vector registers), `face_clip` whether a face can have one, `sums` what pieces carry, `surface` all of them, `friction` the forces that follow;
 //! `glued` is a block of convex parts, `terrain` one on a height field; `grid` finds boxes that touch; `limits` knows how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
 
-pub mod cells;
-pub mod frame;
-pub mod friction;
-pub mod glued;
-pub mod grid;
+pub(crate) mod cells;
+mod face_clip;
+pub(crate) mod frame;
+pub(crate) mod friction;
+pub(crate) mod glued;
+pub(crate) mod grid;
 mod lateral;
 mod lever;
 pub mod limits;
 #[cfg(target_arch = "x86_64")]
 mod octagon;
-pub mod offset;
-pub mod peak;
-pub mod piece;
-pub mod planes;
-mod remnant;
-pub mod ridges;
-pub mod shape;
+pub(crate) mod offset;
+pub(crate) mod peak;
+pub(crate) mod piece;
+pub(crate) mod planes;
+pub(crate) mod ridges;
+pub(crate) mod shape;
 pub(crate) mod slip;
 pub(crate) mod springs;
-pub mod sums;
-pub mod surface;
-pub mod terrain;
-pub mod tetra;
+pub(crate) mod sums;
+pub(crate) mod surface;
+pub(crate) mod terrain;
+pub(crate) mod tetra;
 
 pub(crate) use friction::part;
-pub use friction::{
-    ContactLaw, Memory, Motion, Pieces, Pressing, Question, Reply, Shared, Wrench, pressing,
-    respond, share,
-};
-pub use grid::Role;
-pub use peak::{Peak, peak};
-pub use planes::Planes;
-pub use shape::{Body, Pose, Shape, ShapeError, turn};
-pub use sums::Sums;
-pub use surface::{Found, Pair, Walker};
-pub use terrain::{Reached, Terrain, Under};
+pub(crate) use friction::{ContactInput, ContactLaw, Memory, Motion, Pieces, Wrench, respond};
+pub(crate) use grid::Role;
+pub(crate) use peak::{Peak, peak};
+pub(crate) use planes::Planes;
+pub(crate) use shape::{Body, Pose, Shape, turn};
+pub(crate) use sums::Sums;
+pub(crate) use surface::{Found, Pair};
+pub(crate) use terrain::{Reached, Terrain};
 
 #[cfg(test)]
 mod impacts;

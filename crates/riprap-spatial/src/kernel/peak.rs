@@ -31,7 +31,7 @@ const NEGATIVE: f64 = -1e-6;
 
 /// What two blocks have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Peak {
+pub(crate) enum Peak {
     /// Nothing.
     Apart {
         /// They are at least so far from each other, m; 0 where that is not known.
@@ -199,7 +199,7 @@ fn entering(planes: &Planes, basis: &Basis, tolerance: f64, bland: bool) -> Opti
 /// # Panics
 /// Never; a search that does not end (round-off) gives what its last basis proves.
 #[must_use]
-pub fn peak(planes: &Planes, far: f64) -> Peak {
+pub(crate) fn peak(planes: &Planes, far: f64) -> Peak {
     let mut basis = Basis::far(far);
     let tolerance = VIOLATED * far;
     for pivot in 0..BLAND + 20 * planes.len() {

@@ -14,9 +14,9 @@ use crate::kernel::planes::Planes;
 use crate::lanes::Width;
 
 /// Label of an edge of the square that a piece starts from: none may be left at the end.
-pub const OPEN: u16 = u16::MAX;
+pub(crate) const OPEN: u16 = u16::MAX;
 /// Label of an edge on the boundary of the overlap, where the depth is 0: nothing lies beyond it.
-pub const BOUNDARY: u16 = u16::MAX - 1;
+pub(crate) const BOUNDARY: u16 = u16::MAX - 1;
 /// Half the side of the starting square over the radius of the smaller block; every piece lies within one radius of its centre.
 const SQUARE: f64 = 2.2;
 

@@ -106,6 +106,6 @@ impl Planes {
 
 /// Where planes of a pair are counted from: the centroid of the smaller block, so that no digits are lost to the larger one.
 #[must_use]
-pub fn origin(a: &Body, b: &Body) -> Vec3 {
+pub(crate) fn origin(a: &Body, b: &Body) -> Vec3 {
     if b.shape.radius < a.shape.radius { b.position } else { a.position }
 }

@@ -15,7 +15,9 @@
 
 use riprap_geom::Vec3;
 
-use crate::kernel::friction::{ContactLaw, Pressing, Question, Shared, Wrench, pressing, share};
+use crate::kernel::friction::{
+    ContactInput, ContactLaw, Pressing, Shared, Wrench, pressing, share,
+};
 use crate::kernel::sums::Sums;
 use crate::kernel::terrain::OnFacet;
 
@@ -32,7 +34,7 @@ pub struct Ridges {
 
 impl Ridges {
     /// Finds the ridges among these facets, and their dashpots; `asked` but for its sums, and with the law of a contact on all facets.
-    pub fn find(&mut self, law: &ContactLaw, asked: &Question, facets: &[OnFacet]) {
+    pub fn find(&mut self, law: &ContactLaw, asked: &ContactInput, facets: &[OnFacet]) {
         self.pressing.clear();
         self.first.clear();
         self.dashpots.clear();
@@ -41,7 +43,7 @@ impl Ridges {
         }
         let of_facet = |on: &OnFacet| {
             let sums = &on.sums;
-            pressing(law, &Question { sums, ..*asked })
+            pressing(law, &ContactInput { sums, ..*asked })
         };
         self.pressing.extend(facets.iter().map(of_facet));
         self.first.extend(0..facets.len());
@@ -75,7 +77,7 @@ impl Ridges {
             let power = members.map(|p| p.force * p.parting).sum();
             let law = law.part(sums.vector_area.length() / whole);
             let sums = &sums;
-            self.dashpots[first] = share(&law, &Question { sums, ..*asked }, power);
+            self.dashpots[first] = share(&law, &ContactInput { sums, ..*asked }, power);
         }
     }
 

@@ -10,7 +10,7 @@ use crate::lanes::{LANES, Lanes, Number, cross, dot, plus, scaled};
 
 /// Integrals over a piece, about the foot of its frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Integrals<T = f64> {
+pub(crate) struct Integrals<T = f64> {
     /// Of the depth, m³.
     pub depth: T,
     /// Of depth times s and t, m⁴.
@@ -61,7 +61,7 @@ impl<T: Number> Integrals<T> {
 
 /// Integrals over a polygon with a depth that is linear in it: exact sums over a fan of triangles from corner 0.
 #[must_use]
-pub fn integrate(polygon: &Polygon) -> Integrals {
+pub(crate) fn integrate(polygon: &Polygon) -> Integrals {
     let mut sum = Integrals::default();
     let (s, t, depth) = (polygon.s(), polygon.t(), polygon.depth());
     let corner = |i: usize| [s[i], t[i], depth[i]];

@@ -12,12 +12,12 @@
 use riprap_geom::{Mat3, Vec3};
 
 use crate::kernel::ContactLaw;
+use crate::kernel::face_clip::FaceClip;
 use crate::kernel::frame::{Frame, Frames, PARALLEL};
 use crate::kernel::lateral;
 use crate::kernel::peak::{Peak, peak};
 use crate::kernel::piece::{BOUNDARY, Cutter, OPEN, Polygon};
 use crate::kernel::planes::{Planes, origin};
-use crate::kernel::remnant::Remnant;
 use crate::kernel::shape::Body;
 use crate::kernel::sums::{Batch, Sums};
 use crate::lanes::{LANES, Lanes, dot, plus, same, scaled};
@@ -45,7 +45,7 @@ pub enum Found {
     Touching(Sums),
     /// They have no surface of equal pressure: one block lies in the other as a whole, or round-off has lost it. Radius of the largest ball
     /// in both, m. No force can be given: the run must stop.
-    Swallowed(f64),
+    FullyPenetrated(f64),
 }
 
 /// A pair to be evaluated.
@@ -92,7 +92,7 @@ pub struct Walker {
     /// The pieces that are not empty.
     pieces: Vec<[u16; 2]>,
     ties: Vec<Tie>,
-    remnant: Remnant,
+    clip: FaceClip,
     radius: f64,
     largest_weight: f64,
     sums: Sums,
@@ -149,7 +149,7 @@ impl Walker {
             // Faces of both that go on in one plane are tied in this band, and what they share between them is no piece.
             Some(Found::Apart(0.0))
         } else {
-            Some(Found::Swallowed(depth))
+            Some(Found::FullyPenetrated(depth))
         }
     }
 
@@ -444,17 +444,17 @@ impl Walker {
         let body = pair.bodies[side];
         let shift = body.position - origin(pair.bodies[0], pair.bodies[1]);
         let face = body.shape.outline(pair.faces[side][place] as usize);
-        let (planes, remnant, width) = (&self.planes, &mut self.remnant, self.cutter.width());
+        let (planes, clip, width) = (&self.planes, &mut self.clip, self.cutter.width());
         let crosses = width.run(
             #[inline(always)]
-            || cut_face(planes, others, body, shift, face, remnant),
+            || cut_face(planes, others, body, shift, face, clip),
         );
         if !crosses {
             return false;
         }
         // A face that is tied to one of the other block counts on either side of it.
         let slack = if pair.ties { TIE_BAND * self.radius } else { 0.0 };
-        self.remnant.is_left(slack)
+        self.clip.is_left(slack)
     }
 }
 
@@ -467,13 +467,13 @@ fn cut_face(
     body: &Body,
     shift: Vec3,
     face: &[u16],
-    remnant: &mut Remnant,
+    clip: &mut FaceClip,
 ) -> bool {
     // Planes are turned back into the body once, instead of every corner into space: eight at a time.
     let back = body.turn.transpose();
     let axes = [back.x_axis, back.y_axis, back.z_axis].map(|axis| same(&axis.to_array()));
     let shift = same(&shift.to_array());
-    remnant.begin(others.len(), face.len());
+    clip.begin(others.len(), face.len());
     for column in (0..others.len()).step_by(LANES) {
         let from = others.start + column;
         let normal = [&planes.x, &planes.y, &planes.z].map(|list| Lanes::at(list, from));
@@ -487,7 +487,7 @@ fn cut_face(
         for (row, v) in face.iter().enumerate() {
             let corner = same(&body.shape.vertices[*v as usize].to_array());
             let height = (dot(&own, &corner) - room).0;
-            remnant.set(row, column, &height[..there]);
+            clip.set(row, column, &height[..there]);
             for (beyond, height) in beyond.iter_mut().zip(height) {
                 *beyond &= height >= 0.0;
             }

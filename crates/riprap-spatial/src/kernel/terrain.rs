@@ -33,10 +33,10 @@ use crate::kernel::sums::Sums;
 mod prisms;
 mod under;
 
-pub use under::Under;
+pub(crate) use under::Under;
 
 /// Depth over height below the surface.
-pub const DEPTH: f64 = 1.0;
+pub(crate) const DEPTH: f64 = 1.0;
 /// Triangles belong to one facet if they lie in the plane of its first one within this share of that one's longest edge.
 const FLAT: f64 = 1e-9;
 /// Workspace for rounding in a test that leaves faces out.
@@ -156,7 +156,7 @@ pub enum Reached {
     /// It touches: see [`Treader::facets`].
     Touching,
     /// It lies below the surface as a whole: no force can be given. How deep its centroid is, m.
-    Swallowed(f64),
+    FullyPenetrated(f64),
 }
 
 /// The surface on one facet.
@@ -196,7 +196,7 @@ struct Kept {
 
 /// Workspace for evaluating blocks one after the other; kept, so that a block takes no memory.
 #[derive(Clone, Debug, Default)]
-pub struct Treader {
+pub(crate) struct Treader {
     /// What the block evaluated last has on each facet, by number.
     pub facets: Vec<OnFacet>,
     near: Vec<u32>,
@@ -214,7 +214,7 @@ pub struct Treader {
 
 impl Treader {
     /// Finds the surface of a block. Of what is apart, nothing farther than `reach` (m) is looked at.
-    pub fn find(&mut self, terrain: &Terrain, body: &Body, reach: f64) -> Reached {
+    pub(crate) fn find(&mut self, terrain: &Terrain, body: &Body, reach: f64) -> Reached {
         self.facets.clear();
         self.pieces = 0;
         let (low, high) = self.place(body);
@@ -257,13 +257,13 @@ impl Treader {
             return Reached::Touching;
         }
         match terrain.depth(body.position) {
-            Some(depth) if depth > 0.0 => Reached::Swallowed(depth),
+            Some(depth) if depth > 0.0 => Reached::FullyPenetrated(depth),
             Some(_) | None => Reached::Apart(gap.max(0.0)),
         }
     }
 
     /// Shows the pieces that rub on a facet: those of the face of the block that carries most there.
-    pub fn rubbing(&self, facet: u32, show: &mut dyn FnMut(&Polygon, &Frame)) {
+    pub(crate) fn rubbing(&self, facet: u32, show: &mut dyn FnMut(&Polygon, &Frame)) {
         let pieces = || self.kept[..self.pieces].iter().filter(|p| p.facet == facet);
         let weight = |face: u16| -> f64 {
             let own = pieces().filter(|p| p.face == face);

@@ -8,7 +8,8 @@ use crate::kernel::kit::{Chance, KINDS, Kind, Placed, all_faces, overlapping};
 use crate::kernel::piece::Cutter;
 use crate::kernel::planes::{Planes, origin};
 use crate::kernel::sums::integrate;
-use crate::kernel::{Found, Pair, Pose, Shape, Sums, Walker};
+use crate::kernel::surface::Walker;
+use crate::kernel::{Found, Pair, Pose, Shape, Sums};
 use crate::lanes::Width;
 
 mod closed_forms;

@@ -161,7 +161,7 @@ impl<'a> DeformableView<'a> {
 
 /// Axial vector of the skew part of a displacement gradient, rad.
 #[must_use]
-pub fn axial(h: &Gradient) -> Vec3 {
+pub(crate) fn axial(h: &Gradient) -> Vec3 {
     0.5 * Vec3::new(h[2][1] - h[1][2], h[0][2] - h[2][0], h[1][0] - h[0][1])
 }
 
@@ -306,9 +306,9 @@ impl<'a> View<'a> {
         let freedoms = self.world.freedoms_with(deform);
         let interfaces = &self.world.setup.interfaces;
         let one = |k: usize| {
-            let (facet, worn) = (&deform.facets[k], deform.worn[k]);
+            let (facet, has_history) = (&deform.facets[k], deform.has_history[k]);
             let law = interfaces[usize::from(facet.row)].bond.as_ref();
-            let linear = !worn && law.is_none_or(|l| l.cohesive.is_none());
+            let linear = !has_history && law.is_none_or(|l| l.cohesive.is_none());
             let points = &deform.points[facet.points()];
             let mut sum = [0.0; 2];
             if facet.parted {

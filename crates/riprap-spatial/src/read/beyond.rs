@@ -220,7 +220,7 @@ impl View<'_> {
         let (world, shapes) = (self.world, &self.scratch.desk.shapes);
         let roles = &world.found.roles;
         let known = roles.len() == world.alive.len() && shapes.len() == world.solids.len();
-        if !known || !roles.contains(&Role::Seeker) {
+        if !known || !roles.contains(&Role::Active) {
             return None;
         }
         let ends = |axis: usize| Some((axis, world.setup.periodic[axis]?));
@@ -241,7 +241,7 @@ impl View<'_> {
             let right: Vec<_> = blocks.iter().filter(|b| b.1[1] - length > low).collect();
             left.flat_map(|a| right.iter().map(move |b| (a, *b)))
                 .filter(|(a, b)| {
-                    let seeks = [a.0, b.0].iter().any(|k| roles[*k] == Role::Seeker);
+                    let seeks = [a.0, b.0].iter().any(|k| roles[*k] == Role::Active);
                     seeks && a.1[0] + length < b.1[1] && b.1[0] < a.1[1] + length
                 })
                 .find(|(a, b)| {

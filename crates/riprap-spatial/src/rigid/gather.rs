@@ -72,7 +72,7 @@ pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
             solid: &world.solid,
             motion: &world.motion,
             reference: &world.reference,
-            ..scratch.kick_of_nobody(world)
+            ..scratch.no_workspace(world)
         },
         tiles: &scratch.tiles,
         slots: &scratch.slots,

@@ -51,7 +51,7 @@ pub(crate) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
             solid: &world.solid,
             motion: &world.motion,
             reference: &world.reference,
-            ..scratch.kick_of_nobody(world)
+            ..scratch.no_workspace(world)
         },
         tiles: &scratch.tiles,
         dt,

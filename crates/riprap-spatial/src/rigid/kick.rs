@@ -268,13 +268,13 @@ impl Scratch {
             solid: &world.solid,
             motion: &world.motion,
             reference: &world.reference,
-            ..self.kick_of_nobody(world)
+            ..self.no_workspace(world)
         }
     }
 
     /// The coming kick without the lists of blocks: who changes other parts of the world while it lasts adds them himself.
     #[must_use]
-    pub fn kick_of_nobody(&self, world: &World) -> Kick<'static> {
+    pub fn no_workspace(&self, world: &World) -> Kick<'static> {
         Kick {
             solids: &[],
             solid: &[],

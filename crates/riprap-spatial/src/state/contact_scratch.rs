@@ -18,7 +18,7 @@ use crate::state::found::{FacetContact, PieceContact};
 
 /// Workspace for all found contacts of a model.
 #[derive(Debug, Default)]
-pub struct Desk {
+pub struct ContactScratch {
     /// Whether the candidate list is that of the state.
     pub ready: bool,
     /// Shapes, one for each mass class.
@@ -32,7 +32,7 @@ pub struct Desk {
     /// What of the law is the same for all pairs of an interface, by its place in the setup.
     pub rows: Vec<ContactLaw>,
     /// Faces that can come flat onto each other, of the pairs that have such.
-    pub facings: Vec<Facing>,
+    pub facings: Vec<FacePair>,
     /// 1 over the mass of each block of the model, 1/kg; 0 for what no contact can move.
     pub inverse_masses: Vec<f64>,
     /// Blocks that are in a pair, ascending.
@@ -55,8 +55,8 @@ pub struct Desk {
     pub impacts: Vec<Impact>,
     /// Bound of the speed of the points of each of `blocks` against its centroid, m/s.
     pub turning: Vec<f64>,
-    /// Whether all of them together are slight.
-    pub all_slight: bool,
+    /// Whether all of them together are negligible.
+    pub all_negligible: bool,
     /// Pairs (place in the list, and whether the block is the second) of each of `blocks`.
     pub incidence: Vec<(u32, bool)>,
     /// Where the pairs of each of `blocks` begin; one entry more.
@@ -74,12 +74,12 @@ pub struct Desk {
     /// Of blocks on terrain.
     pub terrain: TerrainDesk,
     /// Workspace of the looks at who can meet whom.
-    pub who: WhoDesk,
+    pub who: RoleScratch,
 }
 
 /// Workspace for a look at who can meet whom; kept, so that a look takes no memory.
 #[derive(Debug, Default)]
-pub struct WhoDesk {
+pub struct RoleScratch {
     /// What was found, per block.
     pub roles: Vec<Role>,
     /// Whether all joints of a block are whole.
@@ -116,7 +116,7 @@ pub struct Deepest {
     pub ratio: f64,
 }
 
-impl Desk {
+impl ContactScratch {
     /// Radius of the largest ball in a block of a mass class, m: of glued parts in the thinnest piece.
     #[must_use]
     pub fn inradius(&self, class: u32) -> f64 {
@@ -143,7 +143,7 @@ impl Desk {
 
 /// What pair `k` with this slot exerts, if it does.
 #[must_use]
-pub fn exerted<'a>(groups: &'a [PairGroup], slot: &Slot, k: usize) -> Option<&'a Exerted> {
+pub(crate) fn exerted<'a>(groups: &'a [PairGroup], slot: &Slot, k: usize) -> Option<&'a Exerted> {
     Some(&groups[k / GROUP].exerted[usize::from(slot.at?)])
 }
 
@@ -222,9 +222,9 @@ pub struct Constants {
     pub inradius: f64,
     /// Smaller one of the largest listed faces of both, m².
     pub largest: f64,
-    /// Place in [`Desk::facings`]; [`Constants::NO_FACING`] for none.
+    /// Place in [`ContactScratch::facings`]; [`Constants::NO_FACING`] for none.
     pub facing: u32,
-    /// The interface, a place in [`Desk::rows`].
+    /// The interface, a place in [`ContactScratch::rows`].
     pub row: u16,
     /// Whether it is a pair with a block of glued parts.
     pub glued: bool,
@@ -242,14 +242,14 @@ impl Constants {
 
     /// Faces that can come flat onto each other.
     #[must_use]
-    pub fn facing<'a>(&self, facings: &'a [Facing]) -> Option<&'a Facing> {
+    pub fn facing<'a>(&self, facings: &'a [FacePair]) -> Option<&'a FacePair> {
         facings.get(self.facing as usize)
     }
 }
 
 /// Two faces that can come flat onto each other, and the smaller one of them in the frame of its block.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Facing {
+pub struct FacePair {
     /// Largest area that they can share, m².
     pub area: f64,
     /// Whether the smaller one is of the first or of the second block.
@@ -327,7 +327,7 @@ pub struct Slot {
     /// Bound of the speed at which points of the two blocks come nearer to each other, m/s.
     pub nearing: f64,
     /// Whether the energy of its impact is so small that a step need not resolve it, where not that of all is.
-    pub slight: bool,
+    pub negligible_impact: bool,
 }
 
 /// An impact that is going on, or will within a step. In order of stiffness, the first of equal pairs above the others.
@@ -451,7 +451,7 @@ pub struct Workspace {
 pub struct PairSums {
     /// Heat of friction, J.
     pub friction: f64,
-    /// What contacts store beyond what their forces have taken up ([`crate::kernel::Reply::booked`]), J.
+    /// What contacts store beyond what their forces have taken up ([`crate::kernel::ContactOutput::booked`]), J.
     pub booked: f64,
     /// Energy of the normal springs of joints from which they have just taken over, J.
     pub left: f64,

@@ -7,13 +7,13 @@ use crate::state::deform::{Anchor, Deform, Facet, Point};
 
 /// A facet as a step sees it while it is whole.
 #[derive(Clone, Copy, Debug)]
-pub struct Sheet {
+pub struct PackedFacet {
     /// Unit normal now, from A to B.
     pub normal: [f64; 3],
     /// Normal and shear stiffness per area, Pa/m.
     pub stiffness: [f64; 2],
     /// Step before which it does not break.
-    pub whole_until: u64,
+    pub intact_until_step: u64,
     /// First point.
     pub first: u32,
     /// Number of points.
@@ -24,14 +24,14 @@ pub struct Sheet {
     pub plain: bool,
 }
 
-impl Sheet {
+impl PackedFacet {
     fn new(facet: &Facet, points: &[Point]) -> Self {
         let mut anchors = points.iter().flat_map(|p| &p.anchors);
         let plain = anchors.all(|a| a.single().is_some());
         Self {
             normal: facet.now[0].to_array(),
             stiffness: facet.stiffness,
-            whole_until: facet.whole_until,
+            intact_until_step: facet.intact_until_step,
             first: facet.first,
             count: facet.count,
             row: facet.row,
@@ -95,7 +95,7 @@ impl Hook {
 #[derive(Debug, Default)]
 pub struct Links {
     /// *Shape* `[n_facets]`.
-    pub sheets: Vec<Sheet>,
+    pub sheets: Vec<PackedFacet>,
     /// *Shape* `[n_points]`.
     pub links: Vec<Link>,
     /// Points of each body: body `k` has `hooks[hooked[k]..hooked[k + 1]]`, in the order of the points.
@@ -110,7 +110,7 @@ impl Links {
     /// Lays out the lists for the bodies and bonds there are.
     #[must_use]
     pub fn new(deform: &Deform) -> Self {
-        let sheet = |f: &Facet| Sheet::new(f, &deform.points[f.points()]);
+        let sheet = |f: &Facet| PackedFacet::new(f, &deform.points[f.points()]);
         let link = |p: &Point| Link {
             nodes: p.anchors.map(|a| a.nodes().next().map_or(0, |(node, _)| node)),
             area: p.area,

@@ -4,8 +4,8 @@
 //! insides; this one uses the setup, the laws, geometry and the ledger only.
 
 pub(crate) mod anchor;
-pub mod contact_scratch;
-pub mod links;
+pub(crate) mod contact_scratch;
+pub(crate) mod links;
 pub mod tiles;
 
 pub(crate) mod bodies;

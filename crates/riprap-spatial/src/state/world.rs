@@ -86,7 +86,7 @@ pub struct World {
     /// Failed points of patches that found contact has taken over, and of patches and facets whose blocks were removed.
     pub failed: FailedPoints,
     /// Step at which the criteria of splitting were last looked at: once a step is enough.
-    pub looked: u64,
+    pub last_check_step: u64,
     /// What has happened to blocks and cavities and has not been recorded yet; the recorder takes them out.
     pub events: Vec<EditEvent>,
     /// Running sums of the energy ledger.

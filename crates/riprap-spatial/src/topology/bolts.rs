@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 
 use crate::faces::region::holds;
-use crate::push::bolts::inside::Star;
+use crate::push::bolts::inside::TetFan;
 use crate::state::anchor::Inside;
 use crate::state::bolts::{Bolt, Dowel, Pin};
 use crate::state::lineage::Origin;
@@ -63,7 +63,7 @@ fn hand_on(world: &World, bolt: &mut Bolt) {
 /// The two sides of the crack that a bolt crosses between two points of what was one deformable block, each on its part; `None` in rigid
 /// ones, whose parts are held by their patches alone as the block was.
 fn across(world: &World, ends: [&Pin; 2], parts: [Pin; 2]) -> Option<[Pin; 2]> {
-    let stars = [0, 1].map(|s| Star::at_start(world, parts[s].block as usize));
+    let stars = [0, 1].map(|s| TetFan::at_start(world, parts[s].block as usize));
     let [Some(behind), Some(ahead)] = stars else {
         return None;
     };
@@ -75,7 +75,7 @@ fn across(world: &World, ends: [&Pin; 2], parts: [Pin; 2]) -> Option<[Pin; 2]> {
     let both = |a: Vec3, b: Vec3| a + share * (b - a);
     // A point of the block between those of the two nodes, which it was not divided at.
     let at = both(from, to);
-    let side = |star: &Star, part: &Pin| {
+    let side = |star: &TetFan, part: &Pin| {
         let (anchor, _) = star.point(at)?;
         Some(Pin {
             block: part.block,
@@ -107,7 +107,7 @@ fn heir(world: &World, pin: &Pin) -> Option<Pin> {
         }
         Inside::Tetrahedron { .. } => {
             let found = parts(world, pin.block).filter_map(|b| {
-                let (inside, least) = Star::at_start(world, b)?.point(start)?;
+                let (inside, least) = TetFan::at_start(world, b)?.point(start)?;
                 (least > -LOOSE).then_some((b, inside, least))
             });
             // The one that it lies deepest in; of equals the first.

@@ -42,7 +42,7 @@ use crate::state::world::World;
 use crate::step;
 use crate::topology::audit::unchanged;
 use crate::topology::error::EditError;
-use crate::topology::fracture::LOOK;
+use crate::topology::fracture::CHECK_INTERVAL;
 
 /// Most blocks that a model may have after a cut.
 const MAX_BLOCKS: usize = 4_000_000;
@@ -60,7 +60,7 @@ pub fn allow(world: &mut World, rules: Option<&Rules>) {
     deform.cutting = rules.map(|rules| Cutting {
         rules: *rules,
         // The state that a phase begins with may not have been relaxed by its rules.
-        looked: step,
+        last_check_step: step,
         stages: 0,
     });
 }
@@ -78,15 +78,15 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     // The state on the way to an equilibrium says nothing of what the rock bears.
     let ready = match &deform.relax {
         Some(relax) => relax.converged,
-        None => now.is_multiple_of(LOOK) && now > 0,
+        None => now.is_multiple_of(CHECK_INTERVAL) && now > 0,
     };
     let Some(cutting) = deform.cutting.as_mut().filter(|_| ready) else {
         return Ok(0);
     };
-    if cutting.looked == now || cutting.stages >= cutting.rules.stages {
+    if cutting.last_check_step == now || cutting.stages >= cutting.rules.stages {
         return Ok(0);
     }
-    cutting.looked = now;
+    cutting.last_check_step = now;
     let rules = cutting.rules;
     // What bonds have lost on the way here is booked while they are there: those of cut blocks are replaced.
     crate::topology::fracture::settle(world);

@@ -25,7 +25,7 @@ use crate::step;
 /// Facets used at least this share of the most used one break with it.
 pub const TOGETHER: f64 = 0.95;
 /// Steps between two looks at facets in a dynamic phase.
-pub const LOOK: u64 = 10;
+pub const CHECK_INTERVAL: u64 = 10;
 
 /// A facet, or one of its points, that is beyond its strength.
 #[derive(Clone, Copy, Debug)]
@@ -47,19 +47,19 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
         return Ok(0);
     };
     if scratch.deform.as_ref().is_some_and(|w| w.broke) {
-        tell(deform, world.step, world.time, 1.0, 0.0);
+        record_failure(deform, world.step, world.time, 1.0, 0.0);
     }
-    if deform.looked == world.step {
+    if deform.last_check_step == world.step {
         return Ok(0);
     }
     let ready = match &deform.relax {
         Some(relax) => relax.converged,
-        None => world.step.is_multiple_of(LOOK) && world.step > 0,
+        None => world.step.is_multiple_of(CHECK_INTERVAL) && world.step > 0,
     };
     if !ready {
         return Ok(0);
     }
-    deform.looked = world.step;
+    deform.last_check_step = world.step;
     let breaking = deform.breaking;
     settle(world);
     if !breaking {
@@ -94,7 +94,7 @@ pub(crate) fn settle(world: &mut World) {
         // Bonds that may not break do not soften for good.
         let changes = |l: &&BondLaw| match l.cohesive {
             Some(_) => deform.breaking,
-            None => deform.worn[k],
+            None => deform.has_history[k],
         };
         let Some(law) = law.filter(changes) else {
             continue;
@@ -106,14 +106,14 @@ pub(crate) fn settle(world: &mut World) {
             let (_, after) = bonds::respond(law, facet.stiffness, &memory[p], &at, false);
             let area = deform.points[p].area;
             if bonds::commit(&mut memory[p], after, area, &mut works) {
-                bonds::tell(&mut memory[p], law, &held, world.time);
+                bonds::record_failure(&mut memory[p], law, &held, world.time);
                 broke = true;
             }
         }
     }
     world.works.add(&works);
     if broke {
-        tell(deform, world.step, world.time, 1.0, 0.0);
+        record_failure(deform, world.step, world.time, 1.0, 0.0);
     }
 }
 
@@ -129,7 +129,7 @@ fn due(view: &View<'_>) -> Vec<Due> {
         let Some((law, strength)) = law.and_then(|l| Some((l, l.strength?))) else {
             continue;
         };
-        if view.world.step < facet.whole_until {
+        if view.world.step < facet.intact_until_step {
             continue;
         }
         let relax = deform.relax.as_ref();
@@ -299,18 +299,18 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
                 bond::FailureMode::Shear => State::Sheared,
             };
             m.broken_at = world.time;
-            m.untold = true;
+            m.unreported = true;
         }
         if facets.last() != Some(&one.facet) {
             facets.push(one.facet);
         }
     }
     for &k in &facets {
-        deform.worn[k as usize] = true;
+        deform.has_history[k as usize] = true;
     }
     world.works.fracture += released;
     let most = due.iter().map(|d| d.utilisation).fold(0.0, f64::max);
-    tell(deform, world.step, world.time, most, released);
+    record_failure(deform, world.step, world.time, most, released);
     if let Some(relax) = &mut deform.relax {
         relax.disturb();
         deform.breaks += 1;
@@ -321,20 +321,20 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
 
 /// Writes down which facets have lost points since the last time. `utilisation` and `released` (J) belong to the event as a
 /// whole and stand with its first facet.
-fn tell(deform: &mut Deform, step: u64, time: f64, utilisation: f64, released: f64) {
+fn record_failure(deform: &mut Deform, step: u64, time: f64, utilisation: f64, released: f64) {
     let mut released = released;
     for (k, facet) in deform.facets.iter().enumerate() {
-        if !deform.worn[k] {
+        if !deform.has_history[k] {
             // Softening facets are linear until they are not.
             let points = &deform.memory[facet.points()];
-            if !points.iter().any(|m| m.untold) {
+            if !points.iter().any(|m| m.unreported) {
                 continue;
             }
         }
         let mut area = [0.0; 2];
         for p in facet.points() {
             let m = &mut deform.memory[p];
-            if std::mem::take(&mut m.untold) {
+            if std::mem::take(&mut m.unreported) {
                 area[usize::from(m.state == State::Sheared)] += deform.points[p].area;
             }
         }

@@ -242,7 +242,7 @@ impl Builder<'_> {
         }
         let range = place::range(length);
         let solids = (0u32..).zip(&self.spatial.blocks).filter_map(|(b, block)| {
-            let span = spatial::push::bolts::place::span(&block.shape, head, axis, range)?;
+            let span = spatial::bolts::place::span(&block.shape, head, axis, range)?;
             Some((span, b))
         });
         let polygons = (0u32..).zip(&self.setup.blocks).flat_map(|(b, block)| {

@@ -265,7 +265,7 @@ impl Engine {
         match self {
             Self::Planar(e) => TRANSIT * e.scratch.transit,
             Self::Spatial(e) => {
-                spatial::push::charge::step_limit(&e.world).min(self.contact_step_limit(rule))
+                spatial::charge::step_limit(&e.world).min(self.contact_step_limit(rule))
             }
         }
     }
@@ -276,8 +276,7 @@ impl Engine {
         match self {
             Self::Planar(_) => "a block that moves fast for its size",
             Self::Spatial(e) => {
-                let gas =
-                    spatial::push::charge::step_limit(&e.world) < self.contact_step_limit(rule);
+                let gas = spatial::charge::step_limit(&e.world) < self.contact_step_limit(rule);
                 if gas { "expanding gas" } else { "blocks in contact, or fast for their size" }
             }
         }
@@ -299,7 +298,7 @@ impl Engine {
     pub fn contact_step_limit(&self, rule: TimeStep) -> f64 {
         match self {
             Self::Planar(_) => f64::INFINITY,
-            Self::Spatial(e) => rule.of_contacts() * spatial::contact::step_limit(&e.world),
+            Self::Spatial(e) => rule.of_contacts() * spatial::step_limit(&e.world),
         }
     }
 

@@ -2,14 +2,14 @@
 
 use riprap::Vec3;
 use riprap::exec::Exec;
+use riprap::spatial::charge;
 use riprap::spatial::lanes::Width;
-use riprap::spatial::push::charge;
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, CavityPressure, Coupling, Criterion, During, FaceSet, Kinematics,
     Place, Refinement, Region, Setup, Shape, Source,
 };
-use riprap::spatial::state::tiles::Cut;
 use riprap::spatial::step::{Scratch, advance};
+use riprap::spatial::tiles::Cut;
 use riprap::spatial::topology;
 use riprap::spatial::topology::EditKind;
 use riprap::spatial::world::{World, flag};

@@ -1,7 +1,7 @@
 //! Gas in a cavity: the model of Tian & Li, section 4.2(1), against the numbers of a separate program.
 
 use riprap::Vec3;
-use riprap::spatial::push::charge;
+use riprap::spatial::charge;
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, CavityPressure, Coupling, Dashpots, Explosive, FaceSet, InSitu,
     JointLaw, Motion, Place, Refinement, Region, Setup, Source, Support, Venting,

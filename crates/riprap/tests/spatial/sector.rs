@@ -6,7 +6,7 @@
 
 use riprap::Vec3;
 use riprap::dynamics::TimeFunction;
-use riprap::spatial::push::charge;
+use riprap::spatial::charge;
 use riprap::spatial::setup::{
     BlockSpec, Boundary, BoundaryKind, CavityPressure, Coupling, FaceSet, JointLaw, Place, Setup,
     Shape, Solid, Source,

@@ -4,8 +4,9 @@ use riprap_geom::polyhedron::{Polyhedron, hull};
 use riprap_geom::{Quat, Vec3};
 
 use super::*;
+use crate::kernel::Found;
 use crate::kernel::kit::{Chance, Placed};
-use crate::kernel::{Found, Walker};
+use crate::kernel::surface::Walker;
 
 /// Bricks, tetrahedra and hulls of 8 to 20 points, some flat or long.
 fn shape(chance: &mut Chance) -> Shape {
@@ -66,7 +67,7 @@ impl Heap {
             };
             pose.push(Pose { position, rotation: chance.rotation() });
         }
-        Self { shape: (0..count as u32).collect(), roles: vec![Role::Seeker; count], pose, shapes }
+        Self { shape: (0..count as u32).collect(), roles: vec![Role::Active; count], pose, shapes }
     }
 
     fn blocks(&self) -> Blocks<'_> {
@@ -241,7 +242,7 @@ fn blocks_apart_are_left_out_and_close_ones_are_not() {
         let heap = Heap {
             shapes: vec![shape.clone()],
             shape: vec![0; 2],
-            roles: vec![Role::Seeker; 2],
+            roles: vec![Role::Active; 2],
             pose: vec![Pose::at(Vec3::ZERO), Pose::at(Vec3::new(0.05, 1.0 + gap, 0.2))],
         };
         let candidates = heap.candidates(&heap.search(), 1);
@@ -456,7 +457,7 @@ fn graded(chance: &mut Chance, kinds: &[Shape], count: usize, ratio: f64) -> Hea
     }
     Heap {
         shape: (0..pose.len() as u32).collect(),
-        roles: vec![Role::Seeker; pose.len()],
+        roles: vec![Role::Active; pose.len()],
         shapes,
         pose,
     }

@@ -6,7 +6,7 @@ use riprap_geom::{Mat3, Vec3};
 use crate::contact::deformable::law::{Asked, Sides, respond};
 use crate::contact::deformable::limit;
 use crate::contact::pose;
-use crate::kernel::cells::{Member, PairConstants, PairSlot, PairWorkspace, Spot, Star};
+use crate::kernel::cells::{Member, PairConstants, PairSlot, PairWorkspace, Spot, TetFan};
 use crate::kernel::grid::Box3;
 use crate::kernel::springs::stored;
 use crate::kernel::tetra::Piece;
@@ -104,7 +104,7 @@ fn put(
     deform: &Deform,
     work: &Workspace,
     member: &Member,
-    star: &mut Star,
+    star: &mut TetFan,
 ) {
     match member.body {
         Some(k) => {
@@ -133,7 +133,7 @@ struct Evaluation<'a> {
     deform: &'a Deform,
     work: &'a Workspace,
     members: &'a [Member],
-    stars: &'a [Star],
+    stars: &'a [TetFan],
     constants: &'a [PairConstants],
     grounds: &'a [Terrain],
     dt: f64,
@@ -225,7 +225,7 @@ impl Evaluation<'_> {
 
 /// Pressure of a pair: forces, energy, the surface of equal depth and the spots of friction on it.
 fn press(
-    stars: [&Star; 2],
+    stars: [&TetFan; 2],
     sides: &Sides,
     stiffness: f64,
     pair: &mut DeformablePair,

@@ -112,7 +112,7 @@ pub(super) struct Asked<'a> {
 
 /// The answer.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Reply {
+pub(super) struct ContactOutput {
     /// Area across the normal, m².
     pub(super) area: f64,
     /// Energy in the springs along the contact, J.
@@ -235,12 +235,12 @@ pub(super) fn respond(
     spots: &mut [Spot],
     shares: &mut [Vec<f64>; 2],
     memory: &mut DeformableMemory,
-) -> Reply {
+) -> ContactOutput {
     let Some(c) = Contact::new(asked, spots) else {
         memory.forget();
-        return Reply::default();
+        return ContactOutput::default();
     };
-    let mut reply = Reply { area: c.area, ..Reply::default() };
+    let mut reply = ContactOutput { area: c.area, ..ContactOutput::default() };
     let damped = law.damping_ratio > 0.0;
     let mass = if damped { 1.0 / c.ease(asked, spots, shares) } else { 0.0 };
     let dashpot = |k: f64| {

@@ -7,7 +7,7 @@
 use riprap_geom::Vec3;
 
 use crate::contact::deformable::search::fastest;
-use crate::kernel::cells::{CellDesk, Member};
+use crate::kernel::cells::{Member, TetContactScratch};
 use crate::laws::damping::stable_share;
 use crate::state::world::World;
 
@@ -17,7 +17,7 @@ const SAFETY: f64 = 0.5;
 const TRANSIT: f64 = 0.1;
 
 /// Longest step, s.
-pub(super) fn longest_step(world: &World, desk: &CellDesk) -> f64 {
+pub(super) fn longest_step(world: &World, desk: &TetContactScratch) -> f64 {
     let Some(deform) = world.deform.as_deref().filter(|d| d.relax.is_none()) else {
         return f64::INFINITY;
     };

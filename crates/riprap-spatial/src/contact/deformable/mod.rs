@@ -28,7 +28,7 @@ use crate::state::scratch::Scratch;
 use crate::state::world::World;
 
 /// Steps between two looks at bonds that have failed since.
-const LOOK: u64 = 16;
+const CHECK_INTERVAL: u64 = 16;
 
 /// The law between two blocks: that of the bonds of their interface, or of its joints where it has none. `depths` are the
 /// distances of their centres from the surface, m; `rigid` says which are rigid.

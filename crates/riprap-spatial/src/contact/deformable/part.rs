@@ -11,7 +11,7 @@
 
 use riprap_geom::Vec3;
 
-use crate::contact::deformable::LOOK;
+use crate::contact::deformable::CHECK_INTERVAL;
 use crate::deform::bonds;
 use crate::laws::bond;
 use crate::state::deform::{Deform, Facet};
@@ -26,7 +26,7 @@ const OPEN: f64 = 0.01;
 /// Difference of the openings of its points over the same: the angle by which it gapes.
 const GAPES: f64 = 0.02;
 
-/// Lets facets go that no longer describe where their blocks touch: every [`LOOK`] steps, while relaxing only in equilibrium.
+/// Lets facets go that no longer describe where their blocks touch: every [`CHECK_INTERVAL`] steps, while relaxing only in equilibrium.
 pub(crate) fn part(world: &mut World, scratch: &mut Scratch) {
     let Some(deform) = world.deform.as_deref().filter(|_| world.setup.found_contacts) else {
         return;
@@ -34,16 +34,16 @@ pub(crate) fn part(world: &mut World, scratch: &mut Scratch) {
     let look = world.pending > 0.0
         && match &deform.relax {
             Some(relax) => relax.converged,
-            None => world.step.is_multiple_of(LOOK),
+            None => world.step.is_multiple_of(CHECK_INTERVAL),
         };
     if !look {
         return;
     }
     let mut past: Vec<[u32; 2]> = Vec::new();
     let mut holding: Vec<[u32; 2]> = Vec::new();
-    for (facet, worn) in deform.facets.iter().zip(&deform.worn) {
+    for (facet, has_history) in deform.facets.iter().zip(&deform.has_history) {
         let memory = &deform.memory[facet.points()];
-        if facet.parted || !worn {
+        if facet.parted || !has_history {
             continue;
         }
         if !memory.iter().all(|m| m.state.is_broken()) {
@@ -60,7 +60,9 @@ pub(crate) fn part(world: &mut World, scratch: &mut Scratch) {
         list.dedup();
     }
     // A facet without wear holds too.
-    for (facet, _) in (deform.facets.iter().zip(&deform.worn)).filter(|(f, w)| !**w && !f.parted) {
+    for (facet, _) in
+        (deform.facets.iter().zip(&deform.has_history)).filter(|(f, w)| !**w && !f.parted)
+    {
         let ends = sorted(facet.blocks);
         if past.binary_search(&ends).is_ok() {
             holding.push(ends);

@@ -15,7 +15,9 @@ use crate::deform::relax;
 use crate::exec::{CHUNK, Exec, piece};
 use crate::faces::deformable::centred;
 use crate::kernel::Terrain;
-use crate::kernel::cells::{CellDesk, Member, PairConstants, PairSlot, PairWorkspace, Star};
+use crate::kernel::cells::{
+    Member, PairConstants, PairSlot, PairWorkspace, TetContactScratch, TetFan,
+};
 use crate::kernel::grid::{Box3, Role};
 use crate::state::contact_scratch::TerrainDesk;
 use crate::state::deform::Deform;
@@ -41,7 +43,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         return false;
     }
     let known = world.found.deformable.roles.len() == world.alive.len();
-    let look = world.pending > 0.0 && world.step.is_multiple_of(super::LOOK);
+    let look = world.pending > 0.0 && world.step.is_multiple_of(super::CHECK_INTERVAL);
     let mut renew = false;
     if !known || world.fresh || look {
         let roles = roles(world);
@@ -51,7 +53,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     if world.fresh {
         scratch.deformable.ready = false;
     }
-    if !world.found.deformable.roles.contains(&Role::Seeker) && !world.has_terrain() {
+    if !world.found.deformable.roles.contains(&Role::Active) && !world.has_terrain() {
         if !world.found.deformable.pairs.is_empty() {
             super::leave(world, scratch);
         }
@@ -88,14 +90,14 @@ fn roles(world: &World) -> Vec<Role> {
             torn.push(ends);
         }
     }
-    for (facet, worn) in deform.facets.iter().zip(&deform.worn) {
+    for (facet, has_history) in deform.facets.iter().zip(&deform.has_history) {
         if facet.parted {
             torn.push(facet.blocks);
             continue;
         }
         sets.join(facet.blocks);
         let memory = &deform.memory[facet.points()];
-        if *worn && memory.iter().any(|m| m.state.is_broken()) {
+        if *has_history && memory.iter().any(|m| m.state.is_broken()) {
             torn.push(facet.blocks);
         }
     }
@@ -109,9 +111,9 @@ fn roles(world: &World) -> Vec<Role> {
         if !world.alive[b] || world.is_terrain(b) {
             Role::Absent
         } else if whole[b] && lattice == Some(sets.leader(b as u32)) {
-            Role::Target
+            Role::Passive
         } else {
-            Role::Seeker
+            Role::Active
         }
     };
     (0..n).map(role).collect()
@@ -262,7 +264,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
     desk.boxes.clear();
     desk.boxes.extend((0..roles.len()).map(|b| match roles[b] {
         Role::Absent => Box3::EMPTY,
-        Role::Target | Role::Seeker => grown_box(world, deform, b),
+        Role::Passive | Role::Active => grown_box(world, deform, b),
     }));
     let facets = deform.facets.iter().filter(|f| !f.parted);
     let ends = facets.map(|f| f.blocks).chain(world.patches.ends.iter().copied());
@@ -326,7 +328,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
 }
 
 /// What follows from the list of pairs.
-fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk, terrain: &TerrainDesk) {
+fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrain: &TerrainDesk) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
@@ -340,7 +342,7 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut CellDesk, terrain: &Terra
     let mut bounds: BTreeMap<u32, f64> = BTreeMap::new();
     desk.members = blocks.iter().map(|b| member(world, deform, work, *b, &mut bounds)).collect();
     desk.stars.clear();
-    desk.stars.resize_with(blocks.len(), Star::default);
+    desk.stars.resize_with(blocks.len(), TetFan::default);
     let place = |b: u32| blocks.partition_point(|other| *other < b) as u32;
     let (members, stars, boxes) = (&mut desk.members, &mut desk.stars, &desk.boxes);
     desk.constants = pairs
@@ -474,7 +476,7 @@ fn own_frequency(class: &BlockClass) -> f64 {
 
 /// Adds to the fictitious masses of a relaxing phase (kg) what contacts ask for: as bonds of the same stiffness on all of the surface
 /// would, with the largest sum in a row of `kn n nᵀ + ks (1 - n nᵀ)`.
-fn weigh(deform: &Deform, desk: &CellDesk, fictitious: &mut [f64]) {
+fn weigh(deform: &Deform, desk: &TetContactScratch, fictitious: &mut [f64]) {
     let mut stiffness = vec![0.0_f64; desk.members.len()];
     for constants in &desk.constants {
         let law = &constants.law;

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 
 use crate::kernel::frame::Frame;
-use crate::kernel::friction::{Contact, Question};
+use crate::kernel::friction::{Contact, ContactInput};
 use crate::kernel::lever::{FAR, Lever, for_points, lever};
 use crate::kernel::piece::Polygon;
 use crate::kernel::slip::{Rub, Rubs, Three, hold};
@@ -23,7 +23,7 @@ const LINE_MEAN_RADIUS: f64 = 0.866;
 /// A surface with less area than this, over the square of its radius of gyration, is a line: 1000 times as long as wide.
 const NEEDLE: f64 = 1e-2;
 /// Shows all pieces of a surface that rub.
-pub type Pieces<'a> = dyn Fn(&mut dyn FnMut(&Polygon, &Frame)) + 'a;
+pub(crate) type Pieces<'a> = dyn Fn(&mut dyn FnMut(&Polygon, &Frame)) + 'a;
 
 /// Largest friction of a contact.
 pub(super) struct Limit<'a> {
@@ -43,7 +43,7 @@ impl<'a> Limit<'a> {
     pub(super) fn new(
         [force, cohesion]: [f64; 2],
         contact: &'a Contact,
-        q: &Question<'a>,
+        q: &ContactInput<'a>,
         motion: (Vec3, f64),
     ) -> Self {
         Self {

@@ -2,11 +2,11 @@
 
 use riprap_geom::Vec3;
 
-use crate::kernel::friction::{ContactLaw, Question, Wrench, about, against_rocking, meeting};
+use crate::kernel::friction::{ContactInput, ContactLaw, Wrench, about, against_rocking, meeting};
 
 /// The pressure of a surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Pressing {
+pub(crate) struct Pressing {
     /// Normal force, N.
     pub force: f64,
     /// Velocity at which its sides part, m/s.
@@ -17,7 +17,7 @@ pub struct Pressing {
 
 /// Dashpots that several surfaces share.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Shared {
+pub(crate) struct Shared {
     /// What they add to the pressure of each, over it; at least -1.
     pub ratio: f64,
     /// Against rocking about all of them.
@@ -26,7 +26,7 @@ pub struct Shared {
 
 /// Pressure of a surface, and how fast its sides part; `None` where it has no one normal.
 #[must_use]
-pub fn pressing(law: &ContactLaw, q: &Question) -> Option<Pressing> {
+pub(crate) fn pressing(law: &ContactLaw, q: &ContactInput) -> Option<Pressing> {
     meeting(law, q).map(|met| Pressing {
         force: met.contact.elastic,
         parting: met.velocity.normal,
@@ -40,7 +40,7 @@ pub fn pressing(law: &ContactLaw, q: &Question) -> Option<Pressing> {
 /// back. So they act on the rate of the energy of all of them, `power` (W, the sum of force times velocity of parting), and press along the
 /// gradient of that energy: in proportion to the pressure of each. `q` has the sums of all.
 #[must_use]
-pub fn share(law: &ContactLaw, q: &Question, power: f64) -> Option<Shared> {
+pub(crate) fn share(law: &ContactLaw, q: &ContactInput, power: f64) -> Option<Shared> {
     let met = meeting(law, q)?;
     let c = &met.contact;
     let across = law.dashpot(law.normal_stiffness, c.area, met.mass, q.last_dt);

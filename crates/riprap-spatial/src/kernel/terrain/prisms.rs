@@ -5,7 +5,7 @@
 
 use riprap_geom::Vec3;
 
-use crate::kernel::cells::Star;
+use crate::kernel::cells::TetFan;
 use crate::kernel::grid::Box3;
 use crate::kernel::terrain::Terrain;
 use crate::kernel::tetra;
@@ -32,8 +32,8 @@ impl Terrain {
 
     /// The prisms that meet a box, about its middle.
     #[must_use]
-    pub fn prisms(&self, around: &Box3) -> Star {
-        let mut star = Star { origin: 0.5 * (around.low + around.high), ..Star::default() };
+    pub fn prisms(&self, around: &Box3) -> TetFan {
+        let mut star = TetFan { origin: 0.5 * (around.low + around.high), ..TetFan::default() };
         let height = (around.high - around.low).max_element();
         for cell in self.below(around) {
             let top = cell.corners.map(|corner| corner - star.origin);

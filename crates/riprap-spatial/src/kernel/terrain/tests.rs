@@ -7,7 +7,8 @@ use super::*;
 use crate::kernel::kit::{Chance, KINDS, Placed, block};
 use crate::kernel::lever::lever;
 use crate::kernel::sums::integrate;
-use crate::kernel::{Pieces, Pose, Shape, Walker};
+use crate::kernel::surface::Walker;
+use crate::kernel::{Pieces, Pose, Shape};
 
 /// A grid over a square about the origin.
 fn ground(half: f64, cells: usize, height: impl Fn(f64, f64) -> f64) -> Terrain {
@@ -220,7 +221,7 @@ fn gaps_are_bounds() {
                     }
                 }
                 Reached::Touching => touching += 1,
-                Reached::Swallowed(_) => {}
+                Reached::FullyPenetrated(_) => {}
             }
         }
     }
@@ -234,7 +235,7 @@ fn a_block_below_the_surface_is_swallowed() {
     let at =
         |z: f64| find(&mut Treader::default(), &terrain, &shape, Pose::at(Vec3::new(0.1, 0.2, z)));
     assert_eq!(at(0.4), Reached::Touching);
-    assert_eq!(at(-3.0), Reached::Swallowed(3.0));
+    assert_eq!(at(-3.0), Reached::FullyPenetrated(3.0));
     assert!(matches!(at(1.0), Reached::Apart(gap) if (gap - 0.5).abs() < 1e-12));
     let beside = Pose::at(Vec3::new(5.0, 0.0, -1.0));
     let beside = find(&mut Treader::default(), &terrain, &shape, beside);

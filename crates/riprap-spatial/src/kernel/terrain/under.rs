@@ -84,7 +84,7 @@ impl Under {
                             break;
                         }
                     }
-                    Reached::Swallowed(depth) => return Reached::Swallowed(depth),
+                    Reached::FullyPenetrated(depth) => return Reached::FullyPenetrated(depth),
                     Reached::Touching => {
                         nearest = 0.0;
                         let facets = treader.facets.iter();

@@ -215,7 +215,7 @@ fn whole_tetrahedron() {
         near(energy(1.0, push), 0.5 * volume * radius, EXACT);
         near(push(0.9999), 2.0 * volume * radius * 0.9999_f64.powi(3), 1e-9);
         match find(&floor(), &on_corner(edges, 1.1)) {
-            Found::Swallowed(depth) => near(depth, radius, EXACT),
+            Found::FullyPenetrated(depth) => near(depth, radius, EXACT),
             other => panic!("{other:?}"),
         }
     }

@@ -10,13 +10,13 @@ use crate::kernel::tetra::{Cell, Overlap, Piece, Workspace};
 const KN: f64 = 1e9;
 
 /// A block of tetrahedra from its centre, with the depth that its centre has at the start.
-struct Star {
+struct TetFan {
     mesh: Tetrahedra,
     nodes: Vec<Vec3>,
     peak: f64,
 }
 
-impl Star {
+impl TetFan {
     fn new(solid: &Polyhedron) -> Self {
         let mesh = Tetrahedra::new(solid).unwrap();
         let height = |g: &[Vec3; 3]| 1.0 / (g[0] + g[1] + g[2]).length();
@@ -52,7 +52,7 @@ struct Contact {
     touching: usize,
 }
 
-fn contact(stars: [&Star; 2]) -> Contact {
+fn contact(stars: [&TetFan; 2]) -> Contact {
     let mut workspace = Workspace::default();
     let mut out = Contact {
         energy: 0.0,
@@ -82,7 +82,7 @@ fn contact(stars: [&Star; 2]) -> Contact {
 }
 
 /// Two random blocks, bent a little, that overlap.
-fn bent(chance: &mut Chance, kind: Kind) -> [Star; 2] {
+fn bent(chance: &mut Chance, kind: Kind) -> [TetFan; 2] {
     loop {
         let pair = [0, 1].map(|side| {
             let solid = loop {
@@ -93,7 +93,7 @@ fn bent(chance: &mut Chance, kind: Kind) -> [Star; 2] {
             };
             let turn = chance.rotation();
             let shift = f64::from(side) * 0.75 * chance.direction();
-            Star::new(&solid).map(|x| turn * x + shift + 0.02 * chance.direction())
+            TetFan::new(&solid).map(|x| turn * x + shift + 0.02 * chance.direction())
         });
         let sound = pair.iter().all(|s| {
             (0..s.mesh.tets.len())
@@ -176,7 +176,7 @@ fn cubes_in_line_keep_momentum() {
         let aside = [0.0, 1e-16, 1e-12, 1e-9][round % 4];
         let depth = [1e-5, 1e-3][round / 4 % 2];
         let pair = [0.0, 1.0 - depth].map(|along| {
-            Star::cube().map(|x| turn * (x + along * Vec3::X) + aside * chance.direction())
+            TetFan::cube().map(|x| turn * (x + along * Vec3::X) + aside * chance.direction())
         });
         let forces = contact([&pair[0], &pair[1]]).forces;
         let all = || forces.iter().flatten();
@@ -207,7 +207,7 @@ fn exchanged_blocks_feel_opposite_forces() {
 #[test]
 fn flat_faces_press_with_stiffness_times_area_and_depth() {
     for d in [1e-1, 1e-3, 1e-6] {
-        let (a, b) = (Star::cube(), Star::cube().map(|x| x + Vec3::new(0.0, 0.0, 1.0 - d)));
+        let (a, b) = (TetFan::cube(), TetFan::cube().map(|x| x + Vec3::new(0.0, 0.0, 1.0 - d)));
         let found = contact([&a, &b]);
         let force: Vec3 = found.forces[1].iter().copied().sum();
         // Equal faces, depth to the nearest face: rims give way.
@@ -231,9 +231,10 @@ fn a_corner_has_its_closed_form() {
     // Cube with its space diagonal down, pressed by d into a wide plate: (3 - sqrt 3)/2 kn d³.
     let turn = riprap_geom::Quat::from_rotation_arc(Vec3::ONE.normalize(), -Vec3::Z);
     let d = 0.01;
-    let plate = Star::new(&Polyhedron::brick(Vec3::new(0.0, 0.0, -0.5), Vec3::new(0.5, 0.5, 0.5)));
+    let plate =
+        TetFan::new(&Polyhedron::brick(Vec3::new(0.0, 0.0, -0.5), Vec3::new(0.5, 0.5, 0.5)));
     let lift = Vec3::new(0.02, 0.03, 0.75f64.sqrt() - d);
-    let cube = Star::cube().map(|x| turn * x + lift);
+    let cube = TetFan::cube().map(|x| turn * x + lift);
     let force: Vec3 = contact([&plate, &cube]).forces[1].iter().copied().sum();
     let exact = (3.0 - 3f64.sqrt()) / 2.0 * KN * d * d * d;
     assert!((force.z / exact - 1.0).abs() < 1e-9, "{} {exact}", force.z);
@@ -242,10 +243,10 @@ fn a_corner_has_its_closed_form() {
 #[test]
 fn a_smaller_face_off_the_middle_keeps_its_resultant() {
     let d = 1e-4;
-    let small = Star::new(&Polyhedron::brick(Vec3::ZERO, Vec3::new(0.1, 0.1, 0.1)));
+    let small = TetFan::new(&Polyhedron::brick(Vec3::ZERO, Vec3::new(0.1, 0.1, 0.1)));
     let shift = Vec3::new(0.17, -0.22, 0.6 - d);
     let small = small.map(|x| x + shift);
-    let found = contact([&Star::cube(), &small]);
+    let found = contact([&TetFan::cube(), &small]);
     let force: Vec3 = found.forces[1].iter().copied().sum();
     let (area, rim) = (0.04, 0.8);
     let exact = KN * (area * d - rim * d * d / 4.0 + d * d * d / 3.0);
@@ -261,12 +262,12 @@ fn a_smaller_face_off_the_middle_keeps_its_resultant() {
 fn touching_and_separate_cells_have_no_overlap() {
     let mut workspace = Workspace::default();
     for gap in [0.0, 1e-3] {
-        let upper = Star::cube().map(|x| x + Vec3::new(0.0, 0.0, 1.0 + gap));
-        let found = contact([&Star::cube(), &upper]);
+        let upper = TetFan::cube().map(|x| x + Vec3::new(0.0, 0.0, 1.0 + gap));
+        let found = contact([&TetFan::cube(), &upper]);
         assert_eq!(found.touching, 0);
         assert_eq!(found.energy, 0.0);
     }
-    let cell = Star::cube().cell(0);
+    let cell = TetFan::cube().cell(0);
     let far = cell.shifted(Vec3::new(3.0, 0.0, 0.0));
     assert_eq!(workspace.overlap([&cell, &far]), None::<Overlap>);
     // A cell and itself share everything, half of it to each.
@@ -279,7 +280,7 @@ fn touching_and_separate_cells_have_no_overlap() {
 
 #[test]
 fn cells_turned_inside_out_are_refused() {
-    let cell = Star::cube().cell(0);
+    let cell = TetFan::cube().cell(0);
     let [a, b, c, d] = cell.corners;
     assert!(Cell::new([a, c, b, d], [0.5; 4]).is_none());
     assert!(Cell::new([a, b, c, Vec3::NAN], [0.5; 4]).is_none());
@@ -297,10 +298,10 @@ fn cells_turned_inside_out_are_refused() {
 fn time_of_a_pair_of_tetrahedra() {
     let mut chance = Chance::new(7);
     let turn = chance.rotation();
-    let a = Star::cube();
+    let a = TetFan::cube();
     for (name, b) in [
-        ("face to face", Star::cube().map(|x| x + Vec3::new(0.21, 0.13, 0.999))),
-        ("turned", Star::cube().map(|x| turn * x + Vec3::new(0.1, 0.2, 1.2))),
+        ("face to face", TetFan::cube().map(|x| x + Vec3::new(0.21, 0.13, 0.999))),
+        ("turned", TetFan::cube().map(|x| turn * x + Vec3::new(0.1, 0.2, 1.2))),
     ] {
         let cells = [&a, &b].map(|s| (0..s.mesh.tets.len()).map(|k| s.cell(k)).collect::<Vec<_>>());
         let pairs: Vec<[&Cell; 2]> =

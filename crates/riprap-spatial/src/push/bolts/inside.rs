@@ -15,14 +15,14 @@ use crate::state::world::World;
 const TOUCH: f64 = 1e-10;
 
 /// The tetrahedra of a deformable block with corners at some time.
-pub struct Star {
+pub struct TetFan {
     /// Nodes of each, in the list of the world.
     nodes: Vec<[u32; 4]>,
     /// Places of these, m.
     corners: Vec<[Vec3; 4]>,
 }
 
-impl Star {
+impl TetFan {
     /// The present shape of a block; `None` of a rigid one, and of one that is not near a line between two places.
     #[must_use]
     pub fn now(world: &World, block: usize, [from, to]: [Vec3; 2]) -> Option<Self> {
@@ -142,10 +142,10 @@ mod tests {
     use super::*;
     use riprap_geom::polyhedron::Polyhedron;
 
-    fn star(half: Vec3, place: impl Fn(Vec3) -> Vec3) -> Star {
+    fn star(half: Vec3, place: impl Fn(Vec3) -> Vec3) -> TetFan {
         let mesh = Tetrahedra::new(&Polyhedron::brick(Vec3::ZERO, half)).unwrap();
         let corners = mesh.tets.iter();
-        Star {
+        TetFan {
             corners: corners.map(|t| t.map(|n| place(mesh.nodes[n as usize]))).collect(),
             nodes: mesh.tets,
         }

@@ -5,7 +5,7 @@ use riprap_geom::{Quat, Vec3};
 use crate::laws::bolt::lay;
 use crate::laws::bolt::place;
 use crate::laws::bolt::place::Misplaced;
-use crate::push::bolts::inside::Star;
+use crate::push::bolts::inside::TetFan;
 use crate::push::bolts::place::span;
 use crate::setup::Bolt as Spec;
 use crate::state::anchor::Inside;
@@ -48,9 +48,9 @@ fn one(world: &World, number: u32, spec: &Spec) -> Result<Bolt, Misplaced> {
     let range = place::range(length);
     let middle = 0.5 * (spec.head + spec.toe);
     let mut spans = Vec::new();
-    let mut stars: Vec<(u32, Star)> = Vec::new();
+    let mut stars: Vec<(u32, TetFan)> = Vec::new();
     for b in (0..world.alive.len()).filter(|b| world.alive[*b]) {
-        if let Some(star) = Star::now(world, b, [spec.head, spec.toe]) {
+        if let Some(star) = TetFan::now(world, b, [spec.head, spec.toe]) {
             let found = star.spans(spec.head, axis, range);
             spans.extend(found.into_iter().map(|span| (span, b as u32)));
             stars.push((b as u32, star));
@@ -101,7 +101,7 @@ fn pose(world: &World, b: usize) -> (Vec3, Quat) {
 }
 
 /// The point of a block that lies at a place now; `star` is the shape of one that deforms.
-fn pin(world: &World, (block, star): (u32, Option<&Star>), place: Vec3, along: f64) -> Pin {
+fn pin(world: &World, (block, star): (u32, Option<&TetFan>), place: Vec3, along: f64) -> Pin {
     let anchor = match star.and_then(|star| star.point(place)) {
         Some((inside, _)) => inside,
         None => {

@@ -11,7 +11,7 @@ pub mod place;
 pub mod stiffness;
 
 use crate::exec::Divide;
-use crate::laws::bolt::{Desk, Sheared};
+use crate::laws::bolt::{BoltScratch, Sheared};
 use crate::setup::Bolt as Spec;
 use crate::state::anchor::Freedoms;
 use crate::state::bolts::{Bolt, Pin, chord};
@@ -26,7 +26,7 @@ const CHUNK: usize = 16;
 /// Some bolts and what they work with.
 struct Piece<'a> {
     bolts: &'a mut [Bolt],
-    desks: &'a mut [Desk],
+    desks: &'a mut [BoltScratch],
 }
 
 impl Divide for Piece<'_> {
@@ -47,7 +47,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let freedoms = Freedoms::new(bodies, turned, deform.as_deref().map(|d| &d.nodes));
     if changes {
         if scratch.bolts.len() != bolts.len() {
-            let desk = |bolt: &Bolt| Desk::new(&bolt.chain, |k| bolt.stretches(k));
+            let desk = |bolt: &Bolt| BoltScratch::new(&bolt.chain, |k| bolt.stretches(k));
             scratch.bolts = bolts.iter().map(desk).collect();
         }
         let work = Piece { bolts: &mut *bolts, desks: &mut scratch.bolts };
@@ -87,7 +87,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
 }
 
 /// Equilibrium of one bolt and forces of its dowels.
-fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, freedoms: &Freedoms) {
+fn solve(bolt: &mut Bolt, desk: &mut BoltScratch, spec: &Spec, freedoms: &Freedoms) {
     let pins = &bolt.pins;
     desk.solve(&mut bolt.chain, |k| chord(&pins[k], &pins[k + 1], freedoms).1);
     let Some(dowel) = spec.design.dowel else {

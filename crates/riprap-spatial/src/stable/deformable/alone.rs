@@ -19,7 +19,7 @@ use crate::state::workspace::Workspace;
 /// Most steps of Lanczos's method: the value is then known to better than the margin.
 const STEPS: usize = 24;
 /// Steps after which it is asked, again and again, whether they are enough.
-const LOOK: usize = 4;
+const CHECK_INTERVAL: usize = 4;
 /// Share of the value up to which it must be known: a fifth of the margin.
 const KNOWN: f64 = 1e-3;
 /// Blocks that one thread works on at a time.
@@ -144,7 +144,7 @@ fn largest(size: usize, mut times: impl FnMut(&[f64], &mut [f64])) -> f64 {
         on.push(along);
         rest = dot(&next, &next).sqrt();
         let exact = rest <= 1e-12 * on[0];
-        if exact || k + 1 == most || (k + 1) % LOOK == 0 {
+        if exact || k + 1 == most || (k + 1) % CHECK_INTERVAL == 0 {
             found = top(&on, &beside, found);
             if exact || rest * last(&on, &beside, found) <= KNOWN * found {
                 break;

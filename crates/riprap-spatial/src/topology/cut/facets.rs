@@ -21,7 +21,7 @@ use crate::topology::cut::plan::Family;
 use crate::topology::cut::pressed::Pressed;
 use crate::topology::cut::stretch::Stretch;
 use crate::topology::error::EditError;
-use crate::topology::fracture::LOOK;
+use crate::topology::fracture::CHECK_INTERVAL;
 
 /// Share of a face below which faces share nothing.
 const SLIVER: f64 = 1e-9;
@@ -137,14 +137,14 @@ fn drop_facets(deform: &mut Deform, gone: &[usize]) {
         }
         let facet = deform.facets[k];
         deform.facets[to] = Facet { first: point as u32, ..facet };
-        deform.worn[to] = deform.worn[k];
+        deform.has_history[to] = deform.has_history[k];
         deform.points.copy_within(facet.points(), point);
         deform.memory.copy_within(facet.points(), point);
         to += 1;
         point += facet.count as usize;
     }
     deform.facets.truncate(to);
-    deform.worn.truncate(to);
+    deform.has_history.truncate(to);
     deform.points.truncate(point);
     deform.memory.truncate(point);
 }
@@ -164,7 +164,7 @@ impl Lists {
         deform
             .facets
             .extend(self.facets.into_iter().map(|f| Facet { first: first + f.first, ..f }));
-        deform.worn.resize(deform.facets.len(), true);
+        deform.has_history.resize(deform.facets.len(), true);
         deform.points.extend(self.points);
         deform.memory.extend(self.memory);
     }
@@ -278,12 +278,12 @@ impl Maker<'_> {
             .collect();
         let area: f64 = joints.iter().map(|j| j.area).sum();
         let first: Vec3 = joints.iter().map(|j| j.area * j.at).sum();
-        let whole_until = match self.deform.relax {
+        let intact_until_step = match self.deform.relax {
             Some(_) => 0,
-            None => self.world.step + LOOK,
+            None => self.world.step + CHECK_INTERVAL,
         };
         let facet = Facet {
-            whole_until,
+            intact_until_step,
             centre: first / area,
             area,
             first: lists.points.len() as u32,
@@ -420,7 +420,7 @@ impl Maker<'_> {
                 row,
                 rigid: [false; 2],
                 origin: Origin::Cut,
-                whole_until: 0,
+                intact_until_step: 0,
                 parted: false,
             };
             let (facet, points) = self.place(lists, facet, &joints, Vec3::ZERO);

@@ -8,7 +8,7 @@ use crate::state::world::World;
 /// Stretch of the points of an old facet, `jump + start / k` (n, b, c), m.
 ///
 /// A linear field over the facet with the same mean and first moments where all points are whole, so that forces stay to
-/// round-off; that of the nearest point where some are worn.
+/// round-off; that of the nearest point where some have a history.
 pub(super) struct Stretch {
     points: Vec<(Vec3, Memory, [f64; 3])>,
     /// Place, value there, slopes along b and c.

@@ -4,8 +4,8 @@ use riprap_geom::Vec3;
 
 use super::shapes::volume;
 use crate::model::builder::Builder;
-use crate::spatial::faces::divisible::Divisible;
-use crate::spatial::faces::region::{Bounds, Extent};
+use crate::spatial::divisible::Divisible;
+use crate::spatial::region::{Bounds, Extent};
 use crate::spatial::setup::{Place, Region, Shape};
 
 /// Places nearer than this share of a block's size are in it.

@@ -17,8 +17,8 @@ use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
 use crate::scenario::{Diagnostic, Name, Span};
-use crate::spatial::faces::divisible::Divisible;
-use crate::spatial::faces::region::Bounds;
+use crate::spatial::divisible::Divisible;
+use crate::spatial::region::Bounds;
 use crate::spatial::setup::{
     CavityPressure, Coupling, Criterion, During, Place, Refinement, Region, Source, Venting,
 };

@@ -2,7 +2,7 @@
 
 use crate::Vec2;
 use crate::plan::Phase;
-use crate::spatial::push::bolts::install::InstallError;
+use crate::spatial::bolts::install::InstallError;
 use crate::{planar, spatial};
 
 /// In the plane.
@@ -56,7 +56,7 @@ pub(super) fn spatial(
     use spatial::setup::Motion;
     // Before anything else: its pairs are those of the last evaluation.
     if !phase.joints.is_empty() {
-        spatial::contact::change_laws(world, scratch, |world| {
+        spatial::change_laws(world, scratch, |world| {
             for (row, law) in &phase.joints {
                 world.setup.interfaces[*row as usize].joint = *law;
             }
@@ -96,5 +96,5 @@ pub(super) fn spatial(
     let cut = phase.deform.and_then(|d| d.cut);
     spatial::topology::cut::allow(world, cut.as_ref());
     spatial::topology::bolts::follow(world);
-    spatial::push::bolts::install::install(world, &phase.install)
+    spatial::bolts::install::install(world, &phase.install)
 }

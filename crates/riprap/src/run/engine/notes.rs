@@ -26,10 +26,7 @@ pub(super) fn planar_events(v: &planar::view::View<'_>) -> Vec<serde_json::Value
 }
 
 /// A cavity as the manifest lists it, global coordinates.
-pub(super) fn source(
-    v: &spatial::view::View<'_>,
-    cavity: &spatial::push::charge::Cavity,
-) -> Source {
+pub(super) fn source(v: &spatial::view::View<'_>, cavity: &spatial::charge::Cavity) -> Source {
     let setup = &v.world.setup;
     let source = &setup.sources[cavity.source as usize];
     let global = |p: Vec3| (p + setup.origin).to_array();

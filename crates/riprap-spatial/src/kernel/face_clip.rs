@@ -3,14 +3,14 @@
 /// A convex polygon of which nothing is known but how far its corners lie beyond each of a set of planes. That is enough to cut it:
 /// the distances of a crossing are between those of the two corners.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Remnant {
+pub(super) struct FaceClip {
     planes: usize,
     /// How far each corner is beyond each plane, m: corner by corner.
     beyond: Vec<f64>,
     spare: Vec<f64>,
 }
 
-impl Remnant {
+impl FaceClip {
     /// A face with so many corners, before so many planes.
     pub(super) fn begin(&mut self, planes: usize, corners: usize) {
         self.planes = planes;
@@ -60,15 +60,15 @@ mod tests {
 
     /// Whether something of the unit square is left by planes `[a, b, c]`, `a x + b y <= c`.
     fn left(planes: &[[f64; 3]], slack: f64) -> bool {
-        let mut remnant = Remnant::default();
-        remnant.begin(planes.len(), 4);
+        let mut clip = FaceClip::default();
+        clip.begin(planes.len(), 4);
         for (corner, [x, y]) in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].iter().enumerate()
         {
             for (plane, [a, b, c]) in planes.iter().enumerate() {
-                remnant.set(corner, plane, &[a * x + b * y - c]);
+                clip.set(corner, plane, &[a * x + b * y - c]);
             }
         }
-        remnant.is_left(slack)
+        clip.is_left(slack)
     }
 
     #[test]

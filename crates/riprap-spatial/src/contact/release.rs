@@ -15,7 +15,7 @@
 use crate::laws::face_joint::Traction;
 use riprap_geom::Vec3;
 
-use crate::contact::LOOK;
+use crate::contact::CHECK_INTERVAL;
 use crate::faces::overlap::bare;
 use crate::joint::patch;
 use crate::joint::patch::Poses;
@@ -48,9 +48,9 @@ const FOLDED: f64 = 0.3;
 /// `Deviation:` of this program; softening laws are of joints that are long against their slip.
 const TORN: f64 = 0.5;
 
-/// Lets patches go that no longer describe where their blocks touch; every [`LOOK`] steps.
-pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
-    let look = world.pending > 0.0 && world.step.is_multiple_of(LOOK);
+/// Lets patches go that no longer describe where their blocks touch; every [`CHECK_INTERVAL`] steps.
+pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
+    let look = world.pending > 0.0 && world.step.is_multiple_of(CHECK_INTERVAL);
     if !world.setup.found_contacts || !look {
         return;
     }
@@ -79,11 +79,11 @@ pub(crate) fn give_way(world: &mut World, scratch: &mut Scratch) {
     }
     pairs.sort_unstable();
     pairs.dedup();
-    let_go(world, scratch, &pairs);
+    release_pairs(world, scratch, &pairs);
 }
 
 /// Gives what all patches of these pairs (sorted) carry to the found contacts of their blocks.
-pub(super) fn let_go(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]]) {
+pub(super) fn release_pairs(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]]) {
     let mut parted = vec![false; world.alive.len()];
     for b in pairs.iter().flatten() {
         parted[*b as usize] = true;
@@ -282,7 +282,7 @@ fn hand_over(world: &mut World, p: usize) {
         pairs.insert(at, FoundPair { ends, ..FoundPair::default() });
     }
     let pair = &mut pairs[at];
-    pair.in_place = true;
+    pair.seated = true;
     // The first patch of a pair says about which point all of them are added.
     let first = pair.offset.as_ref().and_then(|offset| offset.joint);
     let about = first.map_or(centre, |carried| carried.at);
@@ -315,7 +315,7 @@ fn hand_over(world: &mut World, p: usize) {
 mod tests {
     use riprap_geom::Vec3;
 
-    use super::let_go;
+    use super::release_pairs;
     use crate::contact::tests::{Run, above_floor, brick};
     use crate::dynamics::TimeFunction;
     use crate::dynamics::damping::Damping;
@@ -419,7 +419,7 @@ mod tests {
         run.world.patches.flags[0] |= flag::BROKEN;
         run.evaluate();
         run.world.start_energy = Some(run.view().balance().total());
-        let_go(&mut run.world, &mut run.scratch, &[[0, 1]]);
+        release_pairs(&mut run.world, &mut run.scratch, &[[0, 1]]);
         run.world.pending = 0.0;
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for step in 1..=300 {
@@ -497,7 +497,7 @@ mod tests {
         assert_eq!(run.world.patches.len(), 2);
         run.evaluate();
         run.world.start_energy = Some(run.view().balance().total());
-        let_go(&mut run.world, &mut run.scratch, &[[1, 2]]);
+        release_pairs(&mut run.world, &mut run.scratch, &[[1, 2]]);
         run.evaluate();
         run
     }
