@@ -138,10 +138,7 @@ fn the_strengths_of_a_material_or_a_group_are_reduced_alone() {
         ..Rules::default()
     };
     for (rules, told) in [
-        (
-            rules("chalk", "firm", "default"),
-            "no material is called `chalk`; there are: rock, shale",
-        ),
+        (rules("chalk", "firm", "default"), "unknown material `chalk`; valid names: rock, shale"),
         (rules("rock", "firmer", "default"), "unknown group `firmer`; valid names: "),
         // The stone of the group has no joint with shale.
         (rules("shale", "firm", "bedding"), "none of the selected interfaces has a strength"),

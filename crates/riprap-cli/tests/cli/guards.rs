@@ -313,7 +313,7 @@ fn a_falling_block_does_not_hide_behind_the_balance_of_others() {
     let none = "gravity = [\"0 m/s2\", \"0 m/s2\"]";
     let until = "until = { time = \"0.1 s\" }";
     let (_, said) = pile(none, "velocity = [\"0 m/s\", \"30 m/s\"]", until);
-    said.warns(&["used up its time", "`stone` moves", "times its own size"]);
+    said.warns(&["reached its limit of time", "`stone` moves", "times its own size"]);
 }
 
 /// A slice has residuals that are its thickness times larger, and round-off too.

@@ -355,7 +355,7 @@ fn plots_are_drawn() {
     bench
         .run(&line("0.5 m, -9 m, 0 m", "0.5 m, 9 m"))
         .expect(2)
-        .warns(&["in the plane, where a place has x and y; (0.5, -9, 0) m has 3 coordinates"]);
+        .warns(&["in the plane, where a point has x and y; (0.5, -9, 0) m has 3 coordinates"]);
     bench.run(&["plot", "fall.run", "spectrum", "height"]).expect(0).says(&["spectrum_height.svg"]);
 }
 

@@ -255,7 +255,7 @@ fn unsuitable_runs_are_told() {
     assert!(text(spectrum(&flat, "slipp", &out)).contains("did you mean `slip`?"));
     assert!(text(spectrum(&flat, "slip", &out)).contains("5 usable samples"));
     let other = CraterOptions { source: Some("other"), ..CraterOptions::default() };
-    assert!(text(crater(&folder, last, other, &out)).contains("sources are: charge"));
+    assert!(text(crater(&folder, last, other, &out)).contains("valid sources: charge"));
     assert!(text(heave(&folder, &[], None, Normal::Z, &out)).contains("along x or y"));
     let far = BlockOptions { at: Some(99.0), ..o };
     let e = text(section(&folder, &[last], "level", far, &out));

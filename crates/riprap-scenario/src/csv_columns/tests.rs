@@ -58,7 +58,7 @@ fn one_table_is_read_however_it_is_written() {
 #[test]
 fn what_was_taken_is_noted() {
     let read = places("x;y [m];z\n1,5;2;3\n;;\n");
-    let says = "read 1 of 2 rows; left out 1 because they are empty; x, z without a unit, read in m; commas are decimal signs";
+    let says = "read 1 of 2 rows; left out 1 because they are empty; x, z without a unit, read in m; decimal commas";
     assert_eq!(read.note(), says);
     assert_eq!(read.lines, [2]);
     assert_eq!(places("x_m,y_m,z_m\n1,2,3\n").note(), "read 1 of 1 rows");

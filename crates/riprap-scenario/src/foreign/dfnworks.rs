@@ -284,7 +284,7 @@ impl Lists {
         }
         if turned > 0 {
             network.remarks.push(format!(
-                "these files do not give the in-plane angle of {turned}; it is taken as 0 ({POLYGONS} has it)"
+                "these files do not give the in-plane angle of {turned} fractures; it is taken as 0 ({POLYGONS} has it)"
             ));
         }
         Ok(network)

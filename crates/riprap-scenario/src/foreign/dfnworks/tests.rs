@@ -41,9 +41,9 @@ fn fractures_lie_where_dfngen_drew_them() {
     let network = read_dfnworks(&folder.path().join("radii_Final.dat")).unwrap();
     assert_eq!(
         network.note(),
-        "read 4 of 6 fractures from radii_Final.dat, normal_vectors.dat, translations.dat, families.dat; left out 1 because \
-         dfnGen removed them as isolated (R); left out 1 because they were given by their corners, which stand in polygons.dat \
-         alone; the angle in its plane is not in these files for 1, taken as 0 (polygons.dat has it)"
+        "read 4 of 6 fractures from radii_Final.dat, normal_vectors.dat, translations.dat, families.dat; left out 1 because dfnGen removed them as \
+         isolated (R); left out 1 because they were given by their corners, which only polygons.dat contains; these files do not give the in-plane \
+         angle of 1 fractures; it is taken as 0 (polygons.dat has it)"
     );
     let lines: Vec<usize> = network.fractures.iter().map(|(_, line)| *line).collect();
     assert_eq!(lines, [3, 4, 5, 6]);

@@ -84,7 +84,7 @@ fn what_checks_ask_for_must_exist() {
     );
     has(
         check("field = \"model.kinetic\"\nat = \"5 s\"\nvalue = \"1 J/m\""),
-        &["reads at 5 s", "last 1 s"],
+        &["reads at 5 s", "last phase (1 s)"],
     );
     has(
         check("field = \"model.kinetic\"\nvalue = \"1 J/m\"\nexact = true\nknown = \"x\""),

@@ -61,7 +61,7 @@ fn what_cannot_carry_stress_is_refused() {
     let stress = "[in_situ.compressive]\nx = \"2 MPa\"\n";
     // No joints.
     let bare = scene(stress).replace(BOND, "");
-    assert!(bad(&bare).contains("interfaces.default has no joints that could carry"));
+    assert!(bad(&bare).contains("interfaces.default has no joints to carry"));
     // Nobody on the right.
     let open = format!("{BOND}{CUBE}{stress}{}", sides(&["x-min"]));
     let found = bad(&open);
