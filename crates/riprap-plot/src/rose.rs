@@ -243,7 +243,7 @@ mod tests {
         assert!(broken_pairs(dir.path(), 1.0).unwrap().is_empty());
         std::os::unix::fs::symlink("/dev/null", dir.path().join("events.jsonl")).unwrap();
         let refused = broken_pairs(dir.path(), 1.0).unwrap_err().to_string();
-        assert!(refused.contains("not a plain file"), "{refused}");
+        assert!(refused.contains("not a regular file"), "{refused}");
     }
 
     #[test]

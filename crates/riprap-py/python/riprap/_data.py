@@ -113,7 +113,7 @@ class Table(Fields):
 
     @classmethod
     def read(cls, path: Path) -> "Table":
-        """Reads a CSV file whose heads are ``name [unit]``; a last line that was cut off does not count."""
+        """Reads a CSV file whose heads are ``name [unit]``; a last line that was truncated does not count."""
         return cls({name: Field(values, name, unit) for name, unit, values in _riprap.read_table(path)})
 
     @property

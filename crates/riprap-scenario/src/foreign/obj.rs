@@ -278,8 +278,8 @@ mod tests {
         assert!(wrong("v 0 0 0\n").contains("no faces"));
         assert!(wrong("v 0 0\n").contains("line 1: a vertex needs three numbers"));
         assert!(wrong("v 0 0 0\nf 1 2\n").contains("line 2: a face needs three vertices"));
-        assert!(wrong("v 0 0 0\nf 1 0 1\n").contains("vertex `0` does not exist"));
-        assert!(wrong("v 0 0 0\nf -1 -2 -1\n").contains("vertex `-2` does not exist"));
+        assert!(wrong("v 0 0 0\nf 1 0 1\n").contains("`0` is not a vertex"));
+        assert!(wrong("v 0 0 0\nf -1 -2 -1\n").contains("`-2` is not a vertex"));
         assert!(wrong("v 0 0 0\nf 1 9 1\n").contains("vertex `9` does not exist: the file has 1"));
         let open = cube("o box", 0.0, None).replace("f -4 -3 -2 -1\n", "");
         assert!(wrong(&open).contains("object `box`, part 1 is not closed"), "{}", wrong(&open));

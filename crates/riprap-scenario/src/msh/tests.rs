@@ -167,7 +167,7 @@ fn entities_in_several_groups_keep_all_of_them() {
     assert_eq!(mesh.facets.len(), whole.facets.len());
     let many = text.replacen(" 3 8 5 -5", " 33 8 5 -5", 1);
     let found = error(&many);
-    assert!(found.contains("in 33 physical groups; 32 at most"), "{found}");
+    assert!(found.contains("in 33 physical groups; at most 32"), "{found}");
 }
 
 /// Files cut off anywhere and with any byte changed: an error or a mesh, never a panic, and no memory for made-up counts.

@@ -322,6 +322,6 @@ mod tests {
         // What cannot be read is reported.
         std::fs::create_dir(path.join("events.jsonl")).unwrap();
         events(&mut none, &run);
-        assert!(none.contains("not a plain file"), "{none}");
+        assert!(none.contains("not a regular file"), "{none}");
     }
 }

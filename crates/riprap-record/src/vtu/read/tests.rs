@@ -79,7 +79,7 @@ fn every_truncation_is_told_and_no_flip_panics() {
 fn messages_name_the_file_and_the_fault() {
     let bytes = blocks(&sample(), &Exec::serial()).unwrap();
     let cut = parsed(&bytes[..bytes.len() - 3]).unwrap_err().to_string();
-    assert!(cut.contains("x.vtu is damaged") && cut.contains("cut off"), "{cut}");
+    assert!(cut.contains("x.vtu is damaged") && cut.contains("truncated"), "{cut}");
     assert!(matches!(parsed(b"solid stl"), Err(ReadError::Foreign { .. })));
     let mut huge = bytes;
     let at = huge.windows(2).position(|w| w == b"\n_").unwrap() + 2;
