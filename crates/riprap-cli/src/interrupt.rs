@@ -18,8 +18,7 @@ pub fn let_full_files_be_errors() {
             diagnostics::print_line(
                 "note",
                 &format!(
-                    "could not block SIGXFSZ, so riprap will be terminated when a file \
-                          exceeds the size limit: {error}"
+                    "could not block SIGXFSZ, so riprap will be terminated when a file exceeds the size limit: {error}"
                 ),
             );
         }
@@ -56,8 +55,7 @@ impl Interrupt {
                 quit();
             }
             diagnostics::say(
-                "\nstopping at the next step and writing a checkpoint; press Ctrl-C again to quit \
-                 at once",
+                "\nstopping at the next step and writing a checkpoint; press Ctrl-C again to quit at once",
             );
         })
         .map_err(|e| Failure::Input(format!("could not listen for Ctrl-C: {e}")))?;

@@ -63,8 +63,7 @@ fn unknown(word: &str) -> String {
     }
     match meant {
         Some(verb) => format!(
-            "unknown command {word:?}; did you mean `riprap {verb}`? `riprap --help` lists all \
-             commands"
+            "unknown command {word:?}; did you mean `riprap {verb}`? `riprap --help` lists all commands"
         ),
         None => format!("unknown command {word:?}; valid commands: {}", verbs.join(", ")),
     }

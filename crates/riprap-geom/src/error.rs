@@ -104,8 +104,7 @@ pub enum GeomError {
     },
     /// The cutting segments could not be turned into blocks.
     #[error(
-        "the cuts near ({:.6}, {:.6}) are too close together; change the seed or the spacing \
-         slightly", .at.x, .at.y
+        "the cuts near ({:.6}, {:.6}) are too close together; change the seed or the spacing slightly", .at.x, .at.y
     )]
     Arrangement {
         /// Where, about.

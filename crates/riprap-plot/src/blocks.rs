@@ -130,8 +130,7 @@ pub(super) fn draw(
     if options.isolines > 0 && words.kinds.is_some() {
         return Err(PlotError::Unsuitable {
             picture: "isolines",
-            reason: "materials are categories, not quantities; choose another field or leave the \
-                     isolines out"
+            reason: "materials are categories, not quantities; choose another field or leave the isolines out"
                 .to_owned(),
         });
     }

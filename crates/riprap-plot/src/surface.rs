@@ -137,8 +137,7 @@ pub fn crater(
     let source = source(&manifest, options.source, CRATER)?;
     let Some(threshold) = options.uplift.or(source.depth.map(|d| THRESHOLD * d)) else {
         let reason = format!(
-            "source `{}` has no depth from which to derive the threshold; give the uplift at the \
-             crater rim",
+            "source `{}` has no depth from which to derive the threshold; give the uplift at the crater rim",
             source.name
         );
         return Err(PlotError::Unsuitable { picture: CRATER, reason });

@@ -120,8 +120,7 @@ fn inline(value: &Bound<'_, PyAny>, path: &str, depth: usize) -> PyResult<Option
     }
     let kind = value.get_type().name()?;
     Err(PyTypeError::new_err(format!(
-        "{path}: a {kind} is not allowed in a scenario; use strings, numbers, lists and \
-         dictionaries"
+        "{path}: a {kind} is not allowed in a scenario; use strings, numbers, lists and dictionaries"
     )))
 }
 

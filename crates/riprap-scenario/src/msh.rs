@@ -183,8 +183,7 @@ impl File {
                 let groups = reader.size("a number of groups")?;
                 if groups > MOST_GROUPS {
                     return Err(reader.wrong(format!(
-                        "an entity is in {groups} physical groups; at most {MOST_GROUPS} are \
-                         allowed"
+                        "an entity is in {groups} physical groups; at most {MOST_GROUPS} are allowed"
                     )));
                 }
                 for _ in 0..reader.room(groups, 2, "groups")? {

@@ -80,9 +80,8 @@ pub(super) fn imports_text(s: &Summary) -> String {
 
 fn model_text(s: &Summary) -> String {
     let mut text = format!(
-        "  blocks     {} ({} held), {} corners, sizes {} / {} / {} (smallest, median, largest)\n  \
-         region     {}; mass {}\n  shortest   edge {} on block {}\n  near       {} pairs at the \
-         start (overlapping bounding boxes)",
+        "  blocks     {} ({} held), {} corners, sizes {} / {} / {} (smallest, median, largest)\n  region     {}; mass {}\n  shortest   edge {} on \
+         block {}\n  near       {} pairs at the start (overlapping bounding boxes)",
         grouped(s.blocks as u64),
         grouped(s.supported as u64),
         grouped(s.vertices as u64),
@@ -114,8 +113,7 @@ fn passing_text(s: &Summary) -> String {
     }
     let [fifth, half, most] = s.passing.map(|size| si(size, "m"));
     format!(
-        "  passing    20 % of the rock in blocks up to {fifth}, 50 % up to {half}, 80 % up to \
-         {most}\n"
+        "  passing    20 % of the rock in blocks up to {fifth}, 50 % up to {half}, 80 % up to {most}\n"
     )
 }
 

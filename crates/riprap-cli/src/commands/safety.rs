@@ -39,8 +39,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
             Ok((width, Dim::NONE)) => width,
             Ok(_) | Err(_) => {
                 let text = format!(
-                    "{text:?} is not a valid width of the factor; write for example \
-                             --width 0.01"
+                    "{text:?} is not a valid width of the factor; write for example --width 0.01"
                 );
                 return Err(Failure::Input(text));
             }

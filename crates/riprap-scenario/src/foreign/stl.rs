@@ -105,8 +105,7 @@ fn binary(bytes: &[u8]) -> Result<Option<Triangles>, FileError> {
             Some((count, whole)) => Err(at_byte(
                 bytes.len(),
                 format!(
-                    "{count} triangles need {whole} bytes: this is not an STL file, or it is \
-                     truncated"
+                    "{count} triangles need {whole} bytes: this is not an STL file, or it is truncated"
                 ),
             )),
             None => Err(at_byte(bytes.len(), "this is not an STL file, or it is truncated")),

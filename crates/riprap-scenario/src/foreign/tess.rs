@@ -142,8 +142,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
             // Each use copies all corners: without a limit a small file could ask for any memory.
             if face.uses > SIDES {
                 return Err(reader.wrong(format!(
-                    "face {number} is used for the third time; it can lie between two polyhedra at \
-                     most"
+                    "face {number} is used for the third time; it can lie between two polyhedra at most"
                 )));
             }
             let mut corners: Vec<u32> = Vec::with_capacity(face.ring.len());

@@ -239,8 +239,7 @@ pub(super) fn scene(out: &mut String, run: &Run, manifest: &Manifest) {
     }
     let _ = writeln!(
         out,
-        "<h2>The scene as run</h2>\n<p>{} with all changes; it can be run \
-         unchanged.</p>\n<pre>{}</pre>",
+        "<h2>The scene as run</h2>\n<p>{} with all changes; it can be run unchanged.</p>\n<pre>{}</pre>",
         escape(&manifest.scenario),
         escape(&String::from_utf8_lossy(&bytes))
     );

@@ -50,8 +50,7 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
 /// Code and help of cells whose edges stay too short.
 pub(super) const SHORT_EDGES: (&str, &str) = (
     "geometry.edges",
-    "give a smaller `smallest_edge` (at most a tenth of `cell` is attainable), or more rounds of \
-     `relax`",
+    "give a smaller `smallest_edge` (at most a tenth of `cell` is attainable), or more rounds of `relax`",
 );
 
 /// Columns of the corners of a polygon.
@@ -304,8 +303,7 @@ impl Builder<'_> {
                 with_unit(worst.edge, "m"),
                 self.at_text(worst),
             );
-            let help = "merging them would join large blocks; change the seed, an offset or a \
-                        spacing slightly, or accept the smaller time step";
+            let help = "merging them would join large blocks; change the seed, an offset or a spacing slightly, or accept the smaller time step";
             let note = Diagnostic::warning("geometry.sliver", message).help(help);
             self.found.push(note.at(name.span.clone()));
         }

@@ -118,8 +118,7 @@ impl Builder<'_> {
             (None, _) => {
                 let error =
                     Diagnostic::error("in_situ.density", "the materials have different densities");
-                let help = "specify the density for the stress: in_situ.gravity_k0.density = \
-                            \"2400 kg/m3\"";
+                let help = "specify the density for the stress: in_situ.gravity_k0.density = \"2400 kg/m3\"";
                 self.found.push(error.at(said.k0.span.clone()).help(help));
                 return None;
             }

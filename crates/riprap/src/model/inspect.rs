@@ -146,9 +146,8 @@ fn overlaps(b: &mut Builder<'_>) {
             with_unit(at.y, "m")
         );
         let error = Diagnostic::error("geometry.overlap", message).at(entry_span(b, j)).help(
-            "move one of them; or let a first phase with kind = \"static\" separate them (up to 1 \
-             % of the block size); or accept the overlap with allow_overlap = \"...\" in \
-             [space.planar]",
+            "move one of them; or let a first phase with kind = \"static\" separate them (up to 1 % of the block size); or accept the overlap \
+             with allow_overlap = \"...\" in [space.planar]",
         );
         b.found.push(error);
     }
@@ -191,8 +190,7 @@ fn slivers(b: &mut Builder<'_>) {
                 String::new()
             };
             let message = format!(
-                "block `{name}` is a sliver{more}: its shortest edge is {}, its smallest width {} \
-                 % of the median width, {}",
+                "block `{name}` is a sliver{more}: its shortest edge is {}, its smallest width {} % of the median width, {}",
                 with_unit(report.edge, "m"),
                 with_unit((report.ratio * 1e3).round() / 10.0, ""),
                 b.at_text(report)

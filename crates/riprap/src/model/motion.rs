@@ -253,8 +253,7 @@ impl Builder<'_> {
             && converts(scale, found.factor)
         {
             let message = format!(
-                "`scale` is {scale}, but the column `{}` has a unit and is already converted (1 \
-                 becomes {})",
+                "`scale` is {scale}, but the column `{}` has a unit and is already converted (1 becomes {})",
                 found.name, found.factor
             );
             let error = Diagnostic::error("csv.scale", message).at(said.span.clone());

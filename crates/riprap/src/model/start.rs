@@ -109,8 +109,7 @@ impl Builder<'_> {
         }
         if let [first, ..] = unknown[..] {
             let message = format!(
-                "{} of the {} rows of `{csv}` name blocks that this scene does not have; the first \
-                 is `{first}`",
+                "{} of the {} rows of `{csv}` name blocks that this scene does not have; the first is `{first}`",
                 unknown.len(),
                 rows.len()
             );

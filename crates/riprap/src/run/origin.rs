@@ -106,8 +106,7 @@ impl Origin {
                     }
                 }
                 Err(why) => found.push(format!(
-                    "{} was edited after the run had started and cannot be compared: {why}; \
-                     {goes_on}",
+                    "{} was edited after the run had started and cannot be compared: {why}; {goes_on}",
                     scene.display()
                 )),
             }
@@ -124,8 +123,7 @@ impl Origin {
         let program = env!("CARGO_PKG_VERSION");
         if manifest.riprap != program {
             found.push(format!(
-                "the run was started by riprap {}, and this is {program}: bitwise identical \
-                 results are not guaranteed",
+                "the run was started by riprap {}, and this is {program}: bitwise identical results are not guaranteed",
                 manifest.riprap
             ));
         }

@@ -138,8 +138,7 @@ impl Builder<'_> {
                 "the in-situ stress and gravity are not in equilibrium: {} is unbalanced",
                 with_unit(worst, "N/m3")
             );
-            let help = "the vertical stress should increase with depth by density times gravity; \
-                        in_situ.gravity_k0 does this";
+            let help = "the vertical stress should increase with depth by density times gravity; in_situ.gravity_k0 does this";
             let note = Diagnostic::warning("in_situ.weight", message).help(help);
             let span = self.stress_span();
             self.found.push(note.at(span));

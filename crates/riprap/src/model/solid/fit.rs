@@ -186,8 +186,7 @@ impl Builder<'_> {
             self.explain(format!("{key}.{word}"), text, Provenance::Derived, &why);
         }
         let message = format!(
-            "the grid of `{}` is fitted to charge `{name}`: cells {} instead of {}, box {} from {} \
-             instead of {} from {}",
+            "the grid of `{}` is fitted to charge `{name}`: cells {} instead of {}, box {} from {} instead of {} from {}",
             block.name,
             triple(lattice.cell, "m"),
             triple(cell, "m"),

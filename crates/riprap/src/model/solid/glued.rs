@@ -79,8 +79,7 @@ impl Builder<'_> {
                         "parts may share faces but no volume; trim one of them"
                     }
                     GluedError::Apart { .. } => {
-                        "parts must share at least part of a face; make two blocks, or close the \
-                         gap"
+                        "parts must share at least part of a face; make two blocks, or close the gap"
                     }
                     GluedError::Part { .. } => "parts must be convex; divide this one",
                     GluedError::Count { .. }

@@ -135,8 +135,7 @@ impl Builder<'_> {
         self.explain(format!("{key}.cells"), text, Provenance::Derived, &why);
         if total > MOST {
             let message = format!("`{}` would have {x} x {y} x {z} bricks", block.name);
-            let help = "use larger cells or a smaller box; [[refine]] gives small bricks only \
-                        where they are needed";
+            let help = "use larger cells or a smaller box; [[refine]] gives small bricks only where they are needed";
             self.error_at("geometry.count", &block.name, message, help);
             return None;
         }

@@ -75,8 +75,7 @@ impl Builder<'_> {
 fn rebound(ratio: f64) -> String {
     let kept = restitution(ratio);
     format!(
-        "a face-to-face impact of free blocks rebounds with {kept:.2} of their relative speed \
-             (`restitution`)"
+        "a face-to-face impact of free blocks rebounds with {kept:.2} of their relative speed (`restitution`)"
     )
 }
 

@@ -68,8 +68,7 @@ impl Builder<'_> {
                     k + 1,
                     delay[k]
                 );
-                let help = "a hole must be longer than its stemming, and needs a charge and a \
-                            delay of 0 s or more";
+                let help = "a hole must be longer than its stemming, and needs a charge and a delay of 0 s or more";
                 self.error_at("file.csv", &pattern.csv, message, help);
                 return None;
             }

@@ -411,8 +411,7 @@ impl Builder<'_> {
                     with_unit(cavity, "m3"),
                     with_unit(ratio, ""),
                 );
-                let help = "refine the blocks around it so that the finest match its volume: the \
-                            pressure depends on it";
+                let help = "refine the blocks around it so that the finest match its volume: the pressure depends on it";
                 let said = self.parsed.scenario.sources.iter();
                 let span = said
                     .map(|(said, _)| said)

@@ -151,8 +151,7 @@ impl Builder<'_> {
         // A cell of the grid has two triangles.
         if (x.len() as f64) < SCATTERED * all || all > 0.5 * MOST as f64 {
             let message = format!(
-                "`{file}` is not a grid, or is too large: {} points have {} different x and {} \
-                 different y",
+                "`{file}` is not a grid, or is too large: {} points have {} different x and {} different y",
                 x.len(),
                 columns.len(),
                 rows.len()
@@ -248,8 +247,7 @@ impl Builder<'_> {
             let name = self.directory.name(b);
             let message = match deepest {
                 None => format!(
-                    "block `{name}` starts outside the rim of the terrain and would \
-                                 fall without end"
+                    "block `{name}` starts outside the rim of the terrain and would fall without end"
                 ),
                 Some((depth, terrain)) if depth > accepted => format!(
                     "block `{name}` starts {} below the surface of terrain `{}`, near {}",

@@ -239,8 +239,7 @@ impl PhaseEnd {
         }
         let (name, way) = self.moving.as_ref().filter(|(_, way)| *way > MOVES)?;
         Some(format!(
-            "block `{name}` moves: in another phase of this length it would travel {way:.1e} times \
-             its own size"
+            "block `{name}` moves: in another phase of this length it would travel {way:.1e} times its own size"
         ))
     }
 
@@ -282,15 +281,13 @@ impl PhaseEnd {
         }
         restless.map(|words| match unused {
             Some(what) => format!(
-                "phase `{phase}` reached its limit of {what} before every block was at rest: \
-                 {words}"
+                "phase `{phase}` reached its limit of {what} before every block was at rest: {words}"
             ),
             None if self.reason == Reason::Sinking => {
                 format!("phase `{phase}` ended before the model was at rest: {words}")
             }
             None => format!(
-                "phase `{phase}` ended in overall equilibrium, but not every block is in \
-                 equilibrium: {words}"
+                "phase `{phase}` ended in overall equilibrium, but not every block is in equilibrium: {words}"
             ),
         })
     }
