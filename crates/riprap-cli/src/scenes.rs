@@ -70,7 +70,7 @@ pub fn prepare_file(
             diagnostics::print_line(
                 "note",
                 &format!(
-                    "this scene has {count} cases; `riprap sweep` runs them all, `--case` one of them: {names}{more}"
+                    "this scene has {count} cases; `riprap sweep` runs all, `--case` runs one: {names}{more}"
                 ),
             );
         }
@@ -94,7 +94,7 @@ pub fn case(scene: &Scene, change: &Change) -> Result<Case, Failure> {
     scene.case(wanted).ok_or_else(|| {
         let names: Vec<&str> = scene.cases.iter().map(|case| case.name.as_str()).collect();
         Failure::Input(format!(
-            "{} has no case {wanted:?}; its cases are {}",
+            "{} has no case {wanted:?}; valid cases: {}",
             scene.path.display(),
             names.join(", ")
         ))

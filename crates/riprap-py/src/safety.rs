@@ -133,7 +133,7 @@ pub fn safety(
     let (text, table) = (json(&answer)?, answer.table());
     // Before the mechanism is run, which takes as long again and may be stopped.
     std::fs::create_dir_all(&folder).map_err(|e| {
-        let text = format!("could not make {}: {e}", folder.display());
+        let text = format!("could not create {}: {e}", folder.display());
         errors::output(py, &text)
     })?;
     let files = [("safety.json", format!("{text}\n")), ("safety.csv", table.clone())];
@@ -160,7 +160,7 @@ pub fn safety(
 fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
     if folder.exists() && !folder.is_dir() {
         let text = format!(
-            "{} is a file; the answer needs a folder: choose another name",
+            "{} is a file, but the answer needs a folder; choose another name",
             folder.display()
         );
         return Err(errors::run(py, &text));
@@ -168,7 +168,7 @@ fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
     let occupied = std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
     if occupied && existing == Existing::Refuse {
         let text = format!(
-            "{} is not empty; choose another folder, or replace what is there with existing=\"replace\"",
+            "{} is not empty; choose another folder, or replace its contents with existing=\"replace\"",
             folder.display()
         );
         return Err(errors::run(py, &text));

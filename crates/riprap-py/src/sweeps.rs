@@ -79,7 +79,7 @@ fn written(
     let table =
         sweeps::table_with(rows, earlier).map_err(|e| PyValueError::new_err(e.to_string()))?;
     std::fs::create_dir_all(folder).map_err(|e| {
-        let text = format!("could not make {}: {e}", folder.display());
+        let text = format!("could not create {}: {e}", folder.display());
         errors::output(py, &text)
     })?;
     riprap::record::write_whole(&folder.join("sweep.csv"), &table)

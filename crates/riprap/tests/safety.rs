@@ -138,13 +138,10 @@ fn the_strengths_of_a_material_or_a_group_are_reduced_alone() {
         ..Rules::default()
     };
     for (rules, told) in [
-        (
-            rules("chalk", "firm", "default"),
-            "no material is called `chalk`; there are: rock, shale",
-        ),
-        (rules("rock", "firmer", "default"), "no group is called `firmer`; there are: "),
+        (rules("chalk", "firm", "default"), "unknown material `chalk`; valid names: rock, shale"),
+        (rules("rock", "firmer", "default"), "unknown group `firmer`; valid names: "),
         // The stone of the group has no joint with shale.
-        (rules("shale", "firm", "bedding"), "none of the chosen interfaces has a strength"),
+        (rules("shale", "firm", "bedding"), "none of the selected interfaces has a strength"),
     ] {
         let wrong = safety(&scene, "default", &rules).unwrap_err().to_string();
         assert!(wrong.contains(told), "{wrong}");
@@ -192,7 +189,7 @@ fn limits_of_other_numbers_than_strength() {
         assert!(answer.is_found() && answer.unit == "rad");
     }
     assert!(slope.stable_at < slope.fails_at && angle.stable_at > angle.fails_at);
-    assert!(angle.words().contains("stands at 30") && angle.words().contains(" deg, fails at "));
+    assert!(angle.words().contains("stable at 30") && angle.words().contains(" deg, fails at "));
     // A load, in the unit of its key: W (cos a tan phi - sin a) = 8.4545 kN/m, W = 2 m x 1 m x 2500 kg/m3 x g.
     let pushed = STONE.replace(
         "[[phases]]",
@@ -254,7 +251,7 @@ fn ranges_and_values_that_cannot_be_are_told() {
     assert!(wrong.contains("friction angle"), "{wrong}");
     // Nothing fails: no limit, and no panic.
     let none = limit(&stone, key, "35 deg..40 deg", "1 deg", 2);
-    assert!(!none.is_found() && none.words().contains("nothing fails"), "{}", none.words());
+    assert!(!none.is_found() && none.words().contains("no failure"), "{}", none.words());
 }
 
 /// What falls in a phase of the scene and comes to rest on the floor has not stood.

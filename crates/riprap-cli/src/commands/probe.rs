@@ -13,15 +13,12 @@ use crate::{scenes, screen};
 pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
     let prepared = scenes::prepare(&args.scene, style, args.json)?;
     let Some(setup) = prepared.model.setup.planar() else {
-        return Err(Failure::Input(
-            "probe-contact reads contacts found from geometry, which only [space.planar] has"
-                .to_owned(),
-        ));
+        return Err(Failure::Input("probe-contact needs [space.planar]".to_owned()));
     };
     if let Some(pair) = &args.pair {
         for name in pair {
             if !setup.blocks.iter().any(|block| block.name == *name) {
-                return Err(Failure::Input(format!("there is no block {name:?}")));
+                return Err(Failure::Input(format!("unknown block {name:?}")));
             }
         }
     }
@@ -40,7 +37,7 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
         return Ok(());
     }
     if touches.is_empty() {
-        screen::line("nothing touches, and no blocks are nearer than the threshold");
+        screen::line("no blocks touch or are closer than the threshold");
         return Ok(());
     }
     let rows = touches.iter().map(|t| {
@@ -99,7 +96,7 @@ fn length(text: &str) -> Result<f64, Failure> {
     match units::parse(text) {
         Ok((value, Dim::LENGTH)) if value > 0.0 && value.is_finite() => Ok(value),
         Ok(_) | Err(_) => Err(Failure::Input(format!(
-            "{text:?} is no length; write for example --threshold '1 mm'"
+            "{text:?} is not a valid length; write for example --threshold '1 mm'"
         ))),
     }
 }

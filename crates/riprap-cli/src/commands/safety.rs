@@ -38,8 +38,9 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
         (None, Some(text)) => match units::parse(text) {
             Ok((width, Dim::NONE)) => width,
             Ok(_) | Err(_) => {
-                let text =
-                    format!("{text:?} is no width of a factor; write for example --width 0.01");
+                let text = format!(
+                    "{text:?} is not a valid width of the factor; write for example --width 0.01"
+                );
                 return Err(Failure::Input(text));
             }
         },
@@ -105,7 +106,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
     if answer.undecided {
         print_line(
             "warning",
-            "trials inside the range were undecided: give them more --steps, or look at the run of the mechanism",
+            "trials inside the range were undecided; increase --steps, or examine the run of the mechanism",
         );
     }
     Ok(())
@@ -115,7 +116,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
 fn missing(answer: &Answer) -> String {
     match &answer.quantity {
         None => "no factor of safety was found".to_owned(),
-        Some(key) => format!("no limit of `{key}` was found: give a wider --range"),
+        Some(key) => format!("no limit of `{key}` was found; give a wider --range"),
     }
 }
 

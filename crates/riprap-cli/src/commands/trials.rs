@@ -23,7 +23,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
     if args.scene.change.case.is_some() {
         scene.cases = vec![scenes::case(&scene, &args.scene.change)?];
     }
-    // A slip in the last case is told now, not when all others have been run.
+    // A slip in the last case is reported now, not when all others have been run.
     sweep::check_all(&scene)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "sweep", args.force);
     let path = folder.join("sweep.csv");
@@ -42,7 +42,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
         && let Some(other) = sweep::other_run(&scene, &folder)?
     {
         return Err(Failure::Input(format!(
-            "{} holds a run of another input or another program; choose another folder, or replace what is there with --force",
+            "{} contains a run of another input or program; choose another folder, or replace it with --force",
             other.display()
         )));
     }
@@ -52,7 +52,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
     sweep::sweep(&scene, &folder, existing, jobs, &|| interrupt.asked(), |row: Row| {
         if !args.how.quiet {
             let (n, case, steps) = (rows.len() + 1, &row.case, grouped(row.steps));
-            let kept = if row.kept { ", kept from before" } else { "" };
+            let kept = if row.kept { ", kept" } else { "" };
             screen::line(&format!("{n}/{count}  {case}: {}, {steps} steps{kept}", row.ended));
         }
         rows.push(row);
@@ -73,7 +73,7 @@ pub fn sweep(args: &Sweep) -> Result<(), Failure> {
         return Err(Failure::Output(row.ended.clone()));
     }
     if interrupt.asked() {
-        return Err(Failure::Interrupted(format!("see {} for what was done", path.display())));
+        return Err(Failure::Interrupted(format!("completed cases are in {}", path.display())));
     }
     if let Some(row) = rows.iter().find(|row| !row.finished) {
         return Err(Failure::Physics(format!("case {}: {}", row.case, row.ended)));
@@ -86,12 +86,12 @@ pub fn make_folder(folder: &Path, existing: Existing) -> Result<(), Failure> {
     let occupied = std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
     if occupied && existing == Existing::Refuse {
         return Err(Failure::Input(format!(
-            "{} is not empty; choose another folder, or replace what is there with --force",
+            "{} is not empty; choose another folder, or replace its contents with --force",
             folder.display()
         )));
     }
     std::fs::create_dir_all(folder)
-        .map_err(|e| Failure::Output(format!("could not make {}: {e}", folder.display())))
+        .map_err(|e| Failure::Output(format!("could not create {}: {e}", folder.display())))
 }
 
 /// `riprap bisect`.
@@ -183,8 +183,14 @@ pub fn compare(args: &Compare) -> Result<(), Failure> {
             d.place.clone(),
         ]
     });
-    let heads =
-        ["", trials::LAWS[0], trials::LAWS[1], "largest difference", "of the largest", "where"];
+    let heads = [
+        "",
+        trials::LAWS[0],
+        trials::LAWS[1],
+        "largest difference",
+        "relative to the largest",
+        "where",
+    ];
     let text = screen::table(&heads, rows);
     screen::print(&text);
     let path = folder.join("compare.txt");
@@ -203,7 +209,7 @@ impl From<TrialError> for Failure {
         match error {
             TrialError::Scene(wrong) => Failure::Scene(wrong),
             TrialError::Job(wrong) => wrong.into(),
-            TrialError::Stopped => Failure::Interrupted("nothing was found yet".to_owned()),
+            TrialError::Stopped => Failure::Interrupted("no limit found yet".to_owned()),
             TrialError::NoBisect { .. }
             | TrialError::OneLaw { .. }
             | TrialError::NoLimit(_)

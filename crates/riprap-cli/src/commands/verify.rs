@@ -15,7 +15,7 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
             .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
         if found.is_empty() {
             let shown = path.display();
-            return Err(Failure::Input(format!("there are no scenes with checks in {shown}")));
+            return Err(Failure::Input(format!("{shown} has no scenes with checks")));
         }
         scenes.extend(found);
     }
@@ -39,7 +39,7 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
         Err(Failure::Checks)
     } else if tally.passed + tally.skipped == 0 {
         Err(Failure::Input(
-            "nothing was verified: no scene here has a check; add [[checks]], or use `riprap run`"
+            "nothing was verified: no scene has a check; add [[checks]], or use `riprap run`"
                 .to_owned(),
         ))
     } else {

@@ -48,7 +48,7 @@ pub struct Search {
 
 /// A search whose numbers are none, or whose width is not above zero.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
-#[error("the ends of the range must be different numbers, and its width a number above zero")]
+#[error("the ends of the range must differ, and its width must be above zero")]
 pub struct NotANumber;
 
 impl Search {

@@ -40,7 +40,7 @@ pub enum CompareError {
     #[error(transparent)]
     Frame(#[from] vtu::ReadError),
     /// A folder without its frames.
-    #[error("{} could not be read: {source}", path.display())]
+    #[error("could not read {}: {source}", path.display())]
     Folder {
         /// What was read.
         path: PathBuf,

@@ -12,8 +12,8 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
     lost.map(|lost| {
         let [earlier, later] = lost.boundaries.map(name);
         format!(
-            "the boundary `{later}` takes {} of the {} faces of `{earlier}`: a face has one condition, the last that is given for it; if that is not \
-             meant, give them other faces",
+            "boundary `{later}` overrides `{earlier}` on {} of its {} faces: a face has one condition, the last one given; if this is not intended, \
+             select other faces",
             lost.faces, lost.of
         )
     })

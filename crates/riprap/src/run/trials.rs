@@ -38,8 +38,8 @@ pub enum TrialError {
     },
     /// In space there is one normal law.
     #[error(
-        "{} is in [space.spatial]: compare is for the plane, which has two normal laws; to see what a law or a number \
-         does in space write [variants] and run `riprap sweep`", path.display()
+        "{} uses [space.spatial], but compare works in the plane, which has two normal laws; to study a law or a value in space write [variants] and \
+         run `riprap sweep`", path.display()
     )]
     OneLaw {
         /// The scene.
@@ -49,7 +49,7 @@ pub enum TrialError {
     #[error("stopped by the user")]
     Stopped,
     /// Both ends of the search behave the same.
-    #[error("no limit between the ends: {0}")]
+    #[error("no limit between the two ends: {0}")]
     NoLimit(String),
     /// The runs could not be compared.
     #[error(transparent)]

@@ -399,7 +399,7 @@ fn a_spin_turns_a_group_as_one_body() {
 fn how_a_group_turns_is_told_where_it_cannot_be_meant() {
     let acceleration = "acceleration = { spin = { constant = \"1 rad/s2\" } }";
     let told = bad(&driven_pair(acceleration));
-    assert!(told.contains("turns each of these blocks about its own centroid"), "{told}");
+    assert!(told.contains("rotates each of these blocks about its own centroid"), "{told}");
     good(&driven_pair("acceleration = { spin = { constant = \"1 rad/s2\" }, each = true }"));
     let both =
         "velocity = { spin = { constant = \"1 rad/s\" }, about = [\"0 m\", \"0 m\"], each = true }";

@@ -61,7 +61,10 @@ fn what_an_impact_leaves_is_said() {
         model.explained.iter().find(of).unwrap().why.clone()
     };
     let leaves = |share: &str| {
-        format!("a flat impact of free blocks leaves {share} of their speed (`restitution`)")
+        format!(
+            "a face-to-face impact of free blocks rebounds with {share} of their relative \
+                 speed (`restitution`)"
+        )
     };
     for (keys, share) in
         [("", "0.20"), ("damping_ratio = 0.2\n", "0.57"), ("restitution = 0.9\n", "0.90")]

@@ -1,4 +1,4 @@
-//! Keys without effect are told, conditions without effect refused.
+//! Keys without effect are reported, conditions without effect refused.
 
 use super::*;
 use crate::run::simulation::Simulation;
@@ -182,7 +182,7 @@ fn keys_of_joints_beside_bonds_need_two_rigid_blocks() {
         all.filter(|m| m.contains("interfaces.default")).collect()
     };
     assert_eq!(of_interfaces(&alone), told);
-    // A block that is let go later can be pushed by others, and so can one that is held in part.
+    // A block that is released later can be pushed by others, and so can one that is held in part.
     let two = format!("{}{}", floor("floor"), floor("other").replace("-2 m", "-5 m"));
     let all = format!("{}{}", held(""), held("").replace("\"floor\"", "\"other\""));
     assert_eq!(of_interfaces(&scene(&two, &all, change)), told);
@@ -368,7 +368,7 @@ fn rhythms_longer_than_the_run_are_told() {
     assert_eq!(
         rare(&history("2 ms"), time),
         [
-            "history `v` is written at the start and at the ends of phases alone: `every`, 0.002 s, is longer than the run, 0.001 s"
+            "history `v` is written only at the start and at the end of each phase: `every` (0.002 s) is longer than the run (0.001 s)"
         ]
     );
     assert_eq!(rare(&frames("2 ms"), time).len(), 1);

@@ -18,7 +18,7 @@ const BLOCKS: usize = 20_000;
 /// Steps that a repetition may take, and seconds.
 const STEPS: u64 = 20 * EVERY;
 const PATIENCE: Duration = Duration::from_secs(20);
-/// A residual that half the step changes by less than this share of itself does not hang on the step.
+/// A residual that half the step changes by less than this share of itself does not depend on the step.
 const SAME: f64 = 0.25;
 
 /// A state from which a stretch can be repeated.
@@ -66,7 +66,7 @@ impl Keeper {
         }
         let Some(kept) = self.kept.into_iter().next() else {
             return Some(format!(
-                "whether a shorter step avoids it was not tried, the model is large (over {BLOCKS} blocks); run it with half the step to know"
+                "a shorter step was not tried because the model has more than {BLOCKS} blocks; run it with half the step to find out"
             ));
         };
         let energy = doubted(error).of(&stopped.balance());
@@ -90,11 +90,11 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
     let dt = 0.5 * stopped.dt().min(stable.dt);
     let what = if stopped.dt() > stable.dt { "half the stable step" } else { "half the step" };
     if !(dt > 0.0 && dt.is_finite()) {
-        return "a shorter step was not tried, half of it is no number".to_owned();
+        return "a shorter step was not tried: half the step is not a finite number".to_owned();
     }
     let mut snapshot = kept.snapshot;
     let Some(phase) = snapshot.plan.phases.get_mut(kept.phase) else {
-        return "a shorter step was not tried, the phase is over".to_owned();
+        return "a shorter step was not tried: the phase has ended".to_owned();
     };
     phase.time_step = match phase.time_step {
         TimeStep::Auto { safety } if stopped.dt() <= stable.dt => {
@@ -113,12 +113,12 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
             of_residual(error, what, from, [before, energy, doubted.of(&trial.balance())])
         }
         Reached::Error(again) => format!(
-            "repeated from step {from} with {what} it is stopped as well (t = {:.4e} s: {}), so the step alone is not to blame",
+            "a repeat from step {from} with {what} stopped as well (t = {:.4e} s: {}), so the step alone is not the cause",
             trial.time(),
             again.kind()
         ),
         Reached::TooFar => format!(
-            "whether a shorter step avoids it is not known: the repetition from step {from} with {what} took too long"
+            "the effect of a shorter step is unknown: the repeat from step {from} with {what} took too long"
         ),
     }
 }
@@ -127,20 +127,20 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
 fn of_residual(error: &RunError, what: &str, from: u64, values: [f64; 3]) -> String {
     let RunError::Residual { what: energy, unit, .. } = error else {
         return format!(
-            "repeated from step {from} with {what} it does not happen, so the step is to blame: make it shorter (`safety`, `time_step`)"
+            "a repeat from step {from} with {what} did not stop, so the step is too long: shorten it (`safety`, `time_step`)"
         );
     };
     let [before, full, half] = values;
     let (full, half) = (full - before, half - before);
     let verdict = if (half - full).abs() < SAME * full.abs() {
-        "so the step is not to blame"
+        "so the step is not the cause"
     } else if half.abs() < full.abs() {
-        "so the step is to blame: make it shorter (`safety`, `time_step`)"
+        "so the step is too long: shorten it (`safety`, `time_step`)"
     } else {
-        "so a shorter step alone does not cure it"
+        "so a shorter step alone does not help"
     };
     format!(
-        "from step {from} on {energy} grew by {full:.3e} {unit}, and by {half:.3e} {unit} when that was repeated with {what}, {verdict}"
+        "from step {from} on, {energy} changed by {full:.3e} {unit}, and in a repeat with {what} by {half:.3e} {unit}, {verdict}"
     )
 }
 

@@ -303,7 +303,7 @@ impl<'a> View<'a> {
         Some((self.name(b), ratio))
     }
 
-    /// What energies are multiplied by when they are told: the thickness of a slice in m, else 1.
+    /// What energies are multiplied by when they are reported: the thickness of a slice in m, else 1.
     #[must_use]
     pub fn slice(&self) -> f64 {
         match self {

@@ -54,22 +54,22 @@ impl Answer {
         if let Some(key) = &self.quantity {
             return match ends {
                 [Some(stable), Some(failing)] => {
-                    format!("{key}: stands at {stable}, fails at {failing}")
+                    format!("{key}: stable at {stable}, fails at {failing}")
                 }
-                [Some(_), None] => format!("{key}: nothing fails in this range"),
-                [None, Some(_)] => format!("{key}: nothing stands in this range"),
-                [None, None] => format!("{key}: unknown, no trial was decided"),
+                [Some(_), None] => format!("{key}: no failure in this range"),
+                [None, Some(_)] => format!("{key}: not stable anywhere in this range"),
+                [None, None] => format!("{key}: unknown, no trial was conclusive"),
             };
         }
         match ends {
             [Some(low), Some(high)] => format!("factor of safety: {low} .. {high}"),
             [Some(low), None] => format!(
-                "factor of safety: above {low}: the model stands with next to no strength in these interfaces"
+                "factor of safety: above {low}: the model is stable with almost no strength in these interfaces"
             ),
-            [None, Some(high)] => format!(
-                "factor of safety: below {high}: no strength that was tried holds the model"
-            ),
-            [None, None] => "factor of safety: unknown, no trial was decided".to_owned(),
+            [None, Some(high)] => {
+                format!("factor of safety: below {high}: the model fails at every strength tried")
+            }
+            [None, None] => "factor of safety: unknown, no trial was conclusive".to_owned(),
         }
     }
 
@@ -79,9 +79,9 @@ impl Answer {
         let count = self.moving.len();
         let (noun, s) = if count == 1 { ("block", "s") } else { ("blocks", "") };
         let how = match self.mechanism? {
-            Mechanism::Sliding => format!("slide{s} or fall{s} without turning"),
+            Mechanism::Sliding => format!("slide{s} or fall{s} without rotation"),
             Mechanism::Turning => format!("turn{s}"),
-            Mechanism::Both => format!("slide{s} and turn{s}"),
+            Mechanism::Both => format!("slide{s} and rotate{s}"),
         };
         let names: Vec<&str> =
             (self.moving.iter().take(NAMED)).map(|(name, _)| name.as_str()).collect();

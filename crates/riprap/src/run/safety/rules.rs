@@ -106,7 +106,7 @@ pub enum SafetyError {
     #[error(transparent)]
     Exec(#[from] ExecError),
     /// The name of nothing.
-    #[error("no {what} is called `{name}`; there are: {known}")]
+    #[error("unknown {what} `{name}`; valid names: {known}")]
     Unknown {
         /// An interface, a material or a group.
         what: &'static str,
@@ -117,11 +117,11 @@ pub enum SafetyError {
     },
     /// Nothing can be reduced.
     #[error(
-        "none of the chosen interfaces has a strength that could be reduced (friction angle, cohesion or tension): {0}"
+        "none of the selected interfaces has a strength to reduce (friction angle, cohesion or tension): {0}"
     )]
     NoStrength(String),
     /// A number that is none.
-    #[error("the width, the ratio of balance and the displacement must be numbers above zero")]
+    #[error("the width, the unbalanced-force ratio and the displacement must be above zero")]
     NotANumber,
     /// A range that is none.
     #[cfg(feature = "scenario")]
@@ -142,11 +142,11 @@ pub enum SafetyError {
 pub enum RangeError {
     /// Not two values.
     #[error(
-        "{0:?} is no range: write two values with their unit, for example '20 deg..45 deg' or '0.5..3'"
+        "{0:?} is not a range; write two values with units, for example '20 deg..45 deg' or '0.5..3'"
     )]
     Range(String),
     /// A width of another kind, or not above zero.
-    #[error("{given:?} is no width of this range: write for example {example:?}")]
+    #[error("{given:?} is not a valid width for this range; write for example {example:?}")]
     Width {
         /// What was given.
         given: String,

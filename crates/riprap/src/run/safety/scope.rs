@@ -73,7 +73,7 @@ pub(super) fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, 
         let names: Vec<&str> =
             (originals.iter()).map(|row| laws.rows[usize::from(*row)].0).collect();
         let told = match names[..] {
-            [] => "no interface is left".to_owned(),
+            [] => "no interface remains".to_owned(),
             _ => names.join(", "),
         };
         return Err(SafetyError::NoStrength(told));

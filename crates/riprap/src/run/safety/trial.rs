@@ -80,8 +80,8 @@ impl Maker<'_> {
                 done.trial.state = State::Undecided;
                 let (moved, block) = before.farthest;
                 done.trial.note = format!(
-                    "it came to rest after `{}` had moved by {moved:.3e} m in phases of the scene, where a dynamic phase is not watched: make it static or \
-                     end it earlier",
+                    "it came to rest after `{}` had moved by {moved:.3e} m in the phases of the scene, and dynamic phases are not monitored; make \
+                     the phase static or end it earlier",
                     simulation.view().name(block)
                 );
                 done.state = None;
