@@ -85,7 +85,7 @@ pub fn make(py: Python<'_>, folder: &Path) -> PyResult<()> {
 }
 
 /// Time between two looks for signals.
-const LOOK: Duration = Duration::from_millis(100);
+const CHECK_INTERVAL: Duration = Duration::from_millis(100);
 
 /// What came of a study, and what was raised while it went on.
 pub struct Reported<R> {
@@ -112,7 +112,7 @@ pub fn reported<T: Send, R: Send>(
             });
             // This thread stays the interpreter's: signals arrive here.
             loop {
-                let done = match receive.recv_timeout(LOOK) {
+                let done = match receive.recv_timeout(CHECK_INTERVAL) {
                     Ok(done) => Some(done),
                     Err(RecvTimeoutError::Timeout) => None,
                     Err(RecvTimeoutError::Disconnected) => break,

@@ -13,7 +13,7 @@ use crate::run::study::bracket::{State, Task};
 use crate::setup::Setup;
 
 /// Steps between two looks at a trial.
-const LOOK: u64 = 50;
+const CHECK_INTERVAL: u64 = 50;
 /// The same for blocks that are not where they were any more: what comes to rest then has not stood.
 const FAR: f64 = 0.1;
 
@@ -144,7 +144,7 @@ impl Maker<'_> {
                 }
                 Err(why) => ended = Some(why),
             }
-            steps = LOOK;
+            steps = CHECK_INTERVAL;
         };
         let note = ended.map_or_else(String::new, |why| why.to_string());
         Ok(self.told(&simulation, &watch, state, begin, note))
@@ -156,7 +156,7 @@ impl Maker<'_> {
         let mut watch: Option<Watch> = None;
         let (mut of_phase, mut begin) = (usize::MAX, 0);
         loop {
-            match simulation.advance(LOOK) {
+            match simulation.advance(CHECK_INTERVAL) {
                 Ok(Reached::End) => return Ok(before),
                 Ok(Reached::Asked) => {}
                 Err(why) => return Ok(Before { ended: Some(why), ..before }),
