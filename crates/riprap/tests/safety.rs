@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use riprap::run::safety::{
-    Answer, Mechanism, Quantity, Rules, SafetyError, State, over_quantity, search,
-};
 use riprap::run::scene::Scene;
+use riprap::run::study::safety::{
+    Answer, Mechanism, Quantity, Rules, State, Trial, over_quantity, search,
+};
+use riprap::run::study::{Executor, StudyError};
 use riprap::scenario::Source;
 
 fn scene(text: &str) -> Scene {
@@ -13,10 +14,10 @@ fn scene(text: &str) -> Scene {
     Scene::parse(source, ".".into(), &[]).unwrap()
 }
 
-fn safety(scene: &Scene, case: &str, rules: &Rules) -> Result<Answer, SafetyError> {
+fn safety(scene: &Scene, case: &str, rules: &Rules) -> Result<Answer, StudyError> {
     let job =
         scene.prepare(&scene.case(case).unwrap()).unwrap_or_else(|wrong| panic!("{wrong}")).job();
-    search(&job.setup, &job.plan, rules, 1, &|| false, &mut |_| {})
+    search(&job.setup, &job.plan, rules, &Executor::ALONE, &mut |_| {})
 }
 
 /// A stone on a slope of 30 deg with a friction angle of 40 deg: F = tan(40 deg)/tan(30 deg) = 1.45338.
@@ -153,18 +154,19 @@ fn what_cannot_be_reduced_is_told() {
     let smooth = STONE.replace("friction_angle = \"40 deg\"", "friction_angle = \"0 deg\"");
     let smooth = smooth.replace("tilt = \"30 deg\"", "");
     let wrong = safety(&scene(&smooth), "default", &Rules::default());
-    assert!(matches!(wrong, Err(SafetyError::NoStrength(_))), "{wrong:?}");
+    assert!(matches!(wrong, Err(StudyError::NoStrength(_))), "{wrong:?}");
     let rules = Rules { interfaces: vec!["plane".to_owned()], ..Rules::default() };
     let wrong = safety(&scene(STONE), "default", &rules).unwrap_err().to_string();
     assert!(wrong.contains("`plane`") && wrong.contains("default"), "{wrong}");
     let rules = Rules { width: 0.0, ..Rules::default() };
-    assert!(matches!(safety(&scene(STONE), "default", &rules), Err(SafetyError::NotANumber)));
+    assert!(matches!(safety(&scene(STONE), "default", &rules), Err(StudyError::NotANumber)));
 }
 
 fn limit(scene: &Scene, key: &str, range: &str, width: &str, threads: usize) -> Answer {
     let quantity = Quantity::read(key, range, Some(width)).unwrap();
     let (case, rules) = (scene.plain(), Rules::default());
-    let found = over_quantity(scene, &case, &quantity, &rules, threads, &|| false, &mut |_| {});
+    let executor = Executor::ALONE.on(threads);
+    let found = over_quantity(scene, &case, &quantity, &rules, &executor, &mut |_| {});
     found.unwrap_or_else(|wrong| panic!("{wrong}"))
 }
 
@@ -210,8 +212,9 @@ fn trials_side_by_side_give_the_same_answer() {
     let factor = |threads, from_start| {
         let rules = Rules { from_start, ..Rules::default() };
         let mut told = Vec::new();
-        let mut report = |t: &riprap::run::safety::Trial| told.push(t.value);
-        let answer = search(&job.setup, &job.plan, &rules, threads, &|| false, &mut report);
+        let mut report = |t: &Trial| told.push(t.value);
+        let answer =
+            search(&job.setup, &job.plan, &rules, &Executor::ALONE.on(threads), &mut report);
         let answer = answer.unwrap();
         assert_eq!(told, answer.trials.iter().map(|t| t.value).collect::<Vec<_>>());
         timeless(answer)
@@ -242,7 +245,7 @@ fn ranges_and_values_that_cannot_be_are_told() {
     let asked = |key: &str, range: &str| {
         let quantity = Quantity::read(key, range, None).unwrap();
         let (case, rules) = (stone.plain(), Rules::default());
-        let found = over_quantity(&stone, &case, &quantity, &rules, 1, &|| false, &mut |_| {});
+        let found = over_quantity(&stone, &case, &quantity, &rules, &Executor::ALONE, &mut |_| {});
         found.unwrap_err().to_string()
     };
     let wrong = asked("interfaces.default.frictoin_angle", "20 deg..40 deg");

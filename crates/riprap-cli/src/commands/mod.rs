@@ -19,7 +19,7 @@ pub mod view;
 use std::path::{Path, PathBuf};
 
 use riprap::run::checks::{CheckResult, Status};
-use riprap::run::verify::Tally;
+use riprap::run::study::verify::Tally;
 
 use crate::args::How;
 use crate::failure::Failure;

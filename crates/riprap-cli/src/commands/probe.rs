@@ -40,39 +40,40 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
         screen::line("no blocks touch or are closer than the threshold");
         return Ok(());
     }
-    let rows = touches.iter().map(|t| {
-        vec![
-            t.first.clone(),
-            t.second.clone(),
-            if t.overlap > 0.0 || t.length > 0.0 {
-                si(t.overlap, "m")
-            } else {
-                format!("none, gap {}", si(t.gap, "m"))
-            },
-            si(t.length, "m"),
-            format!("({:.6}, {:.6})", t.centre[0], t.centre[1]),
-            si(t.force[0], "N/m"),
-            si(t.force[1], "N/m"),
-            si(t.moment_first, "N"),
-            si(t.moment_second, "N"),
-            types(t),
-        ]
-    });
-    let heads = [
-        "first",
-        "second",
-        "overlap",
-        "length",
-        "centre [m]",
-        "force x",
-        "force y",
-        "moment on first",
-        "moment on second",
-        "types",
-    ];
-    screen::print(&screen::table(&heads, rows));
+    screen::print(&screen::table(&HEADS, touches.iter().map(|touch| row(touch))));
     screen::line("forces act on the first block; moments are about each block's own centroid");
     Ok(())
+}
+
+const HEADS: [&str; 10] = [
+    "first",
+    "second",
+    "overlap",
+    "length",
+    "centre [m]",
+    "force x",
+    "force y",
+    "moment on first",
+    "moment on second",
+    "types",
+];
+
+/// What is shown of one contact.
+fn row(t: &Touch) -> Vec<String> {
+    let touching = t.overlap > 0.0 || t.length > 0.0;
+    let depth = if touching { si(t.overlap, "m") } else { format!("none, gap {}", si(t.gap, "m")) };
+    vec![
+        t.first.clone(),
+        t.second.clone(),
+        depth,
+        si(t.length, "m"),
+        format!("({:.6}, {:.6})", t.centre[0], t.centre[1]),
+        si(t.force[0], "N/m"),
+        si(t.force[1], "N/m"),
+        si(t.moment_first, "N"),
+        si(t.moment_second, "N"),
+        types(t),
+    ]
 }
 
 /// The kinds of contact of one region, each once, in the order of the list.

@@ -105,7 +105,7 @@ fn with_display(
     let outcome = work(&mut |look| {
         interrupt.begin();
         display.show(look);
-        if interrupt.asked() { Control::Stop } else { Control::Continue }
+        Control::stop_if(interrupt.asked())
     });
     display.close();
     finish(&outcome?, folder, how.quiet)

@@ -1,6 +1,6 @@
 //! `riprap verify`.
 
-use riprap::run::verify;
+use riprap::run::study::{Executor, verify};
 
 use crate::args::Verify;
 use crate::commands::{check_line, cores};
@@ -20,8 +20,9 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
         scenes.extend(found);
     }
     let interrupt = Interrupt::listen()?;
-    let jobs = args.jobs.map_or_else(cores, usize::from);
-    let tally = verify::verify(&scenes, args.strict, jobs, &|| interrupt.asked(), |result| {
+    let threads = args.jobs.map_or_else(cores, usize::from);
+    let executor = Executor { threads, stop: &|| interrupt.asked() };
+    let tally = verify::verify(&scenes, args.strict, &executor, |result| {
         if args.json {
             // A result is numbers and texts: it always has a JSON form.
             screen::line(&serde_json::to_string(&result).unwrap_or_default());

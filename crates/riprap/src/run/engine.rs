@@ -498,35 +498,23 @@ impl Engine {
 
     /// The running sums of the ledger.
     pub fn works(&mut self) -> &mut Works {
-        match self {
-            Self::Planar(e) => &mut e.world.works,
-            Self::Spatial(e) => &mut e.world.works,
-        }
+        either!(self, e => &mut e.world.works)
     }
 
     /// Kinetic and stored energy at the start, once known.
     pub fn start_energy(&mut self) -> &mut Option<f64> {
-        match self {
-            Self::Planar(e) => &mut e.world.start_energy,
-            Self::Spatial(e) => &mut e.world.start_energy,
-        }
+        either!(self, e => &mut e.world.start_energy)
     }
 
     /// Stage times.
     #[must_use]
     pub fn profile(&self) -> &Profile {
-        match self {
-            Self::Planar(e) => &e.scratch.profile,
-            Self::Spatial(e) => &e.scratch.profile,
-        }
+        either!(self, e => &e.scratch.profile)
     }
 
     /// blake3 of the state: equal hashes mean equal bits of motion and contact memory.
     #[must_use]
     pub fn hash(&self) -> String {
-        match self {
-            Self::Planar(e) => e.world.hash(),
-            Self::Spatial(e) => e.world.hash(),
-        }
+        either!(self, e => e.world.hash())
     }
 }

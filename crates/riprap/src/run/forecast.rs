@@ -163,16 +163,6 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
     let timed = stable.dt.is_finite() && !simulation.relaxes();
-    let most = total(plan, |phase| {
-        let rule = phase.time_step;
-        let limit = rule.of_contacts() * touching;
-        let wanted = rule.wanted(stable.dt, &phase.until, phase.gravity_ramp);
-        Some(wanted.min(limit))
-    });
-    let least = total(plan, |phase| {
-        let wanted = phase.time_step.wanted(stable.dt, &phase.until, phase.gravity_ramp);
-        (!may_rest(phase)).then_some(wanted)
-    });
     let at_most = plan.phases.iter().any(may_rest);
     let relaxed = plan.phases.iter().filter_map(relaxing);
     let iterations = relaxed.map(|relax| relax.iterations).max();
@@ -181,12 +171,9 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     warnings.extend((plan.phases.iter()).filter_map(|p| idle_safety(p, stable.dt, meets)));
     let memory = memory::expected(&parts(&simulation.view(), setup, contacts, found.as_ref()));
     let trial = Trial::of(&mut simulation, stage)?;
-    let (steps, least_steps) = match trial.end {
-        Some(taken) => (Some(taken), Some(taken)),
-        None => {
-            let [most, least] = [most, least].map(|n| n.map(|n| n.max(trial.steps)));
-            (most, least)
-        }
+    let [least_steps, steps] = match trial.end {
+        Some(taken) => [Some(taken); 2],
+        None => total_steps(plan, stable.dt, touching).map(|n| n.map(|n| n.max(trial.steps))),
     };
     Ok(Forecast {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
@@ -370,6 +357,15 @@ fn relaxing(phase: &Phase) -> Option<Relaxing> {
 fn may_rest(phase: &Phase) -> bool {
     let until = &phase.until;
     until.unbalanced.is_some() || until.kinetic.is_some() || relaxing(phase).is_some()
+}
+
+/// Fewest and most steps of all phases; absent if one has no end. `stable` is the stable step at the start, s, `touching` that of blocks that
+/// touch all the time.
+fn total_steps(plan: &Plan, stable: f64, touching: f64) -> [Option<u64>; 2] {
+    let wanted = |phase: &Phase| phase.time_step.wanted(stable, &phase.until, phase.gravity_ramp);
+    let least = total(plan, |phase| (!may_rest(phase)).then(|| wanted(phase)));
+    let most = |phase: &Phase| Some(wanted(phase).min(phase.time_step.of_contacts() * touching));
+    [least, total(plan, most)]
 }
 
 /// Steps of all phases; absent if one has no end. `step` is the length of the steps of a phase, s, `None` where it may have none.

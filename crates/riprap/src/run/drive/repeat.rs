@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use crate::exec::Exec;
 use crate::ledger::Unexplained;
 use crate::plan::TimeStep;
-use crate::run::simulation::{RunError, Simulation, Snapshot, Stage};
+use crate::run::simulation::{Reached, RunError, Simulation, Snapshot};
 
 /// Steps between two copies of the state.
 const EVERY: u64 = 500;
@@ -93,6 +93,8 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
         return "a shorter step was not tried: half the step is not a finite number".to_owned();
     }
     let mut snapshot = kept.snapshot;
+    // Where the phase ends the repetition does.
+    snapshot.plan.phases.truncate(kept.phase + 1);
     let Some(phase) = snapshot.plan.phases.get_mut(kept.phase) else {
         return "a shorter step was not tried: the phase has ended".to_owned();
     };
@@ -105,20 +107,18 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
     phase.max_residual = f64::INFINITY;
     phase.until.steps = None;
     let mut trial = Simulation::resume(snapshot, Exec::serial());
-    let mut before = None;
     let doubted = doubted(error);
-    match to(stopped.time(), &mut trial, doubted, &mut before) {
-        Reached::Instant => {
-            let before = before.unwrap_or_default();
+    match to(stopped.time(), &mut trial, doubted) {
+        Ok(Some(before)) => {
             of_residual(error, what, from, [before, energy, doubted.of(&trial.balance())])
         }
-        Reached::Error(again) => format!(
+        Ok(None) => format!(
+            "the effect of a shorter step is unknown: the repeat from step {from} with {what} took too long"
+        ),
+        Err(again) => format!(
             "a repeat from step {from} with {what} stopped as well (t = {:.4e} s: {}), so the step alone is not the cause",
             trial.time(),
             again.kind()
-        ),
-        Reached::TooFar => format!(
-            "the effect of a shorter step is unknown: the repeat from step {from} with {what} took too long"
         ),
     }
 }
@@ -144,36 +144,18 @@ fn of_residual(error: &RunError, what: &str, from: u64, values: [f64; 3]) -> Str
     )
 }
 
-/// How a repetition ended.
-enum Reached {
-    Instant,
-    Error(RunError),
-    TooFar,
-}
-
-/// Advances within the phase to a model time; `before`: the energy that is doubted at the beginning.
-fn to(
-    time: f64,
-    trial: &mut Simulation,
-    doubted: Unexplained,
-    before: &mut Option<f64>,
-) -> Reached {
+/// Advances within the phase to a model time: the energy that is doubted at the beginning; `None` where it takes too long.
+fn to(time: f64, trial: &mut Simulation, doubted: Unexplained) -> Result<Option<f64>, RunError> {
     let begun = Instant::now();
     let first = trial.steps();
-    loop {
-        match trial.prepare() {
-            Err(error) => return Reached::Error(error),
-            Ok(Stage::PhaseEnd | Stage::Done) => return Reached::Instant,
-            Ok(Stage::Within) if trial.time() >= time => return Reached::Instant,
-            Ok(Stage::Within) => {
-                if before.is_none() {
-                    *before = Some(doubted.of(&trial.balance()));
-                }
-                trial.step();
-            }
-        }
+    let mut goes_on = trial.advance(0)? == Reached::Asked && trial.time() < time;
+    let before = if goes_on { doubted.of(&trial.balance()) } else { 0.0 };
+    while goes_on {
+        let reached = trial.advance(1)?;
         if trial.steps() - first > STEPS || begun.elapsed() > PATIENCE {
-            return Reached::TooFar;
+            return Ok(None);
         }
+        goes_on = reached == Reached::Asked && trial.time() < time;
     }
+    Ok(Some(before))
 }

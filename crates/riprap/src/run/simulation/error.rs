@@ -297,81 +297,52 @@ impl RunError {
 
     /// What has happened, in a few words.
     pub(in crate::run) fn kind(&self) -> &'static str {
-        match self {
-            Self::NonFinite { .. } | Self::NoNumber { .. } => "a value is not finite",
-            Self::NoStep { .. } => "no valid time step",
-            Self::NoFlow { .. } => "seepage did not converge",
-            Self::Residual { what: Unexplained::Residual, .. } => "the energy residual",
-            Self::Residual { what: Unexplained::LawDefect, .. } => "the defect of the contact laws",
-            Self::Residual { what: Unexplained::Steps, .. } => {
-                "the energy created by changes of the step"
-            }
-            Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
-            Self::PressedOut { .. } => "a block is pressed through a boundary",
-            Self::NoSurface { .. } => "no contact surface was found",
-            Self::InsideOut { .. } => "a deformable block is inverted",
-            Self::Edit { .. } => "a block cannot be split or cut",
-            Self::Phase { .. } => "a phase cannot begin",
-            Self::BlowUp { .. } => "unexplained kinetic energy",
-        }
+        self.judged().0
     }
 
     /// Whether a shorter step could have avoided it: nothing else has been found to blame, and there was a step.
     pub(in crate::run) fn doubts_the_step(&self) -> bool {
-        match self {
-            Self::NonFinite { formula, .. } => formula.is_none(),
-            Self::NoNumber { .. }
-            | Self::Residual { .. }
-            | Self::Overlap { .. }
-            | Self::PassesThrough { .. }
-            | Self::PressedOut { .. }
-            | Self::InsideOut { .. }
-            | Self::BlowUp { .. } => true,
-            Self::NoStep { .. }
-            | Self::NoFlow { .. }
-            | Self::NoSurface { .. }
-            | Self::Edit { .. }
-            | Self::Phase { .. } => false,
-        }
+        self.judged().1 && self.formula().is_none()
     }
 
     /// Whether the forces at the state where it stopped the run are known and numbers: a guard has looked at them.
     pub(in crate::run) fn knows_forces(&self) -> bool {
+        self.judged().2
+    }
+
+    /// What has happened, whether the step may be to blame, and whether forces are known.
+    fn judged(&self) -> (&'static str, bool, bool) {
         match self {
-            Self::NoFlow { .. }
-            | Self::Residual { .. }
-            | Self::Overlap { .. }
-            | Self::PassesThrough { .. }
-            | Self::PressedOut { .. }
-            | Self::InsideOut { .. }
-            | Self::BlowUp { .. } => true,
-            Self::NonFinite { .. }
-            | Self::NoNumber { .. }
-            | Self::NoSurface { .. }
-            | Self::NoStep { .. }
-            | Self::Edit { .. }
-            | Self::Phase { .. } => false,
+            Self::NonFinite { .. } | Self::NoNumber { .. } => {
+                ("a value is not finite", true, false)
+            }
+            Self::NoStep { .. } => ("no valid time step", false, false),
+            Self::NoFlow { .. } => ("seepage did not converge", false, true),
+            Self::Residual { what: Unexplained::Residual, .. } => {
+                ("the energy residual", true, true)
+            }
+            Self::Residual { what: Unexplained::LawDefect, .. } => {
+                ("the defect of the contact laws", true, true)
+            }
+            Self::Residual { what: Unexplained::Steps, .. } => {
+                ("the energy created by changes of the step", true, true)
+            }
+            Self::Overlap { .. } | Self::PassesThrough { .. } => {
+                ("blocks pass through each other", true, true)
+            }
+            Self::PressedOut { .. } => ("a block is pressed through a boundary", true, true),
+            Self::NoSurface { .. } => ("no contact surface was found", false, false),
+            Self::InsideOut { .. } => ("a deformable block is inverted", true, true),
+            Self::Edit { .. } => ("a block cannot be split or cut", false, false),
+            Self::Phase { .. } => ("a phase cannot begin", false, false),
+            Self::BlowUp { .. } => ("unexplained kinetic energy", true, true),
         }
     }
 
     /// Text of the formula that is to blame, where one is.
     #[must_use]
     pub fn formula(&self) -> Option<&str> {
-        match self {
-            Self::NonFinite { formula, .. } => formula.as_deref(),
-            Self::NoNumber { .. }
-            | Self::NoStep { .. }
-            | Self::NoFlow { .. }
-            | Self::Residual { .. }
-            | Self::Overlap { .. }
-            | Self::PassesThrough { .. }
-            | Self::PressedOut { .. }
-            | Self::NoSurface { .. }
-            | Self::InsideOut { .. }
-            | Self::Edit { .. }
-            | Self::Phase { .. }
-            | Self::BlowUp { .. } => None,
-        }
+        if let Self::NonFinite { formula, .. } = self { formula.as_deref() } else { None }
     }
 }
 

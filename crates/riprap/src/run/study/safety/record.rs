@@ -1,9 +1,12 @@
 //! Answers as words and tables.
 
+use std::path::Path;
+
 use super::rules::Answer;
 use super::verdict::Mechanism;
-use crate::plan::shown::{Shown, digits_for};
-use crate::run::bracket::State;
+use crate::plan::shown::digits_for;
+use crate::record::{OutputError, write_whole};
+use crate::run::study::bracket::State;
 
 /// Blocks of the mechanism that are named in words.
 const NAMED: usize = 5;
@@ -20,11 +23,6 @@ impl State {
     }
 }
 
-/// A value in a unit, with the digits that a width makes meaningful.
-pub(super) fn in_unit(shown: &Shown, value: f64, width: f64) -> String {
-    shown.text(value, digits_for(width / value.abs()))
-}
-
 impl Answer {
     /// Whether a limit was found.
     #[must_use]
@@ -36,7 +34,7 @@ impl Answer {
     #[must_use]
     pub fn text(&self, value: f64) -> String {
         if self.quantity.is_some() {
-            return in_unit(&self.shown, value, self.width);
+            return self.shown.text(value, digits_for(self.width / value.abs()));
         }
         let mut digits = 1;
         let mut width = self.width;
@@ -88,6 +86,18 @@ impl Answer {
         let more =
             if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
         Some(format!("mechanism: {count} {noun} {how}: {}{more}", names.join(", ")))
+    }
+
+    /// Writes `safety.json` and `safety.csv` into `folder`.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write(&self, folder: &Path) -> Result<(), OutputError> {
+        let json = format!("{}\n", serde_json::json!(self));
+        for (name, text) in [("safety.json", json), ("safety.csv", self.table())] {
+            write_whole(&folder.join(name), text.as_bytes())?;
+        }
+        Ok(())
     }
 
     /// The trials as CSV: value (SI), state, displacement, block, unbalanced ratio, steps, seconds.
