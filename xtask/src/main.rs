@@ -47,7 +47,8 @@ Tasks:
                    --seconds S (3): only scenes as quick as that; --binary FILE
   soak             an hour of a run that never ends beside a viewer: memory, descriptors, speed; writes docs/src/soak.md;
                    --minutes N (60), --binary FILE; --table: run nothing, write the page from docs/src/soak.csv
-  arrows CRATE     print each module of a crate with the modules it uses
+  arrows CRATE [rooms]
+                   print each module of a crate, or each room, with those that it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
   wheel [portable] build the Python package: a release wheel in target/wheels; portable: for Linux from glibc 2.17 on
   docs             build the API documentation (and the book, where mdbook is installed)
@@ -74,13 +75,15 @@ fn main() -> ExitCode {
         ["fuzz", words @ ..] => fuzz::run(&root, words),
         ["mutate", words @ ..] => mutate::run(&root, words),
         ["soak", words @ ..] => soak::run(&root, words),
-        ["arrows", name] => match modules::print_arrows(&root, name) {
-            Ok(()) => ExitCode::SUCCESS,
-            Err(why) => {
-                eprintln!("{why}");
-                ExitCode::FAILURE
+        ["arrows", name] | ["arrows", name, "rooms"] => {
+            match modules::print_arrows(&root, name, words.len() == 3) {
+                Ok(()) => ExitCode::SUCCESS,
+                Err(why) => {
+                    eprintln!("{why}");
+                    ExitCode::FAILURE
+                }
             }
-        },
+        }
         ["bench"] => bench::run(&root),
         ["wheel"] | ["wheel", "portable"] => match python::wheel(&root, words.len() == 2) {
             Ok(path) => {

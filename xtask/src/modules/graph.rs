@@ -14,6 +14,8 @@ struct Place {
     module: Words,
     /// Whether it names that module itself, not an item in it.
     whole: bool,
+    /// Modules that hand the name on, on the way to it.
+    through: Vec<Words>,
 }
 
 /// The arrows between the modules of a crate.
@@ -28,15 +30,38 @@ pub fn graph(modules: &Crate) -> Graph {
         for import in module.imports.iter().filter(|i| !i.handed_on) {
             to.extend(place(modules, here, &import.from, &mut Vec::new()).map(|p| p.module));
         }
-        for words in &module.mentions {
-            let found = place(modules, here, words, &mut Vec::new());
-            // A single word may be a variable that is called like a module.
-            to.extend(found.filter(|p| words.len() > 1 || !p.whole).map(|p| p.module));
+        for words in module.mentions.keys() {
+            to.extend(mentioned(modules, here, words).map(|p| p.module));
         }
         to.remove(here);
         arrows.insert(here.clone(), to);
     }
     arrows
+}
+
+/// All modules that each module names, with the line of the first time: those that define what is used,
+/// those that hand it on, and those whose items are handed on.
+pub fn named(modules: &Crate) -> BTreeMap<(&Words, Words), usize> {
+    let mut found = BTreeMap::new();
+    for (here, module) in modules {
+        let imports =
+            module.imports.iter().map(|i| (place(modules, here, &i.from, &mut Vec::new()), i.line));
+        let mentions =
+            module.mentions.iter().map(|(words, line)| (mentioned(modules, here, words), *line));
+        for (place, line) in imports.chain(mentions) {
+            for to in place.into_iter().flat_map(|p| p.through.into_iter().chain([p.module])) {
+                let first = found.entry((here, to)).or_insert(line);
+                *first = line.min(*first);
+            }
+        }
+    }
+    found
+}
+
+/// Where a path in the code of module `here` leads.
+fn mentioned(modules: &Crate, here: &Words, words: &Words) -> Option<Place> {
+    // A single word may be a variable that is called like a module.
+    place(modules, here, words, &mut Vec::new()).filter(|p| words.len() > 1 || !p.whole)
 }
 
 /// Where `words`, written in module `here`, lead; `None` leaves the crate (or names what is no item).
@@ -70,7 +95,7 @@ fn walk(
 ) -> Option<Place> {
     let module = modules.get(&at)?;
     let Some((word, rest)) = words.split_first() else {
-        return Some(Place { module: at, whole: true });
+        return Some(Place { module: at, whole: true, through: Vec::new() });
     };
     if module.children.contains(word) {
         let below = [at.as_slice(), std::slice::from_ref(word)].concat();
@@ -80,7 +105,7 @@ fn walk(
         }
     }
     if module.items.contains(word) {
-        return Some(Place { module: at, whole: false });
+        return Some(Place { module: at, whole: false, through: Vec::new() });
     }
     let mark = (at.clone(), word.clone());
     if tried.contains(&mark) {
@@ -88,15 +113,12 @@ fn walk(
     }
     tried.push(mark);
     let by_name = |i: &&Import| i.name.as_deref() == Some(word);
-    for import in module.imports.iter().filter(by_name) {
+    let named = module.imports.iter().filter(by_name).map(|i| (i, rest));
+    let all = module.imports.iter().filter(|i| i.name.is_none()).map(|i| (i, words));
+    for (import, rest) in named.chain(all) {
         let whole = [import.from.as_slice(), rest].concat();
-        if let Some(found) = place(modules, &at, &whole, tried) {
-            return Some(found);
-        }
-    }
-    for import in module.imports.iter().filter(|i| i.name.is_none()) {
-        let whole = [import.from.as_slice(), words].concat();
-        if let Some(found) = place(modules, &at, &whole, tried) {
+        if let Some(mut found) = place(modules, &at, &whole, tried) {
+            found.through.push(at);
             return Some(found);
         }
     }

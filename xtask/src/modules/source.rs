@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{TokenStream, TokenTree};
+use syn::spanned::Spanned;
 use syn::visit::Visit;
 use syn::{Attribute, Item, UseTree, Visibility};
 
@@ -19,6 +20,8 @@ pub struct Import {
     pub from: Words,
     /// Handed on to others (`pub`, `pub(crate)`, ...).
     pub handed_on: bool,
+    /// Line in the file.
+    pub line: usize,
 }
 
 /// A module of a crate.
@@ -32,8 +35,8 @@ pub struct Module {
     pub items: BTreeSet<String>,
     /// What its `use` lines bring in, those inside functions too.
     pub imports: Vec<Import>,
-    /// Paths of its code, with the words of macros.
-    pub mentions: BTreeSet<Words>,
+    /// Paths of its code, with the words of macros; the line of the first of each.
+    pub mentions: BTreeMap<Words, usize>,
 }
 
 /// The modules of a crate by their path; the root is `crate`.
@@ -171,8 +174,9 @@ struct Reader {
 
 impl Reader {
     fn imports(&mut self, tree: &UseTree, before: &Words, handed_on: bool) {
+        let line = tree.span().start().line;
         let mut put = |name: Option<String>, from: Words| {
-            self.module.imports.push(Import { name, from, handed_on });
+            self.module.imports.push(Import { name, from, handed_on, line });
         };
         match tree {
             UseTree::Path(path) => {
@@ -209,34 +213,43 @@ impl Reader {
     fn words_of(&mut self, tokens: TokenStream) {
         let mut path: Words = Vec::new();
         let mut colons = 0;
+        let mut line = 0;
         for token in tokens {
+            let here = token.span().start().line;
             match token {
                 TokenTree::Ident(word) => {
                     if colons != 2 {
-                        self.keep(&mut path);
+                        self.keep(&mut path, line);
+                    }
+                    if path.is_empty() {
+                        line = here;
                     }
                     path.push(word.to_string());
                     colons = 0;
                 }
                 TokenTree::Punct(p) if p.as_char() == ':' => colons += 1,
                 TokenTree::Group(group) => {
-                    self.keep(&mut path);
+                    self.keep(&mut path, line);
                     colons = 0;
                     self.words_of(group.stream());
                 }
                 TokenTree::Punct(_) | TokenTree::Literal(_) => {
-                    self.keep(&mut path);
+                    self.keep(&mut path, line);
                     colons = 0;
                 }
             }
         }
-        self.keep(&mut path);
+        self.keep(&mut path, line);
     }
 
-    fn keep(&mut self, path: &mut Words) {
+    fn keep(&mut self, path: &mut Words, line: usize) {
         if !path.is_empty() {
-            self.module.mentions.insert(std::mem::take(path));
+            self.mention(std::mem::take(path), line);
         }
+    }
+
+    fn mention(&mut self, words: Words, line: usize) {
+        self.module.mentions.entry(words).or_insert(line);
     }
 }
 
@@ -260,13 +273,13 @@ impl<'a> Visit<'a> for Reader {
 
     fn visit_path(&mut self, path: &'a syn::Path) {
         let words = path.segments.iter().map(|s| s.ident.to_string()).collect();
-        self.module.mentions.insert(words);
+        self.mention(words, path.span().start().line);
         syn::visit::visit_path(self, path);
     }
 
     fn visit_expr_method_call(&mut self, call: &'a syn::ExprMethodCall) {
         // For the forbidden words; a method has no path.
-        self.module.mentions.insert(vec![call.method.to_string()]);
+        self.mention(vec![call.method.to_string()], call.method.span().start().line);
         syn::visit::visit_expr_method_call(self, call);
     }
 

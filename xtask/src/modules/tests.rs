@@ -139,3 +139,87 @@ fn words_are_forbidden_where_the_table_says() {
     assert_eq!(found("riprap-core", "fn f() { std::thread::spawn(|| ()); }"), 1);
     assert_eq!(found("riprap-core", "#[cfg(test)] mod tests { use rayon::x; }"), 0);
 }
+
+/// Four rooms on three floors: `top` names `state` through the root, `read` hands on what `state` defines.
+const ROOMS: [(&str, &str); 6] = [
+    (
+        "lib.rs",
+        "mod setup; mod state; mod contact; mod read; pub use read::view; use state::World;",
+    ),
+    ("setup.rs", "pub struct Setup;"),
+    ("state.rs", "use crate::setup::Setup; pub struct World(Setup);"),
+    ("contact.rs", "mod law;"),
+    ("contact/law.rs", "\nuse crate::{state::World,\n  setup::Setup};\nfn f(w: World) {}"),
+    (
+        "read.rs",
+        "pub use crate::state::World as Kept; pub mod view { pub struct View(crate::World); pub const VIEW: u8 = 1; }",
+    ),
+];
+
+/// The sample with the text of one file appended.
+fn with(test: &str, file: &str, more: &str) -> Crate {
+    let files = ROOMS.map(|(name, text)| {
+        (name, if name == file { format!("{text}\n{more}") } else { text.to_owned() })
+    });
+    let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (*n, t.as_str())).collect();
+    parsed(test, &files)
+}
+
+#[test]
+fn rooms_name_only_what_is_below_and_to_the_left() {
+    let sample = parsed("floors", &ROOMS);
+    for floors in ["setup\nstate\ncontact\nread", "setup state # both\n\nread contact\n"] {
+        assert_eq!(floors::tests::breaches(&sample, floors), (vec![], vec![]), "{floors}");
+    }
+    let (wrong, _) = floors::tests::breaches(&sample, "state setup\ncontact read");
+    assert_eq!(wrong, ["state.rs:1: state names setup (to its right on floor 1)"]);
+    let (wrong, _) = floors::tests::breaches(&sample, "setup\ncontact\nstate\nread");
+    assert_eq!(wrong, ["contact/law.rs:2: contact names state (floor 3 above 2)"]);
+}
+
+#[test]
+fn a_room_is_named_by_paths_macros_and_names_handed_on() {
+    let floors = "setup\nstate\ncontact\nread";
+    for (test, more) in [
+        ("floors-path", "fn g(v: &crate::read::view::View) {}"),
+        ("floors-macro", "fn g() { println!(\"{}\", crate::read::view::VIEW) }"),
+        ("floors-root", "fn g(v: super::super::view::View) {}"),
+        // The item is of `state`, the name of `read`.
+        ("floors-on", "pub(crate) use crate::read::Kept;"),
+    ] {
+        let (wrong, circles) = floors::tests::breaches(&with(test, "contact/law.rs", more), floors);
+        assert_eq!(wrong, ["contact/law.rs:5: contact names read (floor 4 above 3)"], "{more}");
+        assert!(circles.is_empty());
+    }
+    let test = "#[cfg(test)] mod tests { use crate::read::view::View; }\n#[test] fn t() { crate::read::view::f() }";
+    let sample = with("floors-test", "contact/law.rs", test);
+    assert_eq!(floors::tests::breaches(&sample, floors), (vec![], vec![]));
+    // What is named is a circle too, whatever the floors admit.
+    let sample = with("floors-circle", "state.rs", "fn g(x: crate::read::view::View) {}");
+    let admitted = format!("{floors}\nallow state -> read");
+    assert_eq!(
+        floors::tests::breaches(&sample, &admitted),
+        (vec![], vec!["read state".to_owned()])
+    );
+}
+
+#[test]
+fn the_list_of_floors_is_true_itself() {
+    let sample = parsed("floors-list", &ROOMS);
+    for (floors, wrong) in [
+        ("setup\nstate\nread", "floors.txt: no floor has the room `contact`"),
+        ("setup\nstate\ncontact\nread\ngas", "floors.txt: the crate has no room `gas`"),
+        ("setup\nstate\ncontact\nread setup", "floors.txt:4: `setup` has a floor already"),
+        ("setup\nstate\ncontact\nread\nallow state", "floors.txt:5: write `allow room -> room`"),
+        (
+            "setup\nstate\ncontact\nread\nallow contact -> read",
+            "floors.txt:5: contact names nothing above it in read: take this line out",
+        ),
+        (
+            "setup\nstate\ncontact\nread\nallow read -> state",
+            "floors.txt:5: read names nothing above it in state: take this line out",
+        ),
+    ] {
+        assert!(floors::tests::breaches(&sample, floors).0.contains(&wrong.to_owned()), "{floors}");
+    }
+}
