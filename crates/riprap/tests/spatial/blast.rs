@@ -10,7 +10,7 @@ use riprap::spatial::setup::{
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::step::advance;
 
-use crate::rock::{DENSITY, Run, elastic, lattice, rock, strength};
+use crate::spatial::rock::{DENSITY, Run, elastic, lattice, rock, strength};
 
 pub const AMMONIUM: Explosive = Explosive {
     density: 1000.0,

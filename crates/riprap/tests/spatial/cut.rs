@@ -10,8 +10,8 @@ use riprap::spatial::edit::EditKind;
 use riprap::spatial::setup::deform::{BondFailure, NodeHold, Strain, Strength};
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 
-use crate::deform::{begin, bonds, deformable, on_plane, pull, roller};
-use crate::rock::{Draws, Run, brick, elastic, lattice, rock};
+use crate::spatial::deform::{begin, bonds, deformable, on_plane, pull, roller};
+use crate::spatial::rock::{Draws, Run, brick, elastic, lattice, rock};
 
 /// Momentum, angular momentum, kinetic energy and mass of all nodes.
 fn sums(run: &Run) -> (Vec3, Vec3, f64, f64) {
