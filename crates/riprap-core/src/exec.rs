@@ -33,6 +33,48 @@ pub trait Divide: Sized + Send {
     fn divide(self, middle: usize) -> (Self, Self);
 }
 
+/// What can be cut in two at a place; a list that is shorter gives an empty rest.
+pub trait Cut: Sized {
+    /// What is before `at`, and the rest.
+    fn cut(self, at: usize) -> (Self, Self);
+}
+
+impl<T> Cut for &[T] {
+    fn cut(self, at: usize) -> (Self, Self) {
+        self.split_at(at.min(self.len()))
+    }
+}
+
+impl<T> Cut for &mut [T] {
+    fn cut(self, at: usize) -> (Self, Self) {
+        let at = at.min(self.len());
+        self.split_at_mut(at)
+    }
+}
+
+impl<T: Cut> Cut for [T; 2] {
+    fn cut(self, at: usize) -> (Self, Self) {
+        let [(a0, a1), (b0, b1)] = self.map(|part| part.cut(at));
+        ([a0, b0], [a1, b1])
+    }
+}
+
+/// The number of the first item.
+impl Cut for usize {
+    fn cut(self, at: usize) -> (Self, Self) {
+        (self, self + at)
+    }
+}
+
+/// Cuts a struct in two, each field ([`Cut`]) at its place: `cut!(self, blocks: n, patches: m)`.
+#[macro_export]
+macro_rules! cut {
+    ($of:expr, $($field:ident: $at:expr),+ $(,)?) => {{
+        $(let $field = $crate::exec::Cut::cut($of.$field, $at);)+
+        (Self { $($field: $field.0),+ }, Self { $($field: $field.1),+ })
+    }};
+}
+
 /// Runs chunked loops, serially or on a pool of its own.
 pub struct Exec {
     pool: Option<rayon::ThreadPool>,

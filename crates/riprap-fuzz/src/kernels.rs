@@ -7,7 +7,7 @@ use riprap::geom::polygon::{self, signed_area};
 use riprap::geom::polyhedron::cut::{Limits, Planes as Cuts, cut as cut_solid};
 use riprap::geom::polyhedron::{Polyhedron, Sliced, hull, slice};
 use riprap::geom::{Mat3, Quat, Vec2, Vec3};
-use riprap::spatial::found::{Body, Found, Pair, Shape, Sums, Walker, turn};
+use riprap::spatial::{Body, Found, Pair, Shape, Sums, Walker, turn};
 
 /// Numbers from bytes.
 struct Numbers<'a> {
@@ -206,6 +206,6 @@ fn meet(shapes: [&Shape; 2], poses: [(Quat, Vec3); 2]) -> Option<Sums> {
     });
     match found {
         Found::Touching(sums) => Some(sums),
-        Found::Apart(_) | Found::Swallowed(_) => None,
+        Found::Apart(_) | Found::FullyPenetrated(_) => None,
     }
 }

@@ -16,7 +16,7 @@ use super::shapes::Shapes;
 use super::world::{Region, Wrench};
 use crate::accounts::Entries;
 use crate::exec::Exec;
-use crate::laws::bolt::Desk;
+use crate::laws::bolt::BoltScratch;
 use crate::ledger::Works;
 
 /// Everything that can be dropped and rebuilt without changing a result.
@@ -37,7 +37,7 @@ pub struct Scratch {
     /// Blocks that bolts tie together, one pair for each of their slots.
     pub(crate) ties: Vec<(u32, u32)>,
     /// What bolts are solved with.
-    pub(crate) bolts: Vec<Desk>,
+    pub(crate) bolts: Vec<BoltScratch>,
     /// For block `b` the entries `incidence[first_entry[b]..first_entry[b + 1]]`.
     pub(crate) first_entry: Vec<u32>,
     /// Slot number times two, plus one for the second block of the pair.

@@ -17,7 +17,7 @@ use crate::runs::{existing, with_look};
 use crate::scene::{Scene, json};
 
 /// Time between two looks for signals.
-const LOOK: Duration = Duration::from_millis(100);
+const CHECK_INTERVAL: Duration = Duration::from_millis(100);
 /// Frames of the run of the mechanism.
 const FRAMES: u64 = 20;
 
@@ -112,7 +112,7 @@ pub fn safety(
             let work = scope.spawn(move || search(stop, &mut |t| drop(send.send(t.clone()))));
             // This thread stays the interpreter's: signals arrive here.
             loop {
-                let trial = match receive.recv_timeout(LOOK) {
+                let trial = match receive.recv_timeout(CHECK_INTERVAL) {
                     Ok(trial) => Some(trial),
                     Err(RecvTimeoutError::Timeout) => None,
                     Err(RecvTimeoutError::Disconnected) => break,

@@ -15,7 +15,7 @@ use crate::runs::existing;
 use crate::scene::Scene;
 
 /// Time between two looks for signals.
-const LOOK: Duration = Duration::from_millis(100);
+const CHECK_INTERVAL: Duration = Duration::from_millis(100);
 
 /// Runs all cases into sub-folders of `folder`, `jobs` at a time; `report(case, ended, steps)` is called after each
 /// and stops the rest by returning False or raising. Writes the table of what was done as `sweep.csv` and gives it as text.
@@ -48,7 +48,7 @@ pub fn sweep(
             });
             // This thread stays the interpreter's: signals arrive here.
             loop {
-                let row = match receive.recv_timeout(LOOK) {
+                let row = match receive.recv_timeout(CHECK_INTERVAL) {
                     Ok(row) => Some(row),
                     Err(RecvTimeoutError::Timeout) => None,
                     Err(RecvTimeoutError::Disconnected) => return,

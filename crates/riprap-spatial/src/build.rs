@@ -1,39 +1,39 @@
 //! From plain data to a world: mass properties, patches between blocks, free faces.
 
-mod classes;
-pub(super) mod error;
+pub(crate) mod layout;
 
-pub use classes::ClassTable;
-pub(super) use classes::stiffness;
-pub use error::BuildError;
+pub use crate::joint::classes::ClassTable;
+pub use crate::setup::error::BuildError;
 
+use crate::faces::overlap::GAP;
+use crate::state::lineage::name;
 use std::collections::BTreeMap;
 
 use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Mat3, Vec3};
 
-use super::boundary;
-use super::cavity;
-use super::contacts;
-use super::deform;
-use super::overlap::{self, Overlap};
-use super::refine;
-use super::region::Bounds;
-use super::setup::{GivenBody, Motion, Setup, Shape, Solid};
-use super::state::cavity::{Cavity, Wall};
-use super::state::face::Face;
-use super::state::found::{FoundContacts, OnTerrain};
-use super::state::interface::Origin;
-use super::state::lineage;
-use super::state::scratch::Scratch;
-use super::world::{Bodies, Patches, SolidClass, World};
 use crate::accounts::Account;
+use crate::contact;
+use crate::deform;
 use crate::exec::Exec;
+use crate::faces::overlap;
+use crate::faces::overlap::Overlap;
+use crate::faces::region::Bounds;
 use crate::failed::FailedPoints;
 use crate::ledger::Works;
-
-/// Largest gap between faces that touch, over the shortest half edge of all blocks.
-pub(super) const GAP: f64 = 1e-6;
+use crate::push::boundary;
+use crate::push::charge;
+use crate::setup::{GivenBody, Motion, Setup, Shape, Solid};
+use crate::state::bodies::{Bodies, SolidClass};
+use crate::state::cavity::{Cavity, Wall};
+use crate::state::face::Face;
+use crate::state::found::{FoundContacts, OnTerrain};
+use crate::state::interface::Origin;
+use crate::state::lineage;
+use crate::state::patches::Patches;
+use crate::state::scratch::Scratch;
+use crate::state::world::World;
+use crate::topology::refine;
 
 impl World {
     /// A world at rest at time zero, with patches and boundaries built; the scratch data come with it.
@@ -42,7 +42,7 @@ impl World {
     /// A block without volume, a stiffness without modulus, a boundary without faces, a source without blocks.
     pub fn new(setup: Setup, exec: Exec) -> Result<(Self, Scratch), BuildError> {
         let mut setup = setup;
-        contacts::glued::check(&setup, |b| refine::name(&setup, &[], b))?;
+        contact::glued::check(&setup, |b| name(&setup, &[], b))?;
         let lineage = refine::before_run(&mut setup)?;
         let n = setup.blocks.len();
         let mut alive = vec![true; n];
@@ -77,7 +77,7 @@ impl World {
             deform: None,
             found: FoundContacts::default(),
             failed: FailedPoints::default(),
-            looked: 0,
+            last_check_step: 0,
             events: Vec::new(),
             works: Works::default(),
             accounts: vec![Account::default(); setup.accounts.len()],
@@ -99,10 +99,10 @@ impl World {
             world.found.terrain = vec![OnTerrain::default(); n];
         }
         world.hold_driven();
-        let charges = cavity::charges(&world.setup, &world.lineage, &world.alive)?;
+        let charges = charge::charges(&world.setup, &world.lineage, &world.alive)?;
         world.build_patches(&charges)?;
-        contacts::check(&world)?;
-        deform::contact::check(&world)?;
+        contact::check(&world)?;
+        crate::contact::deformable::check(&world)?;
         let scratch = Scratch::new(&mut world, exec);
         Ok((world, scratch))
     }
@@ -110,7 +110,7 @@ impl World {
     /// Name of a block, as `rock`, `rock.17` or `rock.17/3`.
     #[must_use]
     pub fn name(&self, b: usize) -> String {
-        refine::name(&self.setup, &self.lineage, b)
+        name(&self.setup, &self.lineage, b)
     }
 
     /// Reference centroids and mass properties of all blocks.

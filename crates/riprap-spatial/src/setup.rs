@@ -4,15 +4,17 @@
 //! tension-positive; a patch's normal points from its block `i` to its block `j`. Rotations are vectors, rad,
 //! right-handed.
 
+pub mod error;
+
 mod bridges;
 pub mod deform;
+pub(crate) mod rotation;
 mod solid;
 
 use riprap_geom::height_field::HeightField;
 use riprap_geom::{Mat3, Quat, Vec3};
 use serde::{Deserialize, Serialize};
 
-pub use self::bridges::{Bridges, Ended};
 use crate::accounts::Condition;
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
@@ -24,7 +26,8 @@ pub use crate::laws::parameters::{
     Dashpots, Failure, JointLaw, Kinematics, Points, Stiffness, StiffnessRule,
 };
 pub use crate::laws::water::WaterTable;
-use crate::patch::rotation;
+pub use crate::setup::bridges::{Bridges, Ended};
+use crate::setup::rotation::rotation;
 
 /// A complete 3D model at its start.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

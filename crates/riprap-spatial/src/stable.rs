@@ -5,6 +5,8 @@
 //! dashpots of all patches and boundaries and their masses. One damping ratio for the whole model would let the dashpots of its
 //! coarsest blocks shorten the step of its finest.
 
+pub mod deformable;
+
 mod fastest;
 mod springs;
 #[cfg(test)]
@@ -12,10 +14,9 @@ mod tests;
 
 use riprap_geom::Vec3;
 
-use super::bolts;
-use super::deform;
-use super::state::scratch::Scratch;
-use super::world::World;
+use crate::push::bolts;
+use crate::state::scratch::Scratch;
+use crate::state::world::World;
 use fastest::Fastest;
 use springs::{Springs, Weights};
 
@@ -52,7 +53,7 @@ pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> 
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref()) else {
         return rigid;
     };
-    let (square, block) = deform::stable::highest(world, deform, work, &scratch.exec);
+    let (square, block) = deformable::highest(world, deform, work, &scratch.exec);
     if square == 0.0 {
         return rigid;
     }
@@ -64,7 +65,7 @@ pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> 
         }
         _ => (block, "nodes against their bonds and tetrahedra"),
     };
-    let square = square + deform::stable::on_bonds(world, deform) + bolts;
+    let square = square + deformable::on_bonds(world, deform) + bolts;
     // The largest eigenvalue of a sum is at most the sum of the largest ones.
     let own = 2.0 / rigid.dt;
     let dt = 2.0 / (square + own * own).sqrt();

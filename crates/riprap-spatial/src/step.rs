@@ -4,26 +4,32 @@
 //! forces belong to the same time: [`evaluate`] finds forces and the velocity changes they will
 //! make, [`advance`] applies them and moves the blocks.
 
+mod condition_work;
+
+use crate::joint::patch;
+use crate::setup::rotation::rotation;
 use std::time::Instant;
 
 use riprap_geom::Quat;
 
-use super::bolts;
-use super::bound::Bound;
-use super::contacts;
-use super::deform;
-use super::entries;
-use super::forces::{self, First, Memory, Shared};
-use super::gather;
-use super::integrate;
-use super::patch::{self, Poses};
-use super::push;
-use super::setup::Kinematics;
-use super::state::scratch::Lost;
-pub use super::state::scratch::{NonFinite, Scratch};
-use super::sums;
-use super::world::{Turned, World, flag};
-use crate::read::view::View;
+use crate::contact;
+use crate::deform;
+use crate::joint::forces;
+use crate::joint::forces::{First, Memory, Shared};
+use crate::joint::patch::Poses;
+use crate::push;
+use crate::push::bolts;
+use crate::query::view::View;
+use crate::rigid::bound::Bound;
+use crate::rigid::gather;
+use crate::rigid::integrate;
+use crate::setup::Kinematics;
+use crate::state::bodies::Turned;
+use crate::state::patches::flag;
+use crate::state::scratch::Lost;
+pub use crate::state::scratch::{NonFinite, Scratch};
+use crate::state::sums;
+use crate::state::world::World;
 
 /// Damping of a phase besides that of the contacts.
 pub use crate::dynamics::damping::Damping;
@@ -62,11 +68,11 @@ pub fn evaluate(
     // Before the search: a pair that its joint lets go must meet in this evaluation,
     // or its force would be missing for a step.
     let [meet, deformable] = stage(scratch, "search", |scratch| {
-        contacts::give_way(world, scratch);
-        deform::contact::part(world, scratch);
-        let meet = contacts::refresh(world, scratch);
-        contacts::terrain::prepare(world, scratch);
-        [meet, deform::contact::refresh(world, scratch)]
+        contact::release(world, scratch);
+        crate::contact::deformable::part(world, scratch);
+        let meet = contact::refresh(world, scratch);
+        contact::terrain::prepare(world, scratch);
+        [meet, crate::contact::deformable::refresh(world, scratch)]
     });
     stage(scratch, "cavities", |scratch| {
         push::cavity::act(world, scratch, dt);
@@ -81,21 +87,21 @@ pub fn evaluate(
     }
     stage(scratch, "patches", |scratch| patches(world, scratch));
     if meet {
-        stage(scratch, "contacts", |scratch| contacts::act(world, scratch));
+        stage(scratch, "contacts", |scratch| contact::act(world, scratch));
     }
     if deformable {
         stage(scratch, "contacts", |scratch| {
-            deform::contact::act(world, scratch);
+            crate::contact::deformable::act(world, scratch);
         });
     }
     if world.has_terrain() {
         stage(scratch, "terrain", |scratch| {
-            contacts::terrain::act(world, scratch);
+            contact::terrain::act(world, scratch);
         });
     }
     // Only now is it known how deep blocks lie in each other, whose energy is part of that of the start.
     if world.start_energy.is_none() {
-        contacts::begin(world, &scratch.desk, &scratch.exec);
+        contact::begin(world, &scratch.desk, &scratch.exec);
     }
     let mut result = stage(scratch, "gather", |scratch| gather::gather(world, scratch));
     if world.deform.is_some() {
@@ -103,7 +109,7 @@ pub fn evaluate(
         result = result.and(nodes);
     }
     if !world.accounts.is_empty() {
-        stage(scratch, "accounts", |scratch| entries::book(world, scratch));
+        stage(scratch, "accounts", |scratch| condition_work::book(world, scratch));
     }
     // From here on the instant is done: another evaluation without a move finds
     // no time to make up for, and books nothing twice.
@@ -122,7 +128,7 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     if world.deform.is_some() {
         passed = stage(scratch, "move nodes", |scratch| deform::step::advance(world, scratch, dt));
     }
-    deform::contact::depart(world, scratch, dt);
+    crate::contact::deformable::depart(world, scratch, dt);
     // Not booked by `evaluate`: that may be called again with another step or damping before this one is taken.
     world.works.depart(&mut scratch.departure);
     scratch.entries.depart(&mut world.accounts);
@@ -253,7 +259,7 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
         if !world.alive[b] || world.turned[b].is_some() || vector.length() <= bound {
             continue;
         }
-        world.turn_freely(b, patch::rotation(vector));
+        world.turn_freely(b, rotation(vector));
         changed = true;
     }
     if !changed {

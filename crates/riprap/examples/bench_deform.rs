@@ -23,7 +23,6 @@ use riprap::record::{Manifest, RunFolder};
 use riprap::run::scene::Scene;
 use riprap::run::simulation::Simulation;
 use riprap::scenario::Source;
-use riprap::spatial::deform::cut as cutting;
 use riprap::spatial::deform::phase::{self, Rules};
 use riprap::spatial::setup::deform::{
     BondFailure, BondLaw, BondSprings, DeformableSet, Deformables, Strength,
@@ -33,6 +32,7 @@ use riprap::spatial::setup::{
     Setup, Shape, Solid, Stiffness as Springs, StiffnessRule,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
+use riprap::spatial::topology::cut as cutting;
 use riprap::spatial::world::World;
 
 const REPEATS: usize = 5;

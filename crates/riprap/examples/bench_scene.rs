@@ -19,7 +19,7 @@ use riprap::run::job::Job;
 use riprap::run::scene::Scene;
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
 use riprap::setup::Setup;
-use riprap::spatial::found::Shape;
+use riprap::spatial::Shape;
 use riprap_testkit::Counting;
 
 const REPEATS: usize = 5;

@@ -30,7 +30,7 @@ pub fn run(args: &View, style: Style) -> Result<(), Failure> {
 }
 
 /// Time between two looks at the file of a scene.
-const LOOK: Duration = Duration::from_millis(300);
+const CHECK_INTERVAL: Duration = Duration::from_millis(300);
 
 /// Shows the model of a scene as it stands before its first step, and again when the file is saved.
 fn preview(args: &View, style: Style) -> Result<(), Failure> {
@@ -64,7 +64,7 @@ fn watch(file: &Path, change: &Change, folder: &Path, style: Style, shown: Live)
     let saved = || std::fs::metadata(file).and_then(|m| m.modified()).ok();
     let mut last = saved();
     loop {
-        std::thread::sleep(LOOK);
+        std::thread::sleep(CHECK_INTERVAL);
         let now = saved();
         // Editors that put a new file in the place of the old one leave none for a moment.
         if now.is_none() || now == last {

@@ -4,7 +4,7 @@
 //! place of a point and from what it remembers, so that forces forget no step: the normal traction is a function of the
 //! opening, and its energy the integral of it.
 //!
-//! Where nothing of this is asked ([`Behaviour::is_plain`], no dilation) the kernels of [`super::face_joint`] and
+//! Where nothing of this is asked ([`JointModel::is_plain`], no dilation) the kernels of [`super::face_joint`] and
 //! [`super::joint_point`] hold.
 //!
 //! Sources: Barton & Choubey (1977), Rock Mech. 10, 1-54; Barton, Bandis & Bakhtar (1985), Int. J. Rock Mech. Min. Sci. 22,
@@ -27,7 +27,7 @@ pub use rough::{BartonBandis, LAB_LENGTH, closure_of, scaled, slip_at_peak};
 
 /// What a joint does beyond Mohr-Coulomb with brittle failure and a linear normal spring.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Behaviour {
+pub struct JointModel {
     /// How strength changes with slip and opening.
     pub weakening: Weakening,
     /// How the joint closes under pressure.
@@ -105,7 +105,7 @@ pub enum Closure {
     },
 }
 
-impl Behaviour {
+impl JointModel {
     /// Whether it is Mohr-Coulomb with brittle failure and a linear spring.
     #[must_use]
     pub fn is_plain(&self) -> bool {
@@ -187,7 +187,7 @@ impl Closure {
 pub struct Law<'a> {
     /// `None` never fails.
     strength: Option<&'a Strength>,
-    behaviour: &'a Behaviour,
+    behaviour: &'a JointModel,
     /// Initial normal and shear stiffness, Pa/m.
     springs: Springs,
 }
@@ -197,7 +197,7 @@ impl<'a> Law<'a> {
     #[must_use]
     pub fn new(
         strength: Option<&'a Strength>,
-        behaviour: &'a Behaviour,
+        behaviour: &'a JointModel,
         stiffest: Springs,
     ) -> Self {
         let initial = stiffest[0] / behaviour.closure.stiffest();

@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 pub use closed::{
     dowel_limit, dowel_stiffness, pull_out_load, pull_out_stiffness, transfer_length,
 };
-pub use keep::{Desk, Kept, Toll};
+pub use keep::{BoltScratch, Kept, Toll};
 pub use lay::{Design, Laid, bar, lay};
 pub use seen::{BarState, largest};
 pub use solve::{Chain, Factors, Losses};

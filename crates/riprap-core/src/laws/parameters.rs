@@ -3,7 +3,7 @@
 use riprap_keys::Words;
 use serde::{Deserialize, Serialize};
 
-use super::behaviour::{Behaviour, Law};
+use super::behaviour::{JointModel, Law};
 use super::mohr_coulomb::Strength;
 
 /// Normal law of a found contact.
@@ -100,7 +100,7 @@ pub struct BondLaw {
     /// Strength.
     pub strength: Strength,
     /// What it does beyond brittle failure and a linear spring.
-    pub behaviour: Behaviour,
+    pub behaviour: JointModel,
     /// Share of critical damping.
     pub damping_ratio: f64,
     /// Number of points along the edge (Gauss points), 1 to 5.
@@ -138,7 +138,7 @@ pub struct JointLaw {
     /// Strength; `None` is elastic: it neither opens nor slides.
     pub strength: Option<Strength>,
     /// What it does beyond brittle failure and a linear spring.
-    pub behaviour: Behaviour,
+    pub behaviour: JointModel,
     /// What fails as one.
     pub failure: Failure,
     /// Where the four points lie.

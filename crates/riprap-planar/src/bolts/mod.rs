@@ -12,7 +12,7 @@ mod stiffness;
 
 use riprap_geom::Vec2;
 
-use crate::laws::bolt::{self, Desk, Sheared};
+use crate::laws::bolt::{self, BoltScratch, Sheared};
 use crate::setup::Bolt as Spec;
 use crate::world::{Body, Bolt, Pin, World, Wrench};
 
@@ -93,10 +93,10 @@ impl World {
 /// Finds the forces of all bolts at the present positions and writes their slots; `desks` is room for them.
 ///
 /// Calling it again without moving changes nothing.
-pub(crate) fn act(world: &mut World, desks: &mut Vec<Desk>, slots: &mut [Wrench]) {
+pub(crate) fn act(world: &mut World, desks: &mut Vec<BoltScratch>, slots: &mut [Wrench]) {
     let World { bolts, bodies, setup, works, pending, .. } = world;
     if desks.len() != bolts.len() {
-        let desk = |bolt: &Bolt| Desk::new(&bolt.chain, |k| bolt.stretches(k));
+        let desk = |bolt: &Bolt| BoltScratch::new(&bolt.chain, |k| bolt.stretches(k));
         *desks = bolts.iter().map(desk).collect();
     }
     let mut slots = slots.iter_mut();
@@ -115,7 +115,7 @@ pub(crate) fn act(world: &mut World, desks: &mut Vec<Desk>, slots: &mut [Wrench]
 }
 
 /// Equilibrium of one bolt and forces of its dowels.
-fn solve(bolt: &mut Bolt, desk: &mut Desk, spec: &Spec, bodies: &[Body]) {
+fn solve(bolt: &mut Bolt, desk: &mut BoltScratch, spec: &Spec, bodies: &[Body]) {
     let pins = &bolt.pins;
     desk.solve(&mut bolt.chain, |k| chord(&pins[k], &pins[k + 1], bodies).1);
     let Some(dowel) = spec.design.dowel else {

@@ -3,30 +3,31 @@
 //! Tension positive, the normal points from A to B, the jump is `u_B - u_A`. A point pulls A with `A t` and B with
 //! the opposite, so momentum is kept; both anchors stand in the same spot, so angular momentum is too.
 
+use riprap_core::cut;
 use riprap_geom::Vec3;
 
-use super::links::{Link, Sheet};
-use super::relax::Breaks;
-use super::store::{Facet, Memory, Point, State};
-use crate::anchor::Freedoms;
+use crate::deform::relax::Breaks;
 use crate::exec::Divide;
 use crate::lanes::{LANES, Lanes, Vectors, Width, same, scaled};
 use crate::laws::bond;
 use crate::ledger::Works;
 use crate::setup::InterfaceLaw;
 use crate::setup::deform::{BondFailure, BondLaw, Strength};
+use crate::state::anchor::Freedoms;
+use crate::state::deform::{Facet, Memory, Point, State};
+use crate::state::links::{Link, PackedFacet};
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
+use crate::state::sums;
 use crate::state::workspace::{BondWorks, FACETS, Workspace};
-use crate::sums;
-use crate::world::World;
+use crate::state::world::World;
 
 /// Facets of a piece of work.
 struct Piece<'a> {
     facets: &'a mut [Facet],
-    sheets: &'a mut [Sheet],
+    sheets: &'a mut [PackedFacet],
     first: usize,
-    worn: &'a mut [bool],
+    has_history: &'a mut [bool],
     memory: &'a mut [Memory],
     slots: &'a mut [[f64; 3]],
     works: &'a mut [BondWorks],
@@ -34,31 +35,17 @@ struct Piece<'a> {
 
 impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.facets.split_at_mut(middle * FACETS);
-        let points = (b[0].first - a[0].first) as usize;
-        let sheets = self.sheets.split_at_mut(middle * FACETS);
-        let worn = self.worn.split_at_mut(middle * FACETS);
-        let (memory, slots) = (self.memory.split_at_mut(points), self.slots.split_at_mut(points));
-        let works = self.works.split_at_mut(middle);
-        (
-            Self {
-                facets: a,
-                sheets: sheets.0,
-                first: self.first,
-                worn: worn.0,
-                memory: memory.0,
-                slots: slots.0,
-                works: works.0,
-            },
-            Self {
-                facets: b,
-                sheets: sheets.1,
-                first: self.first + points,
-                worn: worn.1,
-                memory: memory.1,
-                slots: slots.1,
-                works: works.1,
-            },
+        let at = middle * FACETS;
+        let points = (self.facets[at].first - self.facets[0].first) as usize;
+        cut!(
+            self,
+            facets: at,
+            sheets: at,
+            first: points,
+            has_history: at,
+            memory: points,
+            slots: points,
+            works: middle,
         )
     }
 }
@@ -91,7 +78,7 @@ pub(crate) fn update(world: &mut World, scratch: &mut Scratch) {
         facets: &mut deform.facets,
         sheets: &mut work.links.sheets,
         first: 0,
-        worn: &mut deform.worn,
+        has_history: &mut deform.has_history,
         memory: &mut deform.memory,
         slots: &mut work.slots,
         works: &mut work.bond_works,
@@ -146,7 +133,7 @@ impl Context<'_> {
             let Some(law) = self.interfaces[usize::from(facet.row)].bond.as_ref() else {
                 continue;
             };
-            if !piece.worn[k] && law.cohesive.is_none() {
+            if !piece.has_history[k] && law.cohesive.is_none() {
                 continue;
             }
             let here = facet.first as usize - piece.first
@@ -157,24 +144,24 @@ impl Context<'_> {
                 slots.fill([0.0; 3]);
                 continue;
             }
-            self.worn(facet, law, points, memory, slots, &mut works);
+            self.with_history(facet, law, points, memory, slots, &mut works);
         }
         piece.works[0] = works;
     }
 
-    /// Forces of the points of facets without memory; facets with a point that breaks now are worn from now on.
+    /// Forces of the points of facets without memory; facets with a point that breaks now have a history from now on.
     #[inline(always)]
     fn whole(&self, piece: &mut Piece) {
         for (k, sheet) in piece.sheets.iter().enumerate() {
             let law = self.interfaces[usize::from(sheet.row)].bond.as_ref();
-            if piece.worn[k] || law.is_some_and(|l| l.cohesive.is_some()) {
+            if piece.has_history[k] || law.is_some_and(|l| l.cohesive.is_some()) {
                 continue;
             }
             // Points break one by one while they move; a relaxing phase breaks only what has converged.
             let strength = law
                 .filter(|l| l.failure == BondFailure::Spring)
                 .and_then(|l| l.strength.as_ref())
-                .filter(|_| self.live.is_some() && self.breaks_at_once(sheet.whole_until));
+                .filter(|_| self.live.is_some() && self.breaks_at_once(sheet.intact_until_step));
             let from = sheet.first as usize - piece.first;
             let slots = &mut piece.slots[from..from + sheet.count as usize];
             let facet = &piece.facets[k];
@@ -182,19 +169,24 @@ impl Context<'_> {
             if let Some(strength) = strength
                 && near
             {
-                piece.worn[k] = fails(strength, facet, &self.points[sheet.points()], slots);
+                piece.has_history[k] = fails(strength, facet, &self.points[sheet.points()], slots);
             }
         }
     }
 
     /// Whether points of a facet that is whole until a step may break in the step in which they fail.
-    fn breaks_at_once(&self, whole_until: u64) -> bool {
-        self.breaking && !self.waits && self.step >= whole_until
+    fn breaks_at_once(&self, intact_until_step: u64) -> bool {
+        self.breaking && !self.waits && self.step >= intact_until_step
     }
 
     /// Forces of the points of a facet that have no memory; whether one may be beyond the strength.
     #[inline(always)]
-    fn elastic(&self, sheet: &Sheet, strength: Option<&Strength>, slots: &mut [[f64; 3]]) -> bool {
+    fn elastic(
+        &self,
+        sheet: &PackedFacet,
+        strength: Option<&Strength>,
+        slots: &mut [[f64; 3]],
+    ) -> bool {
         let (n, springs) = (same(&sheet.normal), sheet.stiffness.map(Lanes::all));
         let mut near = false;
         for (eight, slots) in slots.chunks_mut(LANES).enumerate() {
@@ -247,7 +239,7 @@ impl Context<'_> {
     }
 
     /// Points with a memory.
-    fn worn(
+    fn with_history(
         &self,
         facet: &Facet,
         law: &BondLaw,
@@ -256,7 +248,8 @@ impl Context<'_> {
         slots: &mut [[f64; 3]],
         works: &mut BondWorks,
     ) {
-        let at_once = self.breaks_at_once(facet.whole_until) && law.failure == BondFailure::Spring;
+        let at_once =
+            self.breaks_at_once(facet.intact_until_step) && law.failure == BondFailure::Spring;
         // Softening and slip in an iteration that overshoots would be for good.
         let waits = self.relaxing && (self.waits || law.cohesive.is_some());
         let respond = |memory: &Memory, at: &[f64; 3], breaks: bool| {
@@ -292,7 +285,7 @@ impl Context<'_> {
                 continue;
             }
             if commit(memory, after, point.area, &mut works.works) {
-                tell(memory, law, &t_before, self.time);
+                record_failure(memory, law, &t_before, self.time);
                 works.broke = true;
             }
         }
@@ -351,14 +344,14 @@ pub fn commit(memory: &mut Memory, after: bond::State, area: f64, works: &mut Wo
 }
 
 /// Notes that a point has broken; `t` is the traction (Pa) that tells how.
-pub fn tell(memory: &mut Memory, law: &BondLaw, t: &bond::Traction, time: f64) {
+pub fn record_failure(memory: &mut Memory, law: &BondLaw, t: &bond::Traction, time: f64) {
     let mode = law.strength.map(|s| s.utilisation(t).1);
     memory.state = match mode {
         Some(bond::FailureMode::Tension) | None => State::Opened,
         Some(bond::FailureMode::Shear) => State::Sheared,
     };
     memory.broken_at = time;
-    memory.untold = true;
+    memory.unreported = true;
 }
 
 /// Traction (n, b, c) of a point at a jump (m) and its state there; `breaks`: whether a brittle one may break.

@@ -5,19 +5,21 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 
-use super::hold::Hold;
-use super::store::{Acts, Anchor, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
-use crate::accounts::{self, Holder};
-use crate::build::error::BuildError;
-use crate::deform::shape::{PARALLEL, centred, face_of};
+use crate::accounts;
+use crate::accounts::Holder;
 use crate::dynamics::{Formula, TimeFunction};
-use crate::overlap::Overlap;
+use crate::faces::deformable::{PARALLEL, centred, face_of};
+use crate::faces::overlap::Overlap;
 use crate::setup::deform::{BondLaw, BondSprings, NodeHold};
+use crate::setup::error::BuildError;
 use crate::setup::{BoundaryKind, Material, Motion, Setup, Shape};
+use crate::state::anchor::Anchor;
+use crate::state::deform::{Acts, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
 use crate::state::face::Face;
+use crate::state::hold::Hold;
 use crate::state::interface::Origin;
 use crate::state::workspace::{BlockClass, Workspace};
-use crate::world::World;
+use crate::state::world::World;
 
 /// Share of a face's area below which a node of it counts as covered.
 const COVERED: f64 = 1e-9;
@@ -137,7 +139,7 @@ pub fn join(
         let points = super::overlay::points(world, deform, classes, overlap);
         let starts = super::in_situ::tractions(world, deform, classes, overlap, &points);
         let memory = |start| Memory { start, ..Memory::default() };
-        deform.worn.push(world.setup.in_situ.is_some());
+        deform.has_history.push(world.setup.in_situ.is_some());
         deform.memory.extend(starts.into_iter().map(memory));
         deform.facets.push(Facet {
             blocks: overlap.blocks,
@@ -151,7 +153,7 @@ pub fn join(
             row,
             rigid,
             origin: Origin::Built,
-            whole_until: 0,
+            intact_until_step: 0,
             parted: false,
         });
         deform.points.extend(points);
@@ -187,7 +189,7 @@ fn notch(world: &World, deform: &mut Deform) -> Result<(), BuildError> {
                 let own = || inside(place(world, deform, &deform.points[p], 0));
                 if whole || (notch.springs && own()) {
                     found = true;
-                    deform.worn[k] = true;
+                    deform.has_history[k] = true;
                     deform.memory[p].law.damage = 1.0;
                     deform.memory[p].state = State::Opened;
                 }
@@ -205,7 +207,7 @@ fn notch(world: &World, deform: &mut Deform) -> Result<(), BuildError> {
 ///
 /// A rigid block of a lattice has its own compliance, `h/M` and `h/2G` with h from centroid to face, which a deformable one
 /// brings along: without it a P wave would be reflected.
-pub(super) fn stiffness(
+pub(crate) fn stiffness(
     setup: &Setup,
     law: &BondLaw,
     materials: [usize; 2],

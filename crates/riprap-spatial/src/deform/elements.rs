@@ -2,8 +2,8 @@
 
 use riprap_geom::Mat3;
 
-use super::store::{Body, Deform};
 use crate::laws::tetrahedron::{Gradient, StartStress, Strain, tensor};
+use crate::state::deform::{Body, Deform};
 use crate::state::workspace::{BlockClass, Workspace};
 
 /// Adds the forces (N) of the tetrahedra of a body with node displacements `u` (m). With small strain those of a start

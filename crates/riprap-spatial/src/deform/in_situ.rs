@@ -10,13 +10,13 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 
-use super::shape::face_of;
-use super::store::{Deform, Point, Start};
+use crate::faces::deformable::face_of;
+use crate::faces::overlap::Overlap;
 use crate::laws::bond::Traction;
-use crate::overlap::Overlap;
 use crate::setup::InSitu;
+use crate::state::deform::{Deform, Point, Start};
 use crate::state::workspace::BlockClass;
-use crate::world::World;
+use crate::state::world::World;
 
 /// Start stresses of a block with the centroid `centre` (m, local).
 #[must_use]

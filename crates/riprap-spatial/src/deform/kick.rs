@@ -5,10 +5,11 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::hold::Hold;
 use crate::dynamics::damping::Damping;
-use crate::dynamics::kick::{self, Support};
+use crate::dynamics::kick;
+use crate::dynamics::kick::Support;
 use crate::lanes::{LANES, Lanes, Vectors, Width, dot, minus, plus, scaled, vectors, write};
+use crate::state::hold::Hold;
 use crate::state::workspace::{Dashpot, KickSums};
 
 /// What is the same for all nodes, and lists by node.

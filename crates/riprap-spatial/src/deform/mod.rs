@@ -14,23 +14,17 @@
 pub(crate) mod area;
 pub mod bonds;
 pub mod build;
-pub(crate) mod contact;
-pub mod cut;
 pub mod elements;
-pub mod fracture;
 pub mod in_situ;
 mod kick;
-pub mod links;
 pub mod overlay;
 pub mod phase;
 pub mod relax;
-pub mod shape;
-pub mod stable;
 pub mod step;
-mod turn;
+pub(crate) mod turn;
 mod workspace;
 
-use super::state::world::World;
+use crate::state::world::World;
 
 /// Lets `act` change the deformable blocks beside the rest of the world, in which they are missing meanwhile: for what lays out lists of both,
 /// never within a step. `None` where nothing deforms.
@@ -44,5 +38,6 @@ pub(crate) fn beside<T>(
     Some(done)
 }
 
-pub use super::state::workspace::Workspace;
-pub use super::state::{deform as store, deform::Deform, hold};
+pub use crate::state::deform::Deform;
+pub use crate::state::workspace::Workspace;
+pub use crate::state::{deform as store, hold};

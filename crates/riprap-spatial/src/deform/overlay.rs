@@ -4,11 +4,12 @@ use riprap_geom::Vec3;
 use riprap_geom::face_overlay::{self, Fan};
 use riprap_geom::polyhedron::Tetrahedra;
 
-use super::store::{Anchor, Deform, Point};
-use crate::deform::shape::{centred, face_of, face_with};
-use crate::overlap::Overlap;
+use crate::faces::deformable::{centred, face_of, face_with};
+use crate::faces::overlap::Overlap;
+use crate::state::anchor::Anchor;
+use crate::state::deform::{Deform, Point};
 use crate::state::workspace::BlockClass;
-use crate::world::World;
+use crate::state::world::World;
 
 /// Share of the overlap below which faces share nothing.
 const SLIVER: f64 = 1e-9;

@@ -2,10 +2,11 @@
 
 use riprap_geom::Vec3;
 
-use super::relax::{Relax, Relaxation};
-use super::store::{Deform, Masses};
+use crate::deform::relax::Relaxation;
 use crate::laws::tetrahedron::Strain;
-use crate::world::World;
+use crate::state::deform::{Deform, Masses};
+use crate::state::relax::Relax;
+use crate::state::world::World;
 
 /// Rules of a phase for deformable blocks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +44,7 @@ pub fn begin(deform: &mut Deform, rules: &Rules, time: f64, origin: Vec3) -> boo
 /// Begins a phase of a world: blocks in `removed` go, supports are looked at anew; everything must be laid out anew
 /// afterwards.
 pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
-    let walls = crate::cavity::walls::state(world);
+    let walls = crate::push::charge::walls::state(world);
     let Some(deform) = world.deform.as_deref_mut() else {
         return;
     };
@@ -54,7 +55,7 @@ pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
         deform.retire(block);
     }
     if !removed.is_empty() {
-        crate::cavity::walls::renew(world, &walls);
+        crate::push::charge::walls::renew(world, &walls);
     }
     super::beside(world, |world, deform| {
         if let Some(strain) = rules.and_then(|r| r.strain) {

@@ -6,15 +6,15 @@
 //! Converged when the net force on free nodes is below a share of the external forces or the reactions,
 //! whichever are larger.
 
-use super::store::{Deform, Facet};
+use crate::state::deform::{Deform, Facet};
 pub use crate::state::relax::{Breaks, Relax, Relaxation, Seen};
 use crate::state::workspace::{BlockClass, Workspace};
 use riprap_geom::Vec3;
 
 /// Iterations between two looks at convergence and damping.
-pub const LOOK: u32 = 25;
+pub const CHECK_INTERVAL: u32 = 25;
 /// Share by which the masses exceed the limit of stability.
-pub(super) const MARGIN: f64 = 1.05;
+pub(crate) const MARGIN: f64 = 1.05;
 /// Largest damping.
 const MOST: f64 = 1.5;
 /// Forces below this share of the largest so far are none: a body in two parts would never be at rest by round-off.
@@ -47,14 +47,19 @@ impl Relax {
 
     /// Looks at convergence and damping where it is time; to be called once an iteration, after the forces are
     /// known.
-    pub fn look(&mut self, nodes: &super::store::Nodes, work: &Workspace, loads: &[[f64; 3]]) {
+    pub fn look(
+        &mut self,
+        nodes: &crate::state::deform::Nodes,
+        work: &Workspace,
+        loads: &[[f64; 3]],
+    ) {
         let [net, reactions, external] = work.norms;
         self.largest = self.largest.max(reactions).max(external);
         let scale = reactions.max(external).max(REST * self.largest);
         let ratio = if net == 0.0 { 0.0 } else { net / scale };
         self.iterations += 1;
         self.since += 1;
-        if self.since < LOOK {
+        if self.since < CHECK_INTERVAL {
             return;
         }
         self.since = 0;
@@ -93,7 +98,7 @@ impl Relax {
 }
 
 /// Elastic energy, J: half the work of the internal forces, exact for small strain without friction.
-fn elastic(nodes: &super::store::Nodes, work: &Workspace, loads: &[[f64; 3]]) -> f64 {
+fn elastic(nodes: &crate::state::deform::Nodes, work: &Workspace, loads: &[[f64; 3]]) -> f64 {
     let mut sum = 0.0;
     for (k, (u, net)) in nodes.displacement.iter().zip(&work.net).enumerate() {
         let load = loads.get(k).copied().unwrap_or_default();

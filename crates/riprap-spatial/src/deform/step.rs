@@ -4,21 +4,22 @@
 //! sum is exactly the change of `m v(n-1/2).v(n+1/2)/2`. While relaxing the masses are fictitious, the step is 1 s of no
 //! meaning, and model time stands still.
 
+use riprap_core::cut;
 use riprap_geom::Vec3;
 
-use super::elements;
-use super::kick::Kick;
-use super::links::Links;
-use super::store::{Body, Deform};
+use crate::deform::elements;
+use crate::deform::kick::Kick;
 use crate::dynamics::damping::Damping;
 use crate::exec::Divide;
 use crate::lanes::Width;
 use crate::laws::tetrahedron::StartStress;
+use crate::state::deform::{Body, Deform};
+use crate::state::links::Links;
 use crate::state::push::Pushes;
 use crate::state::scratch::{NonFinite, Scratch};
+use crate::state::sums;
 use crate::state::workspace::{BODIES, BlockClass, Dashpot, KickSums, Workspace, start_of};
-use crate::sums;
-use crate::world::World;
+use crate::state::world::World;
 
 /// What is the same for all bodies.
 struct Context<'a> {
@@ -42,20 +43,9 @@ struct Piece<'a> {
 
 impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.bodies.split_at(middle * BODIES);
-        let nodes = b[0].first as usize - a[0].first as usize;
-        let (net, change) = (self.net.split_at_mut(nodes), self.change.split_at_mut(nodes));
-        let partial = self.partial.split_at_mut(middle);
-        (
-            Self { bodies: a, first: self.first, net: net.0, change: change.0, partial: partial.0 },
-            Self {
-                bodies: b,
-                first: self.first + middle * BODIES,
-                net: net.1,
-                change: change.1,
-                partial: partial.1,
-            },
-        )
+        let at = middle * BODIES;
+        let nodes = (self.bodies[at].first - self.bodies[0].first) as usize;
+        cut!(self, bodies: at, first: at, net: nodes, change: nodes, partial: middle)
     }
 }
 
@@ -64,7 +54,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
     let Some((deform, work)) = world.deform.as_deref().zip(scratch.deform.as_deref_mut()) else {
         return Ok(());
     };
-    let felt = Felt {
+    let felt = ContactStiffness {
         masses: [&work.masses, &work.fictitious],
         dashpots: &work.dashpots,
         pushes: &scratch.pushes,
@@ -107,7 +97,7 @@ pub(crate) fn evaluate(world: &mut World, scratch: &mut Scratch, dt: f64) -> Res
 }
 
 /// What nodes feel in a kick besides their state.
-struct Felt<'a> {
+struct ContactStiffness<'a> {
     /// Masses and fictitious ones, kg.
     masses: [&'a [f64]; 2],
     dashpots: &'a [Dashpot],
@@ -124,11 +114,11 @@ pub(crate) fn kick<'a>(
 ) -> Kick<'a> {
     let (masses, dashpots) = ([&work.masses[..], &work.fictitious], &work.dashpots[..]);
     let pushes = &scratch.pushes;
-    let felt = Felt { masses, dashpots, pushes };
+    let felt = ContactStiffness { masses, dashpots, pushes };
     felt.kick(world, deform, (scratch.damping, scratch.width), dt)
 }
 
-impl<'a> Felt<'a> {
+impl<'a> ContactStiffness<'a> {
     fn kick(
         self,
         world: &World,
@@ -254,30 +244,16 @@ struct Moving<'a> {
 
 impl Divide for Moving<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.bodies.split_at(middle * BODIES);
-        let nodes = b[0].first as usize - a[0].first as usize;
-        let (displacement, velocity) =
-            (self.displacement.split_at_mut(nodes), self.velocity.split_at_mut(nodes));
-        let change = self.change.split_at(nodes);
-        let masses = self.masses.split_at(nodes);
-        let speeds = self.speeds.split_at_mut(middle * BODIES);
-        (
-            Self {
-                bodies: a,
-                displacement: displacement.0,
-                velocity: velocity.0,
-                change: change.0,
-                masses: masses.0,
-                speeds: speeds.0,
-            },
-            Self {
-                bodies: b,
-                displacement: displacement.1,
-                velocity: velocity.1,
-                change: change.1,
-                masses: masses.1,
-                speeds: speeds.1,
-            },
+        let at = middle * BODIES;
+        let nodes = (self.bodies[at].first - self.bodies[0].first) as usize;
+        cut!(
+            self,
+            bodies: at,
+            displacement: nodes,
+            velocity: nodes,
+            change: nodes,
+            masses: nodes,
+            speeds: at,
         )
     }
 }

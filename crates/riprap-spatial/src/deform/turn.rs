@@ -5,13 +5,14 @@
 //! without force, and broken ones push along the normal that they have now. Both sides still meet at the points of the start: a
 //! facet whose sides have slid by more than about 1 % of a block carries less and less what new contacts would.
 
+use riprap_core::cut;
 use riprap_geom::{Mat3, Vec3};
 
-use super::store::{Body, Deform, Facet};
 use crate::exec::{Divide, Exec};
 use crate::lanes::{LANES, Lanes, Vectors, Width, cross, dot, minus, plus, scaled};
 use crate::laws::tetrahedron::Strain;
 use crate::state::bodies::Turned;
+use crate::state::deform::{Body, Deform, Facet};
 use crate::state::workspace::{BODIES, Slopes, Workspace};
 
 /// Rounds of the iteration for the rotation; it converges quadratically.
@@ -51,15 +52,13 @@ struct Piece<'a> {
 
 impl Divide for Piece<'_> {
     fn divide(self, middle: usize) -> (Self, Self) {
-        let (a, b) = self.turns.split_at_mut(middle * BODIES);
-        let first = self.first;
-        (Self { first, turns: a }, Self { first: first + middle * BODIES, turns: b })
+        cut!(self, first: middle * BODIES, turns: middle * BODIES)
     }
 }
 
 /// Rotation of a body; none with small strain, or where it is dead or crushed.
 #[must_use]
-pub(super) fn rotation(deform: &Deform, work: &Workspace, body: &Body) -> Mat3 {
+pub(crate) fn rotation(deform: &Deform, work: &Workspace, body: &Body) -> Mat3 {
     let mut one = [gradient(deform, work.slopes().of(body), body)];
     polar_eight(&mut one);
     one[0]
@@ -118,7 +117,7 @@ fn polar_eight(list: &mut [Mat3]) {
 }
 
 /// A frame turned by the mean of some rotations.
-pub(super) fn turned(frame: [Vec3; 3], by: &[Mat3]) -> [Vec3; 3] {
+pub(crate) fn turned(frame: [Vec3; 3], by: &[Mat3]) -> [Vec3; 3] {
     let mean = |e: Vec3| by.iter().map(|r| *r * e).sum::<Vec3>();
     let n = mean(frame[0]).normalize_or(frame[0]);
     let b = mean(frame[1]);
@@ -193,7 +192,7 @@ fn turns(facet: &Facet, sides: &[Mat3; 2]) -> bool {
 
 /// As [`turned`] for eight facets, to the same bits; false, and nothing done, where a mean vanishes.
 #[inline(always)]
-fn turned_eight(facets: &mut [Facet], sides: &[[Mat3; 2]; LANES]) -> bool {
+pub(crate) fn turned_eight(facets: &mut [Facet], sides: &[[Mat3; 2]; LANES]) -> bool {
     let mut axes = [Vectors::default(); 2];
     let mut columns = [[Vectors::default(); 3]; 2];
     for (k, (facet, sides)) in facets.iter().zip(sides).enumerate() {
@@ -287,7 +286,7 @@ mod tests {
             row: 0,
             rigid: [false; 2],
             origin: Default::default(),
-            whole_until: 0,
+            intact_until_step: 0,
             parted: false,
         };
         let mut facets: Vec<Facet> = (0..LANES).map(facet).collect();

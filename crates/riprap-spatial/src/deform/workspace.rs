@@ -3,17 +3,17 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::Tetrahedra;
 
-use super::links::Links;
-use super::shape::centred;
 use crate::exec::Exec;
+use crate::faces::deformable::centred;
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness, Strain, row_sums};
 use crate::setup::{Setup, Shape};
 use crate::state::deform::{Deform, Masses};
+use crate::state::links::Links;
 use crate::state::workspace::{BODIES, BlockClass, BondWorks, FACETS, KickSums, Workspace};
 
 impl BlockClass {
     /// The class that blocks of a shape and a material have, with what the present phase needs; `shared` by several.
-    pub(super) fn new(
+    pub(crate) fn new(
         setup: &Setup,
         deform: &Deform,
         (shape, material): (&Shape, u16),

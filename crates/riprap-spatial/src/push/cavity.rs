@@ -1,7 +1,8 @@
 //! Cavities push on their walls: ignition, volumes, pressures and their work.
 
-use crate::cavity::walls::{self, Spot};
-use crate::cavity::{EARLY, upward};
+use crate::push::charge::walls;
+use crate::push::charge::walls::Spot;
+use crate::push::charge::{EARLY, upward};
 use crate::setup::{CavityPressure, Venting};
 use crate::state::event::EditKind;
 use crate::state::push::Account;

@@ -13,6 +13,10 @@
 //! Rigid blocks that somebody may push are never done in rows: [`World::pushed`] names them when the pieces are laid
 //! out (`Tiles::make_rows`), and only those are cleared. A writer that can push other blocks names them there.
 
+pub mod bolts;
+pub(crate) mod boundary;
+pub mod charge;
+
 pub(crate) mod cavity;
 pub(crate) mod loads;
 pub(crate) mod seepage;
@@ -20,10 +24,10 @@ pub(crate) mod surface;
 pub(crate) mod traction;
 pub(crate) mod water;
 
-use super::state::bolts::Bolt;
-use super::state::push::Wrench;
-use super::state::scratch::Scratch;
-use super::state::world::World;
+use crate::state::bolts::Bolt;
+use crate::state::push::Wrench;
+use crate::state::scratch::Scratch;
+use crate::state::world::World;
 
 /// Clears the buffer for a new evaluation.
 pub(crate) fn begin(scratch: &mut Scratch) {

@@ -2,7 +2,7 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use super::traction::{Spot, traction};
+use crate::push::traction::{Spot, traction};
 use crate::setup::{BoundaryKind, Setup};
 use crate::state::deform::{Deform, Surface};
 use crate::state::push::Account;

@@ -2,10 +2,10 @@
 //!
 //! The push is given by the present place of a block alone and is a given force: the kick books its work as that of loads.
 
+use crate::setup::rotation::rotation;
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::BRICK_FACES;
 
-use crate::patch;
 use crate::push::seepage;
 use crate::setup::{Shape, WaterTable};
 use crate::state::deform::{Body, Deform};
@@ -90,7 +90,7 @@ pub(crate) fn on_rigid(world: &World, table: &WaterTable, b: usize) -> (Vec3, Ve
     let start = world.reference[b];
     let turn = || match &world.turned[b] {
         Some(turned) => turned.attitude,
-        None => patch::rotation(world.bodies.rotation(b)),
+        None => rotation(world.bodies.rotation(b)),
     };
     let centre = start + world.bodies.displacement(b);
     table.on_polyhedron(

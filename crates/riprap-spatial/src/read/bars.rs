@@ -1,7 +1,7 @@
 //! Bars of bolts one by one: for pictures and for the table `bolts.csv`.
 
 use crate::frame::bars::BoltBar;
-use crate::read::view::View;
+use crate::query::view::View;
 use crate::state::bolts::Bolt;
 
 /// All bars of the bolts that are in the rock, bolt after bolt, from the head to the toe.

@@ -6,15 +6,15 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use crate::bolts::install;
-use crate::boundary::Context;
-use crate::found::grid::Role;
-use crate::found::{Body, Peak, Planes, Shape, peak, planes, turn};
+use crate::kernel::grid::Role;
+use crate::kernel::{Body, Peak, Planes, Shape, peak, planes, turn};
 use crate::laws::bolt::BarState;
 use crate::laws::tetrahedron::{Gradient, Strain, tensor};
+use crate::push::bolts::install;
+use crate::push::boundary::Context;
+use crate::query::view::View;
 use crate::read::fields::principal;
 use crate::read::tetrahedra::strain;
-use crate::read::view::View;
 use crate::setup::{BoundaryKind, Kinematics};
 use crate::state::bolts::{Bolt, chord};
 
@@ -220,7 +220,7 @@ impl View<'_> {
         let (world, shapes) = (self.world, &self.scratch.desk.shapes);
         let roles = &world.found.roles;
         let known = roles.len() == world.alive.len() && shapes.len() == world.solids.len();
-        if !known || !roles.contains(&Role::Seeker) {
+        if !known || !roles.contains(&Role::Active) {
             return None;
         }
         let ends = |axis: usize| Some((axis, world.setup.periodic[axis]?));
@@ -241,7 +241,7 @@ impl View<'_> {
             let right: Vec<_> = blocks.iter().filter(|b| b.1[1] - length > low).collect();
             left.flat_map(|a| right.iter().map(move |b| (a, *b)))
                 .filter(|(a, b)| {
-                    let seeks = [a.0, b.0].iter().any(|k| roles[*k] == Role::Seeker);
+                    let seeks = [a.0, b.0].iter().any(|k| roles[*k] == Role::Active);
                     seeks && a.1[0] + length < b.1[1] && b.1[0] < a.1[1] + length
                 })
                 .find(|(a, b)| {

@@ -1,7 +1,7 @@
 //! What fields ask of bolts.
 
 use crate::laws::bolt;
-use crate::read::view::View;
+use crate::query::view::View;
 use crate::setup::Bolt as Spec;
 use crate::state::bolts::Bolt;
 

@@ -4,9 +4,9 @@ use riprap_geom::Vec3;
 
 use crate::laws::mohr_coulomb::Strength;
 use crate::laws::norm;
-use crate::read::view::View;
+use crate::query::view::View;
 use crate::state::deform::{Deform, Facet};
-use crate::world::flag;
+use crate::state::patches::flag;
 
 /// Share of the residual strength from which the point of a facet slides: what is less is no round-off.
 const AT_LIMIT: f64 = 1.0 - 1e-9;
@@ -90,7 +90,7 @@ impl View<'_> {
 
     fn add_patch(&self, sum: &mut Borne, p: usize, sign: f64) {
         let points = self.patch_points(p);
-        let tractions = self.tractions(p, &points);
+        let tractions = self.patch(p).tractions(&points);
         let force = points.resultant(self.patch_class(p), &tractions).force;
         sum.add(sign * force, sign * points.frame[0]);
         let flags = self.world.patches.flags[p];

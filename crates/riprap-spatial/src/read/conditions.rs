@@ -5,7 +5,7 @@ use riprap_geom::Vec3;
 use crate::frame::conditions::{
     Conditions, FaceCondition, FaceKind, GivenLoad, LoadKind as Kind, Support, Table,
 };
-use crate::read::view::View;
+use crate::query::view::View;
 use crate::setup::{BoundaryKind, LoadKind, Motion};
 
 /// Conditions on the blocks with numbers from `first` on. What is not about single blocks is told with the first of them.

@@ -2,10 +2,10 @@
 
 use riprap_geom::Vec3;
 
-use crate::found::Memory;
-use crate::found::cells::PairSlot;
-use crate::found::desk::Exerted;
-use crate::read::view::View;
+use crate::kernel::Memory;
+use crate::kernel::cells::PairSlot;
+use crate::query::view::View;
+use crate::state::contact_scratch::Exerted;
 use crate::state::deformable::DeformablePair;
 
 /// A found contact that touches.

@@ -3,12 +3,12 @@
 use riprap_geom::Vec3;
 
 use crate::deform::area::Area;
-use crate::deform::cut::tip::{broken, near};
-use crate::deform::shape::outline;
-use crate::deform::store::{Deform, State};
+use crate::faces::deformable::outline;
 use crate::frame::{Column, Surfaces};
-use crate::read::view::View;
-use crate::world::World;
+use crate::query::view::View;
+use crate::state::deform::{Deform, State};
+use crate::state::world::World;
+use crate::topology::cut::tip::{broken, near};
 
 /// Facets with broken points; `None` if no block is deformable.
 #[must_use]

@@ -5,8 +5,8 @@
 
 use riprap_geom::Vec3;
 
-use crate::cavity::Cavity;
-use crate::read::view::View;
+use crate::query::view::View;
+use crate::state::cavity::Cavity;
 
 /// Uplift over the depth of the charge that bounds a crater.
 pub const UPLIFT: f64 = 0.02;

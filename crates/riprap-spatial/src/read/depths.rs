@@ -6,10 +6,10 @@
 
 use riprap_geom::Vec3;
 
-use crate::contacts::{glued_of, shape_of};
-use crate::found::desk::{Deepest, Pressed};
-use crate::read::view::View;
+use crate::contact::{glued_of, shape_of};
+use crate::query::view::View;
 use crate::setup::BoundaryKind;
+use crate::state::contact_scratch::{Deepest, Pressed};
 
 impl View<'_> {
     /// Radius of the largest ball inside block `b`, of glued parts inside the thinnest piece, m; infinite for terrain, and where there is none

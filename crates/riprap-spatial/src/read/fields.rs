@@ -5,22 +5,22 @@ use std::cell::Cell;
 
 use riprap_geom::{Mat3, Vec3};
 
-use crate::cavity::Cavity;
-use crate::deform::cut::tip;
-use crate::deform::fracture;
+use crate::faces::region::holds;
 use crate::field::{FieldError, FieldInfo, Part, Site, first, pair, place};
 use crate::laws::norm;
 use crate::laws::tetrahedron::Gradient;
+use crate::query::deformable::Motion;
+pub use crate::query::view::View;
 use crate::read::bolts;
 use crate::read::cracks;
 use crate::read::crater::UPLIFT;
-use crate::read::deformable::Motion;
 use crate::read::heap;
-pub use crate::read::view::View;
-use crate::refine::Origin;
-use crate::region::holds;
 use crate::setup::deform::BondFailure;
-use crate::world::flag;
+use crate::state::cavity::Cavity;
+use crate::state::lineage::Origin;
+use crate::state::patches::flag;
+use crate::topology::cut::tip;
+use crate::topology::fracture;
 
 /// A getter: the view, the blocks (or the source) asked for, and room for up to three numbers.
 type Getter = fn(&View<'_>, &[u32]) -> Vec3;

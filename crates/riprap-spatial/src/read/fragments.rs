@@ -1,8 +1,8 @@
 //! Fragments of a spatial model: blocks that patches and bonds hold together.
 
 use crate::frame::fragments::{Fragments, Member};
-use crate::read::view::View;
-use crate::world::flag;
+use crate::query::view::View;
+use crate::state::patches::flag;
 
 impl View<'_> {
     /// Fragments now, the largest first. A patch or facet holds while a point of it has not failed; one without tensile

@@ -4,8 +4,8 @@ use riprap_geom::pairs::touching_boxes;
 use riprap_geom::polygon::Aabb;
 use riprap_geom::{Vec2, Vec3};
 
-use crate::deform::shape::centred;
-use crate::read::view::View;
+use crate::faces::deformable::centred;
+use crate::query::view::View;
 use crate::setup::Shape;
 
 /// Rings about the axis of a heap.

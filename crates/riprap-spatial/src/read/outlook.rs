@@ -4,15 +4,15 @@ use riprap_core::laws::behaviour::{Closure, Weakening};
 use riprap_core::laws::parameters::{Dashpots, Failure, JointLaw, Points};
 use riprap_geom::Vec3;
 
-use super::view::View;
-use crate::contacts::limit::Ease;
-use crate::contacts::terrain::share;
-use crate::contacts::{constants, joined, make_shapes, roles};
-use crate::deform::contact::between;
-use crate::deform::contact::search::shown;
-use crate::found::desk::Desk;
-use crate::found::{Role, limits};
-use crate::world::World;
+use crate::contact::deformable::between;
+use crate::contact::deformable::search::shown;
+use crate::contact::limit::InverseInertia;
+use crate::contact::terrain::share;
+use crate::contact::{constants, joined, make_shapes, roles};
+use crate::kernel::{Role, limits};
+use crate::query::view::View;
+use crate::state::contact_scratch::ContactScratch;
+use crate::state::world::World;
 
 /// A block that can meet others, and the softest law under which it can.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,12 +81,12 @@ fn rigid(world: &World) -> Vec<Meets> {
         let material = usize::from(world.setup.blocks[b].material);
         partner[material].get_or_insert(b as u32);
     }
-    let mut desk = Desk::default();
+    let mut desk = ContactScratch::default();
     make_shapes(world, &mut desk);
     let still = still(world);
     // What lies over terrain can meet it, joined to others or not.
     let over = |b: usize| world.has_terrain() && world.meets_terrain(b);
-    let seekers = (0..n).filter(|b| roles[*b] == Role::Seeker || over(*b));
+    let seekers = (0..n).filter(|b| roles[*b] == Role::Active || over(*b));
     let seekers = seekers.filter(|b| world.freedoms(*b)[0] != Vec3::ZERO);
     seekers
         .filter_map(|b| {
@@ -104,7 +104,7 @@ fn rigid(world: &World) -> Vec<Meets> {
             let softest =
                 laws.iter().min_by(|a, b| a.1.normal_stiffness.total_cmp(&b.1.normal_stiffness))?;
             let face = shape.areas.iter().copied().fold(0.0, f64::max);
-            let ease = Ease::of(world, &desk.shapes, b).of_area(face);
+            let ease = InverseInertia::of(world, &desk.shapes, b).of_area(face);
             let steps = laws.iter().map(|(_, law)| {
                 let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
                 share(law) * 2.0 / (stiffness * face * ease).sqrt()
@@ -143,7 +143,7 @@ fn deformable(view: &View<'_>) -> Vec<Meets> {
         partner[material][usize::from(world.deforms(b))].get_or_insert(b as u32);
     }
     let still = still(world);
-    let seekers = (0..roles.len()).filter(|b| roles[*b] == Role::Seeker);
+    let seekers = (0..roles.len()).filter(|b| roles[*b] == Role::Active);
     let seekers = seekers.filter_map(|b| Some((b, deform.body(b)?)));
     seekers
         .filter_map(|(b, body)| {

@@ -5,8 +5,8 @@
 
 use riprap_geom::Vec3;
 
-use crate::cavity::Cavity;
-use crate::read::view::View;
+use crate::query::view::View;
+use crate::state::cavity::Cavity;
 
 /// Cosine of 15 degrees, half the opening of the cones that are looked at.
 const CONE: f64 = 0.965_925_826_289_068_3;

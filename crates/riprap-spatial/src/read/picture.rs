@@ -1,16 +1,16 @@
 //! Frames of a spatial model: solids at their present positions, patches as points.
 
+use crate::setup::rotation::rotation;
 use riprap_geom::{Mat3, Vec3};
 
-use crate::deform::store::{Memory, State};
 use crate::frame::{BRICK, Column, Frame, SEEPAGE_FLOW, Solids, stress};
 use crate::laws::norm;
-use crate::patch;
+use crate::query::view::View;
 use crate::read::fields::principal;
-use crate::read::view::View;
 use crate::setup::{Shape, Solid};
+use crate::state::deform::{Memory, State};
 use crate::state::interface::Origin;
-use crate::world::flag;
+use crate::state::patches::flag;
 
 /// Patches beyond which a frame holds only those that have failed, opened or slid: a million blocks have
 /// three million patches.
@@ -77,7 +77,7 @@ fn put_block(view: &View<'_>, b: usize, frame: &mut Frame, solids: &mut Solids) 
     let place = view.position(b) + world.setup.origin;
     let attitude = match &world.turned[b] {
         Some(turned) => turned.attitude,
-        None => patch::rotation(world.bodies.rotation(b)),
+        None => rotation(world.bodies.rotation(b)),
     };
     let deformable = view.deformable(b);
     let node = |k: usize| {

@@ -1,11 +1,11 @@
 //! States of the blocks, as a scene reads them for its start.
 
+use crate::setup::rotation::rotation;
 use riprap_geom::Quat;
 
 use crate::frame::states::BlockState;
-use crate::patch;
-use crate::read::view::View;
-use crate::refine::Origin;
+use crate::query::view::View;
+use crate::state::lineage::Origin;
 
 impl View<'_> {
     /// The states of the blocks of the scene that are there, without terrain. What blocks were split into has no name in the scene and is left out.
@@ -19,7 +19,7 @@ impl View<'_> {
         let one = |b: usize| {
             let start = world.setup.attitudes.get(b).copied();
             let turned = match self.deformable(b) {
-                Some(deformable) => patch::rotation(deformable.rotation()),
+                Some(deformable) => rotation(deformable.rotation()),
                 None => self.poses().attitude(b),
             };
             let now = turned * start.unwrap_or(Quat::IDENTITY);

@@ -2,9 +2,9 @@
 
 use riprap_geom::{Mat3, Vec3};
 
-use crate::boundary;
-use crate::patch;
-use crate::read::view::View;
+use crate::joint::patch;
+use crate::push::boundary;
+use crate::query::view::View;
 
 /// Patches whose dyads are found before they are added.
 const AT_ONCE: usize = 1 << 12;
@@ -49,7 +49,7 @@ impl View<'_> {
         let class = self.patch_class(p);
         let points = self.patch_points(p);
         let e = points.frame;
-        let tractions = self.tractions(p, &points);
+        let tractions = self.patch(p).tractions(&points);
         let mut dyads = [[Mat3::ZERO; 2]; 4];
         for (q, (on, t)) in dyads.iter_mut().zip(&tractions).enumerate() {
             let force = 0.25 * class.area * (t[0] * e[0] + t[1] * e[1] + t[2] * e[2]);

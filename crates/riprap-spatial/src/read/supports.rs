@@ -3,8 +3,8 @@
 use riprap_geom::Vec3;
 
 use crate::accounts::Holder;
-use crate::read::view::View;
-use crate::world::World;
+use crate::query::view::View;
+use crate::state::world::World;
 
 impl World {
     /// Living blocks on which support number `k` acts: the last support of a block alone acts on it, unless a phase releases the block.
@@ -54,7 +54,7 @@ impl View<'_> {
     fn reaction(&self, b: usize) -> [Vec3; 2] {
         let (world, scratch) = (self.world, self.scratch);
         let (acting, change) = (scratch.acting(b), scratch.change(world, b));
-        let span = scratch.kick_of_nobody(world).span;
+        let span = scratch.no_workspace(world).span;
         let rate = |change: Vec3| {
             if span > 0.0 { change / span } else { Vec3::ZERO }
         };
@@ -71,7 +71,7 @@ impl View<'_> {
         let Some((deform, work)) = self.deformables() else {
             return Vec::new();
         };
-        let span = self.scratch.kick_of_nobody(self.world).span;
+        let span = self.scratch.no_workspace(self.world).span;
         let mut found = Vec::new();
         for hold in &deform.holds {
             let node = hold.node as usize;

@@ -3,10 +3,10 @@
 
 use riprap_geom::Vec3;
 
-use crate::cavity::Cavity;
-use crate::read::view::View;
+use crate::query::view::View;
 use crate::setup::BoundaryKind;
-use crate::world::World;
+use crate::state::cavity::Cavity;
+use crate::state::world::World;
 
 /// Least cosine between the outward normal of a face and the direction against gravity for the face to be
 /// part of the free surface: 45 deg.

@@ -4,8 +4,8 @@ use riprap_geom::Vec3;
 
 use crate::frame::{Column, Surfaces};
 use crate::laws::tetrahedron::{Gradient, Strain, Symmetric, tensor};
+use crate::query::view::View;
 use crate::read::fields::principal;
-use crate::read::view::View;
 
 /// Tetrahedra of all living deformable blocks at their present places; `None` if no block is deformable. Stress is tension
 /// positive: `stress_normal` and `strain_normal` are xx, yy, zz, `stress_shear` and `strain_shear` yz, zx, xy;

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 
 use crate::frame::fragments::{Fragments, Member};
-use crate::read::view::View;
+use crate::query::view::View;
 
 /// Cosine between gravity and the normal of a joint on which blocks stand.
 const LEVEL: f64 = 0.99;

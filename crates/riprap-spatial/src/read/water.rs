@@ -2,9 +2,9 @@
 
 use riprap_geom::Vec3;
 
-use super::contacts::Contact;
 use crate::push::water;
-use crate::read::view::View;
+use crate::query::view::View;
+use crate::read::contacts::Contact;
 use crate::state::deform::Facet;
 
 impl View<'_> {

@@ -2,7 +2,7 @@
 
 use riprap_geom::polyhedron::Polyhedron;
 
-use super::Solid;
+use crate::setup::Solid;
 
 impl Solid {
     /// Corners and faces of several solids in one list, glued faces among them: volume, centroid, inertia and what acts on

@@ -10,12 +10,12 @@
 use riprap_geom::symmetric::principal_axes;
 use riprap_geom::{Mat3, Vec3};
 
-use super::springs::{PIECE, Part, Springs, Step, Weights, add, of, parts};
-use crate::bolts::stiffness::BoltSprings;
 use crate::exec::{Divide, Exec};
 use crate::lanes::{LANES, Lanes, Width};
-use crate::tiles::GROUP;
-use crate::world::World;
+use crate::push::bolts::stiffness::BoltSprings;
+use crate::stable::springs::{PIECE, Part, Springs, Step, Weights, add, of, parts};
+use crate::state::tiles::GROUP;
+use crate::state::world::World;
 use riprap_core::sums::tree;
 
 /// Residual, over the value, below which the motion counts as found: the value is then known to the square of it.

@@ -8,8 +8,9 @@ use riprap_geom::Vec3;
 
 use crate::lanes::{LANES, Lanes, Vectors, Width, cross, dot, minus, plus, same};
 use crate::setup::BoundaryKind;
-use crate::tiles::GROUP;
-use crate::world::{PatchClass, World};
+use crate::state::patches::PatchClass;
+use crate::state::tiles::GROUP;
+use crate::state::world::World;
 
 /// Blocks of a piece.
 pub(super) const PIECE: usize = 64 * GROUP;

@@ -3,8 +3,6 @@
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::voronoi;
 
-use super::springs::{PIECE, Part, Springs, Step, Weights, add, of, parts};
-use super::stable_step;
 use crate::exec::Exec;
 use crate::lanes::Width;
 use crate::laws::bolt::Design;
@@ -13,14 +11,16 @@ use crate::setup::{
     BlockName, BlockSpec, Bolt, Boundary, BoundaryKind, FaceSet, InterfaceLaw, Material, Setup,
     Shape, Solid, StiffnessRule,
 };
+use crate::stable::springs::{PIECE, Part, Springs, Step, Weights, add, of, parts};
+use crate::stable::stable_step;
 use crate::state::scratch::Scratch;
-use crate::tiles::GROUP;
-use crate::world::World;
+use crate::state::tiles::GROUP;
+use crate::state::world::World;
 
 /// Square of what a motion of all blocks grows by in a step: stable up to 4.
 fn limit(world: &World, weights: Weights, sweeps: usize) -> f64 {
     let springs = Springs::new(world);
-    let mut bolts = crate::bolts::stiffness::BoltSprings::new(world);
+    let mut bolts = crate::push::bolts::stiffness::BoltSprings::new(world);
     let mut seed = 11_u64;
     let mut draw = || {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
@@ -207,7 +207,7 @@ fn build(setup: Setup, threads: usize) -> (World, Scratch) {
     let (mut world, mut scratch) = World::new(setup, exec).unwrap();
     let bolts: Vec<u32> = (0..world.setup.bolts.len() as u32).collect();
     if !bolts.is_empty() {
-        crate::bolts::install::install(&mut world, &bolts).unwrap();
+        crate::push::bolts::install::install(&mut world, &bolts).unwrap();
         scratch.invalidate(&mut world);
     }
     (world, scratch)

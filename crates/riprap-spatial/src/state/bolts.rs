@@ -3,9 +3,10 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use crate::anchor::{Freedoms, Inside};
-use crate::laws::bolt::{self, Chain, Toll};
+use crate::laws::bolt;
+use crate::laws::bolt::{Chain, Toll};
 use crate::setup::Bolt as Spec;
+use crate::state::anchor::{Freedoms, Inside};
 
 /// A bolt in the rock.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

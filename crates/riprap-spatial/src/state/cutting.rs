@@ -10,7 +10,7 @@ pub struct Cutting {
     /// The rules.
     pub rules: CutRules,
     /// Step at which blocks were last looked at.
-    pub looked: u64,
+    pub last_check_step: u64,
     /// Times that blocks were cut.
     pub stages: u64,
 }

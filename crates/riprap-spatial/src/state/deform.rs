@@ -3,14 +3,15 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use super::cutting::Cutting;
-use super::hold::Hold;
-use super::interface::Origin;
-use super::relax::Relax;
-pub use crate::anchor::Anchor;
-use crate::laws::bond::{self, Traction};
+use crate::laws::bond;
+use crate::laws::bond::Traction;
 use crate::laws::tetrahedron::Symmetric;
 use crate::setup::deform::Strain;
+pub use crate::state::anchor::Anchor;
+use crate::state::cutting::Cutting;
+use crate::state::hold::Hold;
+use crate::state::interface::Origin;
+use crate::state::relax::Relax;
 
 /// Not a deformable block.
 pub const RIGID: u32 = u32::MAX;
@@ -39,7 +40,7 @@ pub struct Deform {
     /// State of the points.
     pub memory: Vec<Memory>,
     /// Facets with a point that has broken or softened, or was joined under load; others are linear.
-    pub worn: Vec<bool>,
+    pub has_history: Vec<bool>,
     /// Which masses the nodes have.
     pub masses: Masses,
     /// Whether bonds may break in the present phase.
@@ -51,7 +52,7 @@ pub struct Deform {
     /// Number of blocks before the first cut.
     pub given: Option<u32>,
     /// Step at which breaking was last looked at.
-    pub looked: u64,
+    pub last_check_step: u64,
     /// Facets that have broken since the last record.
     pub broken: Vec<Break>,
     /// Area of bonds broken so far by mode (tension, shear), m².
@@ -196,7 +197,7 @@ pub struct Facet {
     /// Where it comes from.
     pub origin: Origin,
     /// Step before which it does not break: a facet made by a cut in a dynamic phase waits for the next look.
-    pub whole_until: u64,
+    pub intact_until_step: u64,
     /// Whether its blocks have slid or come apart so far that it carries nothing any more: they find each other anew.
     pub parted: bool,
 }
@@ -233,7 +234,7 @@ pub struct Memory {
     /// Time at which it broke, s.
     pub broken_at: f64,
     /// Whether it has broken and no event tells of it yet.
-    pub untold: bool,
+    pub unreported: bool,
 }
 
 /// How a point is.
@@ -308,20 +309,20 @@ impl Deform {
             self.holds.retain(|h| !nodes.contains(&(h.node as usize)));
             self.surfaces.retain(|s| s.body != slot);
         }
-        let (mut facets, mut worn) = (Vec::new(), Vec::new());
+        let (mut facets, mut has_history) = (Vec::new(), Vec::new());
         let (mut points, mut memory) = (Vec::new(), Vec::new());
-        for (facet, was_worn) in self.facets.iter().zip(&self.worn) {
+        for (facet, had_history) in self.facets.iter().zip(&self.has_history) {
             if facet.blocks.contains(&block) {
                 continue;
             }
             let range = facet.points();
             facets.push(Facet { first: points.len() as u32, ..*facet });
-            worn.push(*was_worn);
+            has_history.push(*had_history);
             points.extend_from_slice(&self.points[range.clone()]);
             memory.extend_from_slice(&self.memory[range]);
         }
         self.facets = facets;
-        self.worn = worn;
+        self.has_history = has_history;
         self.points = points;
         self.memory = memory;
     }

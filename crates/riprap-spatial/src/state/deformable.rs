@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use crate::found::{Pose, Role};
+use crate::kernel::{Pose, Role};
 
 /// Found contacts of deformable blocks with each other and with rigid ones.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

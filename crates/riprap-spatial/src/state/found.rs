@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::found::offset::Offset;
-use crate::found::{Memory, Role, Search};
+use crate::broad::search::Search;
+use crate::kernel::offset::Offset;
+use crate::kernel::{Memory, Role};
 
 /// Found contacts of all rigid blocks; empty where no blocks can meet but those that patches join.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -103,7 +104,7 @@ pub struct FoundPair {
     /// They are at least so far apart, m; 0 where that is not known. State, since the length of steps hangs on it.
     pub gap: f64,
     /// Whether joints held the two in place, and they have not been far apart since.
-    pub in_place: bool,
+    pub seated: bool,
     /// Of blocks of glued parts: what each two convex pieces of them share, sorted; springs are in these. `memory` is that of the one
     /// that presses most, `stored` the sum.
     pub pieces: Vec<PieceContact>,

@@ -2,12 +2,12 @@
 
 use riprap_core::state_hash::StateHash;
 
-use super::deform::{Deform, State};
-use super::found::FoundContacts;
-use super::patches::{Patches, flag};
-use super::world::World;
-use crate::found::offset::Offset;
-use crate::found::{Memory, Pose};
+use crate::kernel::offset::Offset;
+use crate::kernel::{Memory, Pose};
+use crate::state::deform::{Deform, State};
+use crate::state::found::FoundContacts;
+use crate::state::patches::{Patches, flag};
+use crate::state::world::World;
 
 impl World {
     /// blake3 of motion and memory: equal hashes mean that two models go on alike, bit for bit.
@@ -113,7 +113,7 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
         let touches = pair.depth > 0.0;
         hash.count(
             u64::from(touches)
-                | u64::from(pair.in_place) << 1
+                | u64::from(pair.seated) << 1
                 | u64::from(pair.offset.is_some()) << 2,
         );
         for faces in [pair.start, pair.next] {
@@ -239,7 +239,7 @@ fn bonds(hash: &mut StateHash, deform: &Deform) {
     for f in order {
         let facet = &deform.facets[f as usize];
         hash.pair(facet.blocks);
-        hash.count(facet.whole_until << 1 | u64::from(deform.worn[f as usize]));
+        hash.count(facet.intact_until_step << 1 | u64::from(deform.has_history[f as usize]));
         if facet.parted {
             hash.count(1);
         }

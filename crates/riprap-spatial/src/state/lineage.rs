@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::setup::Setup;
+
 /// Where a block comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Origin {
@@ -18,4 +20,24 @@ impl Origin {
     pub const NONE: u32 = u32::MAX;
     /// Origin of a block as given.
     pub const GIVEN: Self = Self { parent: Self::NONE, octant: 0, level: 0 };
+}
+
+/// Name of block `b`: `rock.17/3` is octant 3 of `rock.17`.
+#[must_use]
+pub(crate) fn name(setup: &Setup, lineage: &[Origin], b: usize) -> String {
+    let spec = setup.blocks[b].name;
+    let mut text = setup.names.get(spec.base as usize).cloned().unwrap_or_default();
+    if spec.number > 0 {
+        text.push_str(&format!(".{}", spec.number));
+    }
+    let mut octants = Vec::new();
+    let mut origin = lineage.get(b).copied().unwrap_or(Origin::GIVEN);
+    while origin.parent != Origin::NONE {
+        octants.push(origin.octant);
+        origin = lineage[origin.parent as usize];
+    }
+    for octant in octants.iter().rev() {
+        text.push_str(&format!("/{octant}"));
+    }
+    text
 }

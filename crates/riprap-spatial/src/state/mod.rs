@@ -3,6 +3,11 @@
 //! Nothing here acts. Forces, motion, edits and readings stand in the workspaces above, which use this one and not each other's
 //! insides; this one uses the setup, the laws, geometry and the ledger only.
 
+pub(crate) mod anchor;
+pub(crate) mod contact_scratch;
+pub(crate) mod links;
+pub mod tiles;
+
 pub(crate) mod bodies;
 pub(crate) mod bolts;
 pub(crate) mod cavity;
@@ -23,5 +28,6 @@ pub(crate) mod scratch;
 pub(crate) mod seepage;
 mod sound;
 pub mod sums;
+pub(crate) mod wide;
 pub(crate) mod workspace;
 pub mod world;

@@ -3,7 +3,7 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use super::interface::Origin;
+use crate::state::interface::Origin;
 
 /// Patches: rectangles or polygons where two blocks share a face. Lists of equal length, except
 /// those that are empty when no patch needs them.

@@ -2,20 +2,20 @@
 
 use std::sync::OnceLock;
 
-use super::push::{Pushes, Wrench};
-use super::sums::Sums;
-use super::workspace::Workspace;
 use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
-use crate::found::cells::CellDesk;
-use crate::found::desk::Desk;
+use crate::kernel::cells::TetContactScratch;
 use crate::lanes::Width;
-use crate::laws::bolt::Desk as BoltDesk;
+use crate::laws::bolt::BoltScratch;
 use crate::ledger::Works;
 use crate::profile::Profile;
-use crate::tiles::{Cut, Tiles};
-use crate::wide::Wide;
+use crate::state::contact_scratch::ContactScratch;
+use crate::state::push::{Pushes, Wrench};
+use crate::state::sums::Sums;
+use crate::state::tiles::{Cut, Tiles};
+use crate::state::wide::Wide;
+use crate::state::workspace::Workspace;
 
 /// What a step works with.
 #[derive(Debug)]
@@ -41,13 +41,13 @@ pub struct Scratch {
     /// Of deformable blocks, where there are any.
     pub deform: Option<Box<Workspace>>,
     /// Of found contacts.
-    pub desk: Desk,
+    pub desk: ContactScratch,
     /// Of found contacts of deformable blocks.
-    pub deformable: CellDesk,
+    pub deformable: TetContactScratch,
     /// Radius of the largest ball in a block of each mass class, m, where somebody has asked for it.
     pub inradii: Vec<OnceLock<f64>>,
     /// Of bolts.
-    pub(crate) bolts: Vec<BoltDesk>,
+    pub(crate) bolts: Vec<BoltScratch>,
     pub(crate) slots: [Sums; 2],
     pub(crate) wide: Vec<Wide>,
     pub(crate) strong: bool,

@@ -2,8 +2,8 @@
 
 use riprap_core::numbers::{below, one_each};
 
-use super::deform::Deform;
-use super::world::World;
+use crate::state::deform::Deform;
+use crate::state::world::World;
 
 impl World {
     /// Looks at numbers that stand for blocks, classes, rows, materials, bars, nodes and bodies.

@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec3;
 
+use crate::exec::Cut;
 pub use riprap_core::sums::tree;
 
 /// Force (x, y, z), N, and moment about the centroid (x, y, z), N m, of many blocks or slots.
@@ -48,19 +49,14 @@ impl Sums {
 /// A range of [`Sums`].
 pub struct Part<'a>(pub [&'a mut [f64]; 6]);
 
-impl<'a> Part<'a> {
-    /// Entries before `middle` and the others; an empty part gives two empty parts.
-    #[must_use]
-    pub fn split(self, middle: usize) -> (Self, Self) {
-        let mut first: [&'a mut [f64]; 6] = Default::default();
-        let mut rest: [&'a mut [f64]; 6] = Default::default();
-        for (k, list) in self.0.into_iter().enumerate() {
-            let at = middle.min(list.len());
-            (first[k], rest[k]) = list.split_at_mut(at);
-        }
-        (Self(first), Self(rest))
+impl Cut for Part<'_> {
+    fn cut(self, at: usize) -> (Self, Self) {
+        let [a, b, c, d, e, f] = self.0.map(|list| list.cut(at));
+        (Self([a.0, b.0, c.0, d.0, e.0, f.0]), Self([a.1, b.1, c.1, d.1, e.1, f.1]))
     }
+}
 
+impl Part<'_> {
     /// Sets all to zero.
     pub fn clear(&mut self) {
         for list in &mut self.0 {

@@ -5,11 +5,11 @@ use std::sync::OnceLock;
 use riprap_geom::polyhedron::{DepthCells, Tetrahedra};
 use riprap_geom::{Mat3, Vec3};
 
-use super::cutting::Effort;
-use super::deform::Body;
-use crate::deform::links::Links;
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Stiffness};
 use crate::ledger::Works;
+use crate::state::cutting::Effort;
+use crate::state::deform::Body;
+use crate::state::links::Links;
 
 /// Bodies per piece of work; sums run over a piece and then over a fixed tree of pieces.
 pub(crate) const BODIES: usize = 64;

@@ -7,21 +7,21 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-pub use super::bodies::{Bodies, SolidClass, Turned, vec3};
-use super::bolts::Bolt;
-use super::cavity::Cavity;
-use super::deform::Deform;
-use super::event::{EditEvent, EditKind};
-use super::face::{Face, Overruled};
-use super::found::FoundContacts;
-use super::lineage::Origin;
-pub use super::patches::{PatchClass, Patches, flag};
-use super::seepage::Seepage;
 use crate::accounts::{Account, Holder, of};
-use crate::anchor::{Anchor, Freedoms};
 use crate::failed::FailedPoints;
 use crate::ledger::Works;
 use crate::setup::{Motion, Setup};
+use crate::state::anchor::{Anchor, Freedoms};
+pub use crate::state::bodies::{Bodies, SolidClass, Turned, vec3};
+use crate::state::bolts::Bolt;
+use crate::state::cavity::Cavity;
+use crate::state::deform::Deform;
+use crate::state::event::{EditEvent, EditKind};
+use crate::state::face::{Face, Overruled};
+use crate::state::found::FoundContacts;
+use crate::state::lineage::Origin;
+pub use crate::state::patches::{PatchClass, Patches, flag};
+use crate::state::seepage::Seepage;
 
 /// Whole state of a spatial model.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -86,7 +86,7 @@ pub struct World {
     /// Failed points of patches that found contact has taken over, and of patches and facets whose blocks were removed.
     pub failed: FailedPoints,
     /// Step at which the criteria of splitting were last looked at: once a step is enough.
-    pub looked: u64,
+    pub last_check_step: u64,
     /// What has happened to blocks and cavities and has not been recorded yet; the recorder takes them out.
     pub events: Vec<EditEvent>,
     /// Running sums of the energy ledger.

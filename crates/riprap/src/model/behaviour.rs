@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use crate::laws::behaviour::{
-    BartonBandis, Behaviour, Closure, Softening, Weakening, scaled, slip_at_peak,
+    BartonBandis, Closure, JointModel, Softening, Weakening, scaled, slip_at_peak,
 };
 use crate::laws::mohr_coulomb::Strength;
 use crate::scenario::Quantity;
@@ -11,8 +11,8 @@ use crate::scenario::read::{Provenance, Read};
 
 impl Builder<'_> {
     /// What the joints of an interface do beyond brittle failure and a linear spring.
-    pub(super) fn behaviour(&mut self, name: &str, said: &Interface) -> Behaviour {
-        let mut behaviour = Behaviour::default();
+    pub(super) fn behaviour(&mut self, name: &str, said: &Interface) -> JointModel {
+        let mut behaviour = JointModel::default();
         if let Some(softening) = &said.softening {
             let mut read = self.reading(format!("interfaces.{name}.softening"), softening);
             let slip = read.slip();

@@ -265,7 +265,7 @@ impl Engine {
         match self {
             Self::Planar(e) => TRANSIT * e.scratch.transit,
             Self::Spatial(e) => {
-                spatial::cavity::step_limit(&e.world).min(self.contact_step_limit(rule))
+                spatial::charge::step_limit(&e.world).min(self.contact_step_limit(rule))
             }
         }
     }
@@ -276,7 +276,7 @@ impl Engine {
         match self {
             Self::Planar(_) => "a block that is fast for its size",
             Self::Spatial(e) => {
-                let gas = spatial::cavity::step_limit(&e.world) < self.contact_step_limit(rule);
+                let gas = spatial::charge::step_limit(&e.world) < self.contact_step_limit(rule);
                 if gas {
                     "gas that expands"
                 } else {
@@ -302,7 +302,7 @@ impl Engine {
     pub fn contact_step_limit(&self, rule: TimeStep) -> f64 {
         match self {
             Self::Planar(_) => f64::INFINITY,
-            Self::Spatial(e) => rule.of_contacts() * spatial::contacts::step_limit(&e.world),
+            Self::Spatial(e) => rule.of_contacts() * spatial::step_limit(&e.world),
         }
     }
 
@@ -327,7 +327,7 @@ impl Engine {
         match self {
             Self::Planar(_) => Ok(()),
             Self::Spatial(e) => {
-                spatial::edit::refine_running(&mut e.world, &mut e.scratch, damping, dt)
+                spatial::topology::refine_running(&mut e.world, &mut e.scratch, damping, dt)
                     .map(|_| ())
                     .map_err(|error| error.to_string())
             }
@@ -388,7 +388,7 @@ impl Engine {
     pub fn fracture(&mut self, dt: f64) -> Result<usize, u32> {
         match self {
             Self::Planar(_) => Ok(0),
-            Self::Spatial(e) => spatial::deform::fracture::step(&mut e.world, &mut e.scratch, dt)
+            Self::Spatial(e) => spatial::topology::fracture::step(&mut e.world, &mut e.scratch, dt)
                 .map_err(|e| e.block),
         }
     }
@@ -401,7 +401,7 @@ impl Engine {
     pub fn cut(&mut self, dt: f64) -> Result<usize, String> {
         match self {
             Self::Planar(_) => Ok(0),
-            Self::Spatial(e) => spatial::deform::cut::step(&mut e.world, &mut e.scratch, dt)
+            Self::Spatial(e) => spatial::topology::cut::step(&mut e.world, &mut e.scratch, dt)
                 .map_err(|error| error.to_string()),
         }
     }
@@ -454,7 +454,7 @@ impl Engine {
             }
             Self::Spatial(e) => {
                 let (world, scratch) = (&mut e.world, &mut e.scratch);
-                spatial::edit::take_out_gradually(world, scratch, blocks, span, damping)
+                spatial::topology::take_out_gradually(world, scratch, blocks, span, damping)
                     .map_err(|e| e.block)
             }
         }

@@ -6,8 +6,8 @@ use super::engine::View;
 use crate::plan::Plan;
 use crate::planar;
 use crate::scenario::diagnostic::list;
-use crate::spatial::contacts;
-use crate::spatial::found::limits;
+use crate::spatial;
+use crate::spatial::limits;
 use crate::spatial::read::outlook::{self, Meets};
 
 /// Depth under a block's own weight, over its size, from which contacts are too soft for it.
@@ -70,7 +70,7 @@ pub(super) fn toe(view: &View<'_>, gravity: [f64; 3]) -> Option<Toe> {
 /// That found contact is off, where there are blocks that no joint holds together.
 pub(super) fn off(view: &View<'_>) -> Option<String> {
     let view = view.spatial()?;
-    let meeting = contacts::meeting(view.world);
+    let meeting = spatial::meeting(view.world);
     let loose = meeting.seekers > 0 && view.living().nth(1).is_some();
     (loose && !meeting.on).then(|| {
         format!(
@@ -83,7 +83,7 @@ pub(super) fn off(view: &View<'_>) -> Option<String> {
 /// That found contact does not act across the ends of a periodic model, where blocks are loose.
 pub(super) fn across_ends(view: &View<'_>) -> Option<String> {
     let world = view.spatial()?.world;
-    let loose = contacts::meeting(world);
+    let loose = spatial::meeting(world);
     let periodic = world.setup.periodic.iter().any(Option::is_some);
     (loose.on && loose.seekers > 0 && periodic).then(|| {
         "blocks that come loose do not meet across the ends of the periodic model: they pass through each other there".to_owned()
@@ -131,7 +131,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
             list(&keys)
         ));
     }
-    let meeting = contacts::meeting(world);
+    let meeting = spatial::meeting(world);
     if !meeting.on {
         return found;
     }

@@ -1,10 +1,10 @@
 //! Rough joints pressed beyond the strength of their walls, in words.
 
 use super::engine::View;
-use crate::laws::behaviour::{Behaviour, Weakening};
+use crate::laws::behaviour::{JointModel, Weakening};
 
 /// Compressive strength of the walls (Pa), if the joint is rough.
-fn walls(behaviour: &Behaviour) -> Option<f64> {
+fn walls(behaviour: &JointModel) -> Option<f64> {
     match &behaviour.weakening {
         Weakening::BartonBandis(rough) => Some(rough.jcs),
         Weakening::Brittle | Weakening::Softening(_) => None,

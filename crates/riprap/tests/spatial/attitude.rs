@@ -4,12 +4,13 @@
 use riprap::Vec3;
 use riprap::geom::Mat3;
 use riprap::geom::polyhedron::Polyhedron;
-use riprap::spatial::edit::{self, EditKind};
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, CavityPressure, Coupling, Criterion, During, FaceSet, InSitu,
     Kinematics, Place, Refinement, Region, Setup, Shape, Solid, Source, Venting,
 };
 use riprap::spatial::step::advance;
+use riprap::spatial::topology;
+use riprap::spatial::topology::EditKind;
 
 use crate::spatial::blast::AMMONIUM;
 use crate::spatial::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
@@ -180,7 +181,8 @@ fn run_on(run: &mut Run, steps: usize, dt: f64) {
     for _ in 0..steps {
         run.evaluate(dt);
         let damping = run.damping;
-        edit::refine_running(&mut run.world, &mut run.scratch, &damping, dt).expect("exact edits");
+        topology::refine_running(&mut run.world, &mut run.scratch, &damping, dt)
+            .expect("exact edits");
         advance(&mut run.world, &mut run.scratch, dt);
     }
     run.evaluate(dt);
@@ -335,7 +337,7 @@ fn leaning_blocks_split_with_the_books_of_bricks() {
         let damping = run.damping;
         let before = run.world.patches.len();
         // A block inside, its neighbour, a block at a corner, and a child of the first.
-        edit::split(&mut run.world, &mut run.scratch, &[17, 18, 0, 36 + 5], &damping, DT)
+        topology::split(&mut run.world, &mut run.scratch, &[17, 18, 0, 36 + 5], &damping, DT)
             .expect("the split is exact");
         assert!(run.world.patches.len() > before + 48);
         covered(&run, volume);
@@ -399,7 +401,7 @@ fn leaning_blocks_under_uniform_stress_split_in_equilibrium() {
     };
     let before = moved(&run);
     // The middle one, a corner with three held faces, and a child.
-    edit::split(&mut run.world, &mut run.scratch, &[13, 0, 27 + 3], &damping, DT)
+    topology::split(&mut run.world, &mut run.scratch, &[13, 0, 27 + 3], &damping, DT)
         .expect("the split is exact");
     for b in run.view().living() {
         let force = run.scratch.net.force(b).length();

@@ -2,8 +2,7 @@
 
 use riprap::Vec3;
 use riprap::exec::Exec;
-use riprap::spatial::cavity;
-use riprap::spatial::edit::{self, EditKind};
+use riprap::spatial::charge;
 use riprap::spatial::lanes::Width;
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, CavityPressure, Coupling, Criterion, During, FaceSet, Kinematics,
@@ -11,6 +10,8 @@ use riprap::spatial::setup::{
 };
 use riprap::spatial::step::{Scratch, advance};
 use riprap::spatial::tiles::Cut;
+use riprap::spatial::topology;
+use riprap::spatial::topology::EditKind;
 use riprap::spatial::world::{World, flag};
 
 use crate::spatial::blast::AMMONIUM;
@@ -153,10 +154,10 @@ fn blasted() -> Setup {
 /// Steps with the limit of the gas and with splitting.
 fn run_on(run: &mut Run, steps: u64) {
     for _ in 0..steps {
-        let dt = DT.min(cavity::step_limit(&run.world));
+        let dt = DT.min(charge::step_limit(&run.world));
         run.evaluate(dt);
         let damping = run.damping;
-        edit::refine_running(&mut run.world, &mut run.scratch, &damping, dt).expect("exact");
+        topology::refine_running(&mut run.world, &mut run.scratch, &damping, dt).expect("exact");
         advance(&mut run.world, &mut run.scratch, dt);
     }
     run.evaluate(DT);

@@ -1,14 +1,15 @@
 //! Gas in a cavity: the model of Tian & Li, section 4.2(1), against the numbers of a separate program.
 
 use riprap::Vec3;
-use riprap::spatial::cavity;
-use riprap::spatial::edit::{self, EditKind};
+use riprap::spatial::charge;
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, CavityPressure, Coupling, Dashpots, Explosive, FaceSet, InSitu,
     JointLaw, Motion, Place, Refinement, Region, Setup, Source, Support, Venting,
 };
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::step::advance;
+use riprap::spatial::topology;
+use riprap::spatial::topology::EditKind;
 
 use crate::spatial::rock::{DENSITY, Run, elastic, lattice, rock, strength};
 
@@ -67,7 +68,7 @@ fn damped(joint: JointLaw) -> JointLaw {
 fn blast(run: &mut Run, end: f64, mut look: impl FnMut(&Run)) {
     let stable = stable_step(&run.world, &run.scratch, 0.0).dt;
     while run.world.time < end {
-        let dt = (0.5 * stable).min(cavity::step_limit(&run.world));
+        let dt = (0.5 * stable).min(charge::step_limit(&run.world));
         run.evaluate(dt);
         look(run);
         advance(&mut run.world, &mut run.scratch, dt);
@@ -227,7 +228,7 @@ fn walls_follow_a_split() {
     let before = run.world.cavities[0].clone();
     let damping = run.damping;
     let beside = before.walls[0].block;
-    edit::split(&mut run.world, &mut run.scratch, &[beside], &damping, 1e-9)
+    topology::split(&mut run.world, &mut run.scratch, &[beside], &damping, 1e-9)
         .expect("an exact edit");
     let after = &run.world.cavities[0];
     assert!(after.walls.len() >= before.walls.len() + 3);

@@ -3,12 +3,13 @@
 use riprap::Vec3;
 use riprap::laws::bond::{Cohesive, Softening};
 use riprap::laws::fracture::{Criterion, Margins};
-use riprap::spatial::deform::cut::{self, Anchor};
 use riprap::spatial::deform::phase::Rules;
 use riprap::spatial::deform::store::Masses;
-use riprap::spatial::edit::EditKind;
 use riprap::spatial::setup::deform::{BondFailure, NodeHold, Strain, Strength};
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
+use riprap::spatial::topology::EditKind;
+use riprap::spatial::topology::cut;
+use riprap::spatial::topology::cut::Anchor;
 
 use crate::spatial::deform::{begin, bonds, deformable, on_plane, pull, roller};
 use crate::spatial::rock::{Draws, Run, brick, elastic, lattice, rock};
@@ -234,7 +235,7 @@ fn the_stable_step_after_a_cut_is_safe_and_not_much_too_short() {
         let exec = riprap::exec::Exec::serial();
         let highest = |run: &Run| {
             let (deform, work) = run.view().deformables().unwrap();
-            riprap::spatial::deform::stable::highest(&run.world, deform, work, &exec).0
+            riprap::spatial::stable::deformable::highest(&run.world, deform, work, &exec).0
         };
         let kept = highest(&run);
         // As after a restart: nothing is known.

@@ -2,7 +2,6 @@
 
 use riprap::Vec3;
 use riprap::exec::Exec;
-use riprap::spatial::deform::fracture;
 use riprap::spatial::deform::phase::{self, Rules};
 use riprap::spatial::deform::relax::Relaxation;
 use riprap::spatial::setup::deform::{
@@ -10,6 +9,7 @@ use riprap::spatial::setup::deform::{
 };
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 use riprap::spatial::stable::stable_step;
+use riprap::spatial::topology::fracture;
 
 use crate::spatial::rock::{Run, brick, elastic, lattice, rock};
 

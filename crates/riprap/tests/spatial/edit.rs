@@ -1,12 +1,13 @@
 //! Splitting and removing blocks during a run: what stays, what follows, what is booked.
 
 use riprap::Vec3;
-use riprap::spatial::edit::{self, EditKind};
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, Criterion, During, FaceSet, Failure, InSitu, JointLaw, Kinematics,
     Points, Refinement, Region, Setup,
 };
 use riprap::spatial::step::advance;
+use riprap::spatial::topology;
+use riprap::spatial::topology::EditKind;
 use riprap::spatial::world::flag;
 
 use crate::spatial::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
@@ -14,7 +15,7 @@ use crate::spatial::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
 const DT: f64 = 0.1 * 0.6325 * 0.25 / CP;
 
 fn split(run: &mut Run, blocks: &[u32], dt: f64) {
-    edit::split(&mut run.world, &mut run.scratch, blocks, &run.damping.clone(), dt)
+    topology::split(&mut run.world, &mut run.scratch, blocks, &run.damping.clone(), dt)
         .expect("the split is exact");
 }
 
@@ -216,7 +217,7 @@ fn blocks_above_a_limit_are_split_and_reported() {
         for _ in 0..60 {
             run.evaluate(DT);
             let damping = run.damping;
-            count += edit::refine_running(&mut run.world, &mut run.scratch, &damping, DT)
+            count += topology::refine_running(&mut run.world, &mut run.scratch, &damping, DT)
                 .expect("an exact edit");
             advance(&mut run.world, &mut run.scratch, DT);
         }
@@ -250,7 +251,7 @@ fn a_removed_block_bares_the_faces_around_it() {
     let faces = run.world.faces.len();
     let residual = run.balance().residual();
     let damping = run.damping;
-    edit::remove(&mut run.world, &mut run.scratch, &[17], &damping, DT).expect("finite forces");
+    topology::remove(&mut run.world, &mut run.scratch, &[17], &damping, DT).expect("finite forces");
     // A lattice of 4 x 3 x 3 whose block 17 = (1, 1, 1) has six neighbours.
     assert_eq!(run.world.faces.len(), faces + 6);
     assert_eq!(run.world.patches.len(), 3 * 36 - (9 + 12 + 12) - 6);

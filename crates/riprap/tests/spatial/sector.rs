@@ -6,7 +6,7 @@
 
 use riprap::Vec3;
 use riprap::dynamics::TimeFunction;
-use riprap::spatial::cavity;
+use riprap::spatial::charge;
 use riprap::spatial::setup::{
     BlockSpec, Boundary, BoundaryKind, CavityPressure, Coupling, FaceSet, JointLaw, Place, Setup,
     Shape, Solid, Source,
@@ -152,7 +152,7 @@ fn gas_in_a_spherical_cavity_comes_to_its_plateau() {
     let c_p = (14.4e9 / DENSITY).sqrt();
     let (mut first, mut top) = (0.0f64, 0.0f64);
     while run.world.time < 1e-3 {
-        let dt = stable.min(cavity::step_limit(&run.world));
+        let dt = stable.min(charge::step_limit(&run.world));
         run.evaluate(dt);
         advance(&mut run.world, &mut run.scratch, dt);
         if run.world.time < 1e-6 {

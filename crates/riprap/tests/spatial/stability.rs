@@ -1,9 +1,9 @@
 //! The stable step with dashpots.
 
 use riprap::Vec3;
-use riprap::spatial::edit::renew_laws;
 use riprap::spatial::setup::{BlockSpec, JointLaw, Motion, Stiffness, Support};
 use riprap::spatial::stable::stable_step;
+use riprap::spatial::topology::renew_laws;
 
 use crate::spatial::rock::{CP, Run, brick, elastic, rock};
 

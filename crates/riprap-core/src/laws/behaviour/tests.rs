@@ -15,20 +15,20 @@ fn strength() -> Strength {
     }
 }
 
-fn softening() -> Behaviour {
-    Behaviour {
+fn softening() -> JointModel {
+    JointModel {
         weakening: Weakening::Softening(Softening { slip: 1e-3, opening: 1e-4, curve: None }),
         closure: Closure::Linear,
     }
 }
 
-fn rough(peak_slip: Option<f64>) -> (Strength, Behaviour) {
+fn rough(peak_slip: Option<f64>) -> (Strength, JointModel) {
     let strength = Strength {
         residual_friction: libm::tan(28f64.to_radians()),
         friction: libm::tan(28f64.to_radians()),
         ..Strength::default()
     };
-    let behaviour = Behaviour {
+    let behaviour = JointModel {
         weakening: Weakening::BartonBandis(BartonBandis {
             jrc: 10.0,
             jcs: 100e6,
@@ -123,7 +123,7 @@ fn cohesion_and_friction_go_linearly_to_their_residuals() {
 #[test]
 fn joints_soften_along_a_curve() {
     let curve = Curve::new(&[[0.0, 1.0], [0.2, 0.3], [0.6, 0.25], [1.0, 0.0]]).unwrap();
-    let behaviour = Behaviour {
+    let behaviour = JointModel {
         weakening: Weakening::Softening(Softening {
             slip: 1e-3,
             opening: 1e-4,
@@ -236,7 +236,7 @@ fn a_rough_joint_follows_its_curve_and_dilates() {
 fn dilation_ends_and_goes_back() {
     let strength =
         Strength { dilation: 0.2, dilation_end: 1e-3, cohesion: 0.0, tension: 0.0, ..strength() };
-    let behaviour = Behaviour::default();
+    let behaviour = JointModel::default();
     let law = Law::new(Some(&strength), &behaviour, SPRINGS);
     let there = (0..=3000).map(|k| [-1e-5, 1e-6 * f64::from(k), 0.0]);
     let back = (0..=3000).map(|k| [-1e-5, 3e-3 - 1e-6 * f64::from(k), 0.0]);
@@ -259,14 +259,14 @@ fn dilation_ends_and_goes_back() {
 #[test]
 fn reduced_laws_slide_at_their_reduced_strength_and_make_no_energy() {
     let steep = Strength { dilation: 0.45, dilation_end: 1.0, ..strength() };
-    let closes = Behaviour {
+    let closes = JointModel {
         closure: Closure::Hyperbolic { limit: 1e-3, stiffest: 25.0 },
-        ..Behaviour::default()
+        ..JointModel::default()
     };
     let laws = [
         (strength(), softening()),
         (steep, softening()),
-        (steep, Behaviour::default()),
+        (steep, JointModel::default()),
         (steep, closes),
         rough(None),
         rough(Some(1e-3)),
@@ -305,7 +305,7 @@ fn reduced_laws_slide_at_their_reduced_strength_and_make_no_energy() {
         residual_cohesion: 0.0,
         ..steep
     };
-    let plain = Behaviour::default();
+    let plain = JointModel::default();
     let sheared = shear(&Law::new(Some(&smooth), &plain, SPRINGS), &straight(-1e-4, 4e-3));
     let Loss { friction, fracture } = sheared.loss;
     assert!(friction.abs() + fracture.abs() < 1e-6 * 1e4, "{friction} {fracture}");
@@ -335,7 +335,7 @@ fn closure_follows_the_hyperbola_and_stores_its_integral() {
 #[test]
 fn a_law_without_anything_of_this_is_the_plain_one() {
     use super::super::face_joint;
-    let (strength, behaviour) = (strength(), Behaviour::default());
+    let (strength, behaviour) = (strength(), JointModel::default());
     assert!(behaviour.is_plain() && !softening().is_plain());
     let law = Law::new(Some(&strength), &behaviour, SPRINGS);
     let wave = |k: usize, f: f64, a: f64| a * libm::sin(f * k as f64);

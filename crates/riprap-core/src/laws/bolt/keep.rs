@@ -76,7 +76,7 @@ fn in_series(bars: &[Bar]) -> Bar {
 
 /// What the solution of one bolt works with.
 #[derive(Clone, Debug, Default)]
-pub struct Desk {
+pub struct BoltScratch {
     /// Room and factors for the chain.
     pub factors: Factors,
     /// Bars whose ends can part.
@@ -89,7 +89,7 @@ pub struct Desk {
     pub sheared: f64,
 }
 
-impl Desk {
+impl BoltScratch {
     /// Room for a chain; `stretches` says whether the rock at the ends of a bar can part.
     #[must_use]
     pub fn new(chain: &Chain, stretches: impl Fn(usize) -> bool) -> Self {
@@ -126,7 +126,7 @@ pub struct Toll {
 
 impl Toll {
     /// Adds what the last step of a bolt has cost; gives the energy it has lost, J.
-    pub fn add(&mut self, desk: &Desk) -> f64 {
+    pub fn add(&mut self, desk: &BoltScratch) -> f64 {
         let lost = desk.losses.all() + desk.sheared;
         self.lost += lost;
         self.breaks += desk.losses.breaks as u32;

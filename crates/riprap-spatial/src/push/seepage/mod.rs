@@ -9,7 +9,7 @@ mod network;
 
 use riprap_geom::Vec3;
 
-use crate::found::shape::Pose;
+use crate::kernel::shape::Pose;
 use crate::laws::seepage::{FOUND, Network, Pipe, Steady};
 use crate::laws::water::{WaterTable, pressed_where_positive};
 use crate::push::water;

@@ -17,12 +17,12 @@ use std::f64::consts::PI;
 use riprap_geom::polyhedron::area_vector;
 use riprap_geom::{Vec2, Vec3};
 
-use crate::build::GAP;
+use crate::faces::overlap;
+use crate::faces::overlap::GAP;
+use crate::faces::region::Extent;
 use crate::laws::seepage::sheet::{Rim, sheet};
 use crate::laws::seepage::{Curtain, Edge, Steady};
 use crate::laws::water::WaterTable;
-use crate::overlap;
-use crate::region::Extent;
 use crate::state::lineage::Origin;
 use crate::state::seepage::{Bare, Joint, Node, Seepage};
 use crate::state::world::World;

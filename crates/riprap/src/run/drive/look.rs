@@ -6,7 +6,7 @@ use super::Control;
 use crate::run::simulation::Simulation;
 
 /// Time between two looks.
-const LOOK: Duration = Duration::from_millis(100);
+const CHECK_INTERVAL: Duration = Duration::from_millis(100);
 /// Share of the wall time that measuring for a display, and saving by the clock, may take: one part in this many.
 const SHARE: u32 = 100;
 /// Most steps between two questions to the clock of the operating system, so that a run is stopped soon even where
@@ -173,7 +173,7 @@ impl Clock {
             return false;
         }
         let spent = self.last.elapsed();
-        if spent < LOOK && self.rate > 0.0 {
+        if spent < CHECK_INTERVAL && self.rate > 0.0 {
             // Asked too early: steps are faster than they were, and the clock is asked less often.
             self.stride = (self.stride * 2).min(STRIDE);
             self.next = step + self.stride;
@@ -197,7 +197,7 @@ impl Clock {
         let step = simulation.steps();
         // An eighth of the steps of a pause: so a look is late by about that
         // much of it, if all at once steps take longer.
-        self.stride = ((self.rate * LOOK.as_secs_f64() / 8.0) as u64).clamp(1, STRIDE);
+        self.stride = ((self.rate * CHECK_INTERVAL.as_secs_f64() / 8.0) as u64).clamp(1, STRIDE);
         self.next = step + self.stride;
         self.last = Instant::now();
         self.step = step;

@@ -56,13 +56,13 @@ pub(super) fn spatial(
     use spatial::setup::Motion;
     // Before anything else: its pairs are those of the last evaluation.
     if !phase.joints.is_empty() {
-        spatial::contacts::change_laws(world, scratch, |world| {
+        spatial::change_laws(world, scratch, |world| {
             for (row, law) in &phase.joints {
                 world.setup.interfaces[*row as usize].joint = *law;
             }
         });
     }
-    spatial::edit::take_out(world, &phase.remove);
+    spatial::topology::take_out(world, &phase.remove);
     for &b in &phase.fix {
         world.motion[b as usize] =
             Some(Box::new(Motion::Fixed { translation: [true; 3], rotation: [true; 3] }));
@@ -75,10 +75,10 @@ pub(super) fn spatial(
         world.seepage = None;
     }
     if let Some(reduction) = &phase.reduction {
-        spatial::edit::reduce_strengths(world, &reduction.rows, reduction.factor);
+        spatial::topology::reduce_strengths(world, &reduction.rows, reduction.factor);
     }
     if !phase.joints.is_empty() {
-        spatial::edit::renew_laws(world);
+        spatial::topology::renew_laws(world);
     }
     if phase.zero_velocities {
         world.halt();
@@ -94,7 +94,7 @@ pub(super) fn spatial(
         spatial::deform::phase::relax_by(world, relax.relaxation);
     }
     let cut = phase.deform.and_then(|d| d.cut);
-    spatial::deform::cut::allow(world, cut.as_ref());
-    spatial::bolts::follow::follow(world);
+    spatial::topology::cut::allow(world, cut.as_ref());
+    spatial::topology::bolts::follow(world);
     spatial::bolts::install::install(world, &phase.install)
 }

@@ -1,8 +1,8 @@
 //! What happened in an engine, in the words of `events.jsonl` and of the manifest.
 
 use crate::record::manifest::{Place as Spot, Source};
-use crate::spatial::edit::EditKind;
 use crate::spatial::setup::{CavityPressure, Place};
+use crate::spatial::topology::EditKind;
 use crate::{Vec3, planar, spatial};
 
 /// Joints that have broken since the last look.
@@ -26,7 +26,7 @@ pub(super) fn planar_events(v: &planar::view::View<'_>) -> Vec<serde_json::Value
 }
 
 /// A cavity as the manifest lists it, global coordinates.
-pub(super) fn source(v: &spatial::view::View<'_>, cavity: &spatial::cavity::Cavity) -> Source {
+pub(super) fn source(v: &spatial::view::View<'_>, cavity: &spatial::charge::Cavity) -> Source {
     let setup = &v.world.setup;
     let source = &setup.sources[cavity.source as usize];
     let global = |p: Vec3| (p + setup.origin).to_array();
@@ -70,7 +70,7 @@ pub(super) fn break_event(
 /// A block split, cut or removed, a charge fired or vented.
 pub(super) fn spatial_event(
     v: &spatial::view::View<'_>,
-    event: &spatial::edit::EditEvent,
+    event: &spatial::topology::EditEvent,
 ) -> serde_json::Value {
     let (step, time) = (event.step, event.time);
     let source = || {

@@ -12,7 +12,7 @@ use crate::record::frame::states;
 use crate::record::frame::{Frame, Surfaces};
 use crate::record::manifest::{Source, Work};
 use crate::record::names::Names;
-use crate::spatial::found::desk::Deepest;
+use crate::spatial::Deepest;
 use crate::{planar, spatial};
 
 /// A bolt that has been drawn out.

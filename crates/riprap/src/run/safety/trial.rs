@@ -11,7 +11,7 @@ use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot, St
 use crate::setup::Setup;
 
 /// Steps between two looks at a trial.
-const LOOK: u64 = 50;
+const CHECK_INTERVAL: u64 = 50;
 /// The same for blocks that are not where they were any more: what comes to rest then has not stood.
 const FAR: f64 = 0.1;
 
@@ -140,7 +140,7 @@ impl Maker<'_> {
                     continue;
                 }
             }
-            if (simulation.steps() - begin).is_multiple_of(LOOK) {
+            if (simulation.steps() - begin).is_multiple_of(CHECK_INTERVAL) {
                 if (self.stop)() {
                     return Err(SafetyError::Stopped);
                 }
@@ -168,7 +168,7 @@ impl Maker<'_> {
         let mut watch: Option<Watch> = None;
         let (mut of_phase, mut begin) = (usize::MAX, 0);
         loop {
-            match simulation.advance(LOOK) {
+            match simulation.advance(CHECK_INTERVAL) {
                 Ok(Reached::End) => return Ok(Some(before)),
                 Ok(Reached::Asked) => {}
                 Err(why) => {

@@ -74,7 +74,7 @@ pub(super) fn of_functions(simulation: &Simulation) -> Option<Cause> {
 }
 
 /// The first function that is no number about now.
-fn blamed(simulation: &Simulation, courses: &[Course<'_>]) -> Option<Cause> {
+fn blamed(simulation: &Simulation, courses: &[TimeDependentInput<'_>]) -> Option<Cause> {
     let (now, dt) = (simulation.time(), simulation.dt());
     // Loads are asked for at whole steps and prescribed motions at half
     // steps, of the step before and of the coming one.
@@ -84,7 +84,7 @@ fn blamed(simulation: &Simulation, courses: &[Course<'_>]) -> Option<Cause> {
 }
 
 /// Something that a scene gives as a function of time.
-struct Course<'a> {
+struct TimeDependentInput<'a> {
     /// What all of its kind are called.
     kind: &'static str,
     /// What it is, with its name.
@@ -96,7 +96,7 @@ struct Course<'a> {
     places: Vec<[f64; 3]>,
 }
 
-impl<'a> Course<'a> {
+impl<'a> TimeDependentInput<'a> {
     fn new(kind: &'static str, what: String, function: &'a TimeFunction) -> Self {
         Self { kind, what, function, since: 0.0, places: Vec::new() }
     }
@@ -113,11 +113,11 @@ impl<'a> Course<'a> {
 }
 
 /// All functions of time of a model, those of a block first.
-fn courses<'a>(view: &View<'a>, block: u32) -> Vec<Course<'a>> {
+fn courses<'a>(view: &View<'a>, block: u32) -> Vec<TimeDependentInput<'a>> {
     let blocks = view.all_blocks();
-    let of = |b: usize, whose: &str| -> Vec<Course<'a>> {
+    let of = |b: usize, whose: &str| -> Vec<TimeDependentInput<'a>> {
         let course = |(what, f): (String, &'a TimeFunction)| {
-            Course::new("prescribed motions", format!("{whose} {what}"), f)
+            TimeDependentInput::new("prescribed motions", format!("{whose} {what}"), f)
         };
         prescribed(view, b).into_iter().map(course).collect()
     };
@@ -205,7 +205,7 @@ fn prescribed<'a>(view: &View<'a>, b: usize) -> Vec<(String, &'a TimeFunction)> 
 }
 
 /// Loads: the blocks they act on, and their course in time.
-fn loads<'a>(view: &View<'a>) -> Vec<(&'a [u32], Course<'a>)> {
+fn loads<'a>(view: &View<'a>) -> Vec<(&'a [u32], TimeDependentInput<'a>)> {
     let what = |accounts: &[Condition], account: Option<u16>| {
         let condition = account.and_then(|k| accounts.get(usize::from(k)));
         match condition {
@@ -220,7 +220,7 @@ fn loads<'a>(view: &View<'a>) -> Vec<(&'a [u32], Course<'a>)> {
             let setup = &v.world.setup;
             let course = |load: &'a planar::setup::Load| {
                 let what = what(&setup.accounts, load.account);
-                (&load.blocks[..], Course::new("loads", what, &load.time))
+                (&load.blocks[..], TimeDependentInput::new("loads", what, &load.time))
             };
             setup.loads.iter().map(course).collect()
         }
@@ -228,7 +228,7 @@ fn loads<'a>(view: &View<'a>) -> Vec<(&'a [u32], Course<'a>)> {
             let setup = &v.world.setup;
             let course = |load: &'a spatial::setup::Load| {
                 let what = what(&setup.accounts, load.account);
-                (&load.blocks[..], Course::new("loads", what, &load.time))
+                (&load.blocks[..], TimeDependentInput::new("loads", what, &load.time))
             };
             setup.loads.iter().map(course).collect()
         }
@@ -236,7 +236,7 @@ fn loads<'a>(view: &View<'a>) -> Vec<(&'a [u32], Course<'a>)> {
 }
 
 /// Pressures, tractions and velocities of faces.
-fn boundaries(world: &spatial::world::World) -> Vec<Course<'_>> {
+fn boundaries(world: &spatial::world::World) -> Vec<TimeDependentInput<'_>> {
     use spatial::setup::BoundaryKind;
     let mut found = Vec::new();
     for (number, boundary) in world.setup.boundaries.iter().enumerate() {
@@ -245,7 +245,7 @@ fn boundaries(world: &spatial::world::World) -> Vec<Course<'_>> {
             BoundaryKind::Traction { traction, time, .. } => {
                 let key = if *traction == Vec3::ZERO { "pressure" } else { "traction" };
                 let what = format!("the boundary `{name}` (`boundaries.*.{key}.time`)");
-                found.push(Course::new("boundaries", what, time));
+                found.push(TimeDependentInput::new("boundaries", what, time));
             }
             BoundaryKind::Moved { velocity } => {
                 let faces = (world.faces.iter())
@@ -263,9 +263,9 @@ fn boundaries(world: &spatial::world::World) -> Vec<Course<'_>> {
                 for (axis, f) in AXES.iter().zip(velocity) {
                     let Some(f) = f else { continue };
                     let what = format!("the boundary `{name}`, its velocity {axis}");
-                    found.push(Course {
+                    found.push(TimeDependentInput {
                         places: places.clone(),
-                        ..Course::new("boundaries", what, f)
+                        ..TimeDependentInput::new("boundaries", what, f)
                     });
                 }
             }
@@ -276,7 +276,7 @@ fn boundaries(world: &spatial::world::World) -> Vec<Course<'_>> {
 }
 
 /// Velocities of nodes of deformable blocks, whatever prescribes them.
-fn nodes(world: &spatial::world::World) -> Vec<Course<'_>> {
+fn nodes(world: &spatial::world::World) -> Vec<TimeDependentInput<'_>> {
     let Some(deform) = world.deform.as_deref() else {
         return Vec::new();
     };
@@ -291,9 +291,9 @@ fn nodes(world: &spatial::world::World) -> Vec<Course<'_>> {
                 }
                 None => "the prescribed velocity of a node".to_owned(),
             };
-            found.push(Course {
+            found.push(TimeDependentInput {
                 places: vec![place.to_array()],
-                ..Course::new("driven nodes", what, f)
+                ..TimeDependentInput::new("driven nodes", what, f)
             });
         }
     }
@@ -301,14 +301,17 @@ fn nodes(world: &spatial::world::World) -> Vec<Course<'_>> {
 }
 
 /// Pressures inside the rock that have begun.
-fn sources(world: &spatial::world::World) -> Vec<Course<'_>> {
+fn sources(world: &spatial::world::World) -> Vec<TimeDependentInput<'_>> {
     use spatial::setup::CavityPressure;
     let mut found = Vec::new();
     for cavity in &world.cavities {
         let source = &world.setup.sources[usize::from(cavity.source)];
         if let (CavityPressure::Pressure { time }, Some(since)) = (&source.push, cavity.ignited) {
             let what = format!("the source `{}` (`sources.*.pressure`)", source.name);
-            found.push(Course { since, ..Course::new("sources", what, time) });
+            found.push(TimeDependentInput {
+                since,
+                ..TimeDependentInput::new("sources", what, time)
+            });
         }
     }
     found

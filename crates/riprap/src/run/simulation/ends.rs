@@ -115,7 +115,7 @@ impl Simulation {
 
     /// Deformable blocks that should be cut and cannot, in words.
     fn left_whole(&self) -> Option<String> {
-        let left = crate::spatial::deform::cut::crooked(&self.view().spatial()?);
+        let left = crate::spatial::topology::cut::crooked(&self.view().spatial()?);
         (left > 0).then(|| {
             format!(
                 "{left} blocks meet the criterion of cutting and stay whole: an earlier cut has left their faces crooked, so that parts would have another \

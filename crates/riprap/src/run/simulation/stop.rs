@@ -7,8 +7,9 @@ use crate::ledger::{COLUMNS, Unexplained};
 use crate::plan::{PhaseKind, Relaxing};
 use crate::planar::setup::NormalLaw;
 use crate::run::engine::View;
-use crate::spatial::found::desk::{Deepest, Pressed};
-use crate::spatial::found::limits::{self, Depth};
+use crate::spatial::limits;
+use crate::spatial::limits::Depth;
+use crate::spatial::{Deepest, Pressed};
 
 /// Overlap over the smaller inscribed radius at which a run is stopped: beyond 1 blocks pass through.
 const WORST_OVERLAP: f64 = 0.5;
@@ -16,7 +17,7 @@ const WORST_OVERLAP: f64 = 0.5;
 /// come out on the far side of another one between looks that only steps bring about.
 const CROSSED: f64 = 0.2;
 /// Steps between two looks at guards and at costly stop criteria.
-const LOOK: u64 = 50;
+const CHECK_INTERVAL: u64 = 50;
 /// Steps between two drawings of the ledger: one costs as much as some steps.
 const LEDGER: u64 = 1000;
 /// Residual over the largest energy that moved from which on a run is warned of.
@@ -65,7 +66,7 @@ impl Simulation {
         }
         // Not at its first state: the phase before may have left that in balance, and what this one changes has had no step
         // to act.
-        let settled = steps > 0 && steps.is_multiple_of(LOOK);
+        let settled = steps > 0 && steps.is_multiple_of(CHECK_INTERVAL);
         let ramped = phase.ramp.is_none_or(|ramp| elapsed >= ramp);
         if !settled || !ramped {
             return None;
@@ -128,7 +129,7 @@ impl Simulation {
         let step = self.steps();
         self.look_at_depth()?;
         self.look_at_seepage()?;
-        let due = over || due(step, LOOK, 2);
+        let due = over || due(step, CHECK_INTERVAL, 2);
         if due || self.cursor.crossed >= CROSSED {
             // Every look counts, whatever it was due for: the way is that since the last one.
             self.cursor.crossed = 0.0;
@@ -252,7 +253,7 @@ impl Simulation {
         if !ratio.is_finite() {
             return Err(self.not_finite(i, &how_deep(&view.name(j))));
         }
-        let given = step < LOOK && self.cursor.overlap_at_start > WORST_OVERLAP;
+        let given = step < CHECK_INTERVAL && self.cursor.overlap_at_start > WORST_OVERLAP;
         if step > 0 && ratio > WORST_OVERLAP && !given {
             return Err(RunError::Overlap {
                 first: view.name(i),
@@ -273,7 +274,7 @@ impl Simulation {
     /// steps to come to itself.
     fn look_at_motion(&self) -> Result<(), RunError> {
         let (step, time) = (self.steps(), self.time());
-        let judged = step >= LOOK;
+        let judged = step >= CHECK_INTERVAL;
         let view = self.view();
         let kinetic = view.kinetic();
         if !kinetic.is_finite() {

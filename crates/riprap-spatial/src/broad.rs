@@ -1,0 +1,3 @@
+//! Broad phase: which pairs of blocks may touch, and with which of their faces.
+
+pub(crate) mod search;

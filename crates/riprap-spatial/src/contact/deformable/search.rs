@@ -1,0 +1,497 @@
+//! Who can touch before the next look: the list of pairs, a function of the state of the last look.
+//!
+//! Blocks of the largest lattice whose joints and bonds are whole are targets, and two targets never make a pair; all others are seekers.
+//! A look is due when a point of a block will have left the block's margin by the end of the coming step. Terrain is met by seekers and
+//! targets alike; it has a member of its own for each block that is near it, with the prisms below that block's box.
+
+use std::collections::BTreeMap;
+
+use riprap_core::sets::Sets;
+use riprap_geom::polyhedron::{DepthCells, Tetrahedra};
+use riprap_geom::{Mat3, Vec3};
+
+use crate::broad::search::path_bound;
+use crate::deform::relax;
+use crate::exec::{CHUNK, Exec, piece};
+use crate::faces::deformable::centred;
+use crate::kernel::Terrain;
+use crate::kernel::cells::{
+    Member, PairConstants, PairSlot, PairWorkspace, TetContactScratch, TetFan,
+};
+use crate::kernel::grid::{Box3, Role};
+use crate::state::contact_scratch::TerrainDesk;
+use crate::state::deform::Deform;
+use crate::state::deformable::{DeformablePair, DeformableSearch};
+use crate::state::event::EditKind;
+use crate::state::patches::flag;
+use crate::state::scratch::Scratch;
+use crate::state::workspace::{BlockClass, Workspace};
+use crate::state::world::World;
+
+/// Margin of a block over its size (the smaller of its radius and twice the median radius).
+const MARGIN: f64 = 0.04;
+/// Margin of the fastest blocks over their size.
+const FAST_MARGIN: f64 = 0.4;
+/// Way in steps of the present length that margins are made for.
+const LOOKAHEAD: f64 = 50.0;
+/// Largest sum of magnitudes in a row of a spring that is as stiff in all directions, or across only: between 1 and root 3.
+const ROWS: f64 = 1.7321;
+
+/// Brings the list of pairs up to date; whether there is any. Calling it again without moving changes nothing.
+pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
+    if !world.setup.found_contacts || world.deform.is_none() {
+        return false;
+    }
+    let known = world.found.deformable.roles.len() == world.alive.len();
+    let look = world.pending > 0.0 && world.step.is_multiple_of(super::CHECK_INTERVAL);
+    let mut renew = false;
+    if !known || world.fresh || look {
+        let roles = roles(world);
+        renew = roles != world.found.deformable.roles;
+        world.found.deformable.roles = roles;
+    }
+    if world.fresh {
+        scratch.deformable.ready = false;
+    }
+    if !world.found.deformable.roles.contains(&Role::Active) && !world.has_terrain() {
+        if !world.found.deformable.pairs.is_empty() {
+            super::leave(world, scratch);
+        }
+        world.found.deformable.longest_step = Some(f64::INFINITY);
+        return false;
+    }
+    renew |= outdated(world, &mut scratch.deformable.outside, scratch.coming_dt, &scratch.exec);
+    if renew {
+        take_over(world);
+        scratch.deformable.ready = false;
+    }
+    if !scratch.deformable.ready {
+        rebuild(world, scratch, renew);
+        if renew {
+            note_left(world, &scratch.desk.terrain.grounds);
+        }
+    }
+    world.found.deformable.longest_step = Some(f64::INFINITY);
+    !world.found.deformable.pairs.is_empty()
+}
+
+/// Who can meet whom.
+fn roles(world: &World) -> Vec<Role> {
+    let n = world.alive.len();
+    let Some(deform) = world.deform.as_deref() else {
+        return vec![Role::Absent; n];
+    };
+    let mut sets = Sets::new(n);
+    let mut torn: Vec<[u32; 2]> = Vec::new();
+    let patches = &world.patches;
+    for (&ends, flags) in patches.ends.iter().zip(&patches.flags) {
+        sets.join(ends);
+        if flags & flag::BROKEN != 0 {
+            torn.push(ends);
+        }
+    }
+    for (facet, has_history) in deform.facets.iter().zip(&deform.has_history) {
+        if facet.parted {
+            torn.push(facet.blocks);
+            continue;
+        }
+        sets.join(facet.blocks);
+        let memory = &deform.memory[facet.points()];
+        if *has_history && memory.iter().any(|m| m.state.is_broken()) {
+            torn.push(facet.blocks);
+        }
+    }
+    let mut whole = vec![true; n];
+    for b in torn.into_iter().flatten() {
+        whole[b as usize] = false;
+    }
+    let lattice = sets.largest(|b| world.alive[b]);
+    let lattice = lattice.filter(|(_, members)| *members > 1).map(|(leader, _)| leader);
+    let role = |b: usize| {
+        if !world.alive[b] || world.is_terrain(b) {
+            Role::Absent
+        } else if whole[b] && lattice == Some(sets.leader(b as u32)) {
+            Role::Passive
+        } else {
+            Role::Active
+        }
+    };
+    (0..n).map(role).collect()
+}
+
+/// Whether a point of a block will have left the margin of its block by the end of the coming step.
+fn outdated(world: &World, outside: &mut Vec<bool>, dt: f64, exec: &Exec) -> bool {
+    let (deformable, count) = (&world.found.deformable, world.alive.len());
+    let Some(deform) = world.deform.as_deref() else {
+        return false;
+    };
+    let search = &deformable.search;
+    if search.margins.len() != count || search.displacement.len() != deform.nodes.len() {
+        return true;
+    }
+    let leaves = |b: usize| {
+        let margin = search.margins[b];
+        let beyond = |way: f64| way > margin || way.is_nan();
+        match deform.body(b) {
+            Some(body) => body.nodes().any(|n| {
+                let now = Vec3::from_array(deform.nodes.displacement[n]);
+                let velocity = Vec3::from_array(deform.nodes.velocity[n]);
+                let then = Vec3::from_array(search.displacement[n]);
+                beyond((now - then).length() + dt * velocity.length())
+            }),
+            None => {
+                let radius = world.solid_of(b).radius;
+                let way = path_bound(&search.poses[b], &world.pose(b), radius);
+                beyond(way + dt * speed(world, b))
+            }
+        }
+    };
+    outside.clear();
+    outside.resize(count.div_ceil(CHUNK), false);
+    exec.ranges(count, outside, |mut range, outside| {
+        *outside = range.any(|b| deformable.roles[b] != Role::Absent && leaves(b));
+    });
+    outside.contains(&true)
+}
+
+/// Bound of the speed of the points of a rigid block, m/s.
+pub(super) fn speed(world: &World, b: usize) -> f64 {
+    world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
+}
+
+/// Largest speed of the points of a block, m/s.
+pub(super) fn fastest(world: &World, deform: &Deform, b: usize) -> f64 {
+    match deform.body(b) {
+        Some(body) => deform.nodes.velocity[body.nodes()]
+            .iter()
+            .map(|v| Vec3::from_array(*v).length())
+            .fold(0.0, f64::max),
+        None => speed(world, b),
+    }
+}
+
+/// Takes over where everything is now.
+fn take_over(world: &mut World) {
+    let Some(deform) = world.deform.as_deref() else {
+        return;
+    };
+    let roles = &world.found.deformable.roles;
+    let there = |b: &usize| roles[*b] != Role::Absent;
+    let count = world.alive.len();
+    let mut radii: Vec<f64> = (0..count).filter(there).map(|b| world.solid_of(b).radius).collect();
+    let middle = radii.len() / 2;
+    let median = if radii.is_empty() {
+        0.0
+    } else {
+        *radii.select_nth_unstable_by(middle, f64::total_cmp).1
+    };
+    let lookahead = LOOKAHEAD * world.last_dt;
+    let margin = |b: usize| {
+        let size = world.solid_of(b).radius.min(2.0 * median);
+        (fastest(world, deform, b) * lookahead).min(FAST_MARGIN * size).max(MARGIN * size)
+    };
+    let search = DeformableSearch {
+        displacement: deform.nodes.displacement.clone(),
+        poses: (0..count).map(|b| world.pose(b)).collect(),
+        margins: (0..count).map(margin).collect(),
+    };
+    world.found.deformable.search = search;
+}
+
+/// Box of a block at the last look, grown by its margin.
+fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
+    let search = &world.found.deformable.search;
+    let mut around = Box3::EMPTY;
+    let mut add = |at: Vec3| {
+        around.low = around.low.min(at);
+        around.high = around.high.max(at);
+    };
+    match deform.body(b) {
+        Some(body) => {
+            for n in body.nodes() {
+                add(deform.nodes.place[n] + Vec3::from_array(search.displacement[n]));
+            }
+        }
+        None => {
+            let pose = &search.poses[b];
+            let turn = Mat3::from_quat(pose.rotation);
+            let half = world.solid_of(b).half;
+            let reach = turn.x_axis.abs() * half.x
+                + turn.y_axis.abs() * half.y
+                + turn.z_axis.abs() * half.z;
+            add(pose.position - reach);
+            add(pose.position + reach);
+        }
+    }
+    let margin = Vec3::splat(search.margins[b]);
+    Box3 { low: around.low - margin, high: around.high + margin }
+}
+
+/// Notes the blocks that have gone over the rim of all terrain since the last look.
+fn note_left(world: &mut World, grounds: &[Terrain]) {
+    if grounds.is_empty() {
+        return;
+    }
+    for b in 0..world.found.terrain.len() {
+        let Some(deform) = world.deform.as_deref() else {
+            return;
+        };
+        let Some(body) = deform.body(b).filter(|_| world.alive[b]) else {
+            continue;
+        };
+        let centre = (body.first + body.count - 1) as usize;
+        let at = deform.nodes.place[centre] + Vec3::from_array(deform.nodes.displacement[centre]);
+        let state = &mut world.found.terrain[b];
+        if !state.left && grounds.iter().all(|ground| ground.depth(at).is_none()) {
+            state.left = true;
+            let event = world.event(EditKind::LeftTerrain, b as u32);
+            world.events.push(event);
+        }
+    }
+}
+
+/// Makes the list of pairs of the state, and what follows from it.
+///
+/// `renewed`: the state of the last look has changed, so that the masses there are now are those before.
+fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
+    else {
+        return;
+    };
+    let desk = &mut scratch.deformable;
+    let terrain = &scratch.desk.terrain;
+    let roles = &world.found.deformable.roles;
+    desk.boxes.clear();
+    desk.boxes.extend((0..roles.len()).map(|b| match roles[b] {
+        Role::Absent => Box3::EMPTY,
+        Role::Passive | Role::Active => grown_box(world, deform, b),
+    }));
+    let facets = deform.facets.iter().filter(|f| !f.parted);
+    let ends = facets.map(|f| f.blocks).chain(world.patches.ends.iter().copied());
+    let mut joined: Vec<[u32; 2]> = ends.map(|[i, j]| [i.min(j), i.max(j)]).collect();
+    joined.sort_unstable();
+    let close = desk.grid.close_pairs(
+        &desk.boxes,
+        roles,
+        |i, j| {
+            let ends = [i, j].map(|b| b as usize);
+            ends.iter().all(|b| deform.body(*b).is_none())
+                || ends.iter().all(|b| !world.is_free(*b))
+                || joined.binary_search(&[i, j]).is_ok()
+        },
+        &scratch.exec,
+    );
+    let mut close = close.to_vec();
+    for (&ground, surface) in terrain.blocks.iter().zip(&terrain.grounds) {
+        let bodies = (0..roles.len()).filter(|b| deform.body(*b).is_some());
+        let over = bodies.filter(|b| roles[*b] != Role::Absent && surface.meets(&desk.boxes[*b]));
+        close.extend(over.map(|b| [ground.min(b as u32), ground.max(b as u32)]));
+    }
+    // Pairs of before are carried over by one walk through two lists in one order.
+    if !terrain.blocks.is_empty() {
+        close.sort_unstable();
+    }
+    let mut old = std::mem::take(&mut world.found.deformable.pairs).into_iter().peekable();
+    let mut pairs = Vec::with_capacity(close.len());
+    let works = &mut world.works;
+    let mut lost = |pair: DeformablePair| {
+        works.friction += pair.stored;
+        works.edit_defect -= pair.energy;
+    };
+    for ends in close {
+        while let Some(gone) = old.next_if(|pair| pair.ends < ends) {
+            lost(gone);
+        }
+        let fresh = DeformablePair { ends, ..DeformablePair::default() };
+        pairs.push(old.next_if(|pair| pair.ends == ends).unwrap_or(fresh));
+    }
+    old.for_each(lost);
+    world.found.deformable.pairs = pairs;
+    lay_out(world, work, desk, terrain);
+    if deform.relax.is_some() {
+        let masses = relax::masses(deform, &work.classes);
+        let before = std::mem::replace(&mut work.fictitious, masses);
+        weigh(deform, desk, &mut work.fictitious);
+        if renewed && world.start_energy.is_some() && before.len() == work.fictitious.len() {
+            // The same velocities are another energy of motion with other masses.
+            let masses = before.iter().zip(&work.fictitious);
+            let changes = masses
+                .zip(&deform.nodes.velocity)
+                .map(|((m, now), v)| 0.5 * (now - m) * Vec3::from_array(*v).length_squared());
+            world.works.edit_defect += changes.sum::<f64>();
+        }
+    }
+    // Rigid blocks that are no longer in a pair keep nothing of what pushed them.
+    scratch.pushes.own.blocks.clear();
+    scratch.tiles.make_rows(world);
+    scratch.deformable.ready = true;
+}
+
+/// What follows from the list of pairs.
+fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrain: &TerrainDesk) {
+    let Some(deform) = world.deform.as_deref() else {
+        return;
+    };
+    let pairs = &world.found.deformable.pairs;
+    let ground = |b: u32| terrain.blocks.binary_search(&b).ok();
+    let ends = pairs.iter().flat_map(|p| p.ends);
+    let mut blocks: Vec<u32> = ends.filter(|b| ground(*b).is_none()).collect();
+    blocks.sort_unstable();
+    blocks.dedup();
+    // Many blocks are of one class: what follows from it is found once.
+    let mut bounds: BTreeMap<u32, f64> = BTreeMap::new();
+    desk.members = blocks.iter().map(|b| member(world, deform, work, *b, &mut bounds)).collect();
+    desk.stars.clear();
+    desk.stars.resize_with(blocks.len(), TetFan::default);
+    let place = |b: u32| blocks.partition_point(|other| *other < b) as u32;
+    let (members, stars, boxes) = (&mut desk.members, &mut desk.stars, &desk.boxes);
+    desk.constants = pairs
+        .iter()
+        .map(|pair| {
+            let [i, j] = pair.ends;
+            let on = ground(i).map(|k| (k, 0)).or(ground(j).map(|k| (k, 1)));
+            let mut places = pair.ends.map(place);
+            if let Some((k, side)) = on {
+                let block = pair.ends[1 - side];
+                let over = &members[places[1 - side] as usize];
+                let ground = below(pair.ends[side], over);
+                places[side] = members.len() as u32;
+                members.push(ground);
+                stars.push(terrain.grounds[k].prisms(&boxes[block as usize]));
+            }
+            let two = places.map(|k| &members[k as usize]);
+            let peaks = two.map(|m| m.peak);
+            let rigid = two.map(|m| m.body.is_none());
+            // Looked at when the model was built; NaN would stop the run at once.
+            let halves = two.map(|m| m.half);
+            let law = super::between(&world.setup, pair.ends, rigid, halves).unwrap_or(
+                crate::kernel::ContactLaw {
+                    normal_stiffness: f64::NAN,
+                    shear_stiffness: f64::NAN,
+                    friction: 0.0,
+                    cohesion: 0.0,
+                    damping_ratio: 0.0,
+                },
+            );
+            PairConstants {
+                law,
+                members: places,
+                peak: peaks[0].min(peaks[1]),
+                ground: on.map(|(k, _)| k as u32),
+            }
+        })
+        .collect();
+    desk.slots.clear();
+    desk.slots.extend(desk.constants.iter().map(|c| {
+        let room = |k: u32| {
+            let body = members[k as usize].body;
+            let count = body.map_or(2, |k| deform.bodies[k as usize].count);
+            vec![Vec3::ZERO; count as usize]
+        };
+        PairSlot { forces: c.members.map(room), ..PairSlot::default() }
+    }));
+    desk.workspaces.resize_with(pairs.len().div_ceil(piece(pairs.len())), PairWorkspace::default);
+}
+
+/// Terrain under a block: it has no far side, and counts as deep as the block.
+fn below(terrain: u32, block: &Member) -> Member {
+    Member {
+        block: terrain,
+        body: None,
+        rigid: None,
+        half: block.half,
+        peak: block.peak,
+        largest: f64::INFINITY,
+        areas: Vec::new(),
+        ease: 0.0,
+        own: 0.0,
+    }
+}
+
+fn member(
+    world: &World,
+    deform: &Deform,
+    work: &Workspace,
+    block: u32,
+    bounds: &mut BTreeMap<u32, f64>,
+) -> Member {
+    let Some(body) = deform.body(block as usize) else {
+        let (solid, _) = centred(&world.setup.blocks[block as usize].shape);
+        let mesh = Tetrahedra::new(&solid).ok();
+        let half = mesh.as_ref().map_or(f64::NAN, Tetrahedra::height);
+        let rigid = mesh.map(|mesh| (DepthCells::new(&mesh), mesh.nodes));
+        let largest =
+            (0..solid.faces.len()).map(|f| solid.area_vector(f).length()).fold(0.0, f64::max);
+        return Member {
+            block,
+            body: None,
+            half,
+            peak: rigid.as_ref().map_or(f64::NAN, |r| r.0.peak()),
+            rigid,
+            largest,
+            areas: Vec::new(),
+            ease: world.freedoms(block as usize)[0].max_element()
+                / world.solid_of(block as usize).mass,
+            own: 0.0,
+        };
+    };
+    let class = work.class(body);
+    let (areas, largest) = shown(class);
+    let ratios = areas.iter().zip(class.masses()).map(|(a, m)| a / m);
+    let ease = ratios.fold(0.0, f64::max);
+    Member {
+        block,
+        body: Some(deform.slot[block as usize]),
+        rigid: None,
+        half: class.mesh.height(),
+        peak: class.depths().peak(),
+        largest,
+        areas,
+        ease,
+        own: *bounds.entry(body.class).or_insert_with(|| own_frequency(class)),
+    }
+}
+
+/// Area that each node stands for and that of the largest face, m².
+pub(crate) fn shown(class: &BlockClass) -> (Vec<f64>, f64) {
+    let mut areas = vec![0.0; class.mesh.nodes.len()];
+    let mut largest = 0.0_f64;
+    for face in 0..class.faces.len() {
+        let mut whole = 0.0;
+        for (node, area) in class.mesh.tributary(face) {
+            areas[node as usize] += area;
+            whole += area;
+        }
+        largest = largest.max(whole);
+    }
+    (areas, largest)
+}
+
+/// Bound of the square of the highest frequency of a block by itself (Gershgorin), 1/s².
+fn own_frequency(class: &BlockClass) -> f64 {
+    let sums = crate::laws::tetrahedron::row_sums(&class.mesh, &class.law);
+    let ratios = sums.iter().zip(class.masses()).map(|(sum, m)| sum / m);
+    ratios.fold(0.0, f64::max)
+}
+
+/// Adds to the fictitious masses of a relaxing phase (kg) what contacts ask for: as bonds of the same stiffness on all of the surface
+/// would, with the largest sum in a row of `kn n nᵀ + ks (1 - n nᵀ)`.
+fn weigh(deform: &Deform, desk: &TetContactScratch, fictitious: &mut [f64]) {
+    let mut stiffness = vec![0.0_f64; desk.members.len()];
+    for constants in &desk.constants {
+        let law = &constants.law;
+        for member in constants.members {
+            let most = &mut stiffness[member as usize];
+            *most = most.max(law.normal_stiffness.max(law.shear_stiffness));
+        }
+    }
+    for (member, stiffness) in desk.members.iter().zip(stiffness) {
+        let Some(body) = member.body else {
+            continue;
+        };
+        let nodes = deform.bodies[body as usize].nodes();
+        for (mass, area) in fictitious[nodes].iter_mut().zip(&member.areas) {
+            *mass += relax::MARGIN / 4.0 * 2.0 * ROWS * stiffness * area;
+        }
+    }
+}

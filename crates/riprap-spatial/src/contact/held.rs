@@ -1,0 +1,160 @@
+//! Pairs that the joints around them hold in place.
+//!
+//! In a lattice most pairs of blocks that are near each other share an edge or a corner only. While blocks that both of them
+//! are joined to hold them, small kinematics hold between them too: they overlap by a small share of their size, in a rim, and what they
+//! would exert there is nothing beside what their faces do. Such pairs are not looked at. Joints hold as long as they are there,
+//! broken or not: what slides, turns or opens beyond its bounds gives way ([`mod@super::release`]), and a pair is looked at from the instant
+//! on at which no chain of joints is left. It starts without force then ([`super::rebuild`]).
+
+use crate::contact::limit::facing;
+use crate::kernel::{Pose, Shape};
+use crate::state::world::World;
+
+/// Areas of faces on each other below this, over the largest one of the pair, are those of an edge.
+const RIM: f64 = 1e-6;
+
+/// Which blocks patches join.
+pub(super) struct Joints {
+    /// Where the partners of each block start in `partners`.
+    first: Vec<u32>,
+    /// Ascending for each block.
+    partners: Vec<u32>,
+}
+
+impl Joints {
+    /// Those that are there now.
+    pub(super) fn new(world: &World) -> Self {
+        let ends = &world.patches.ends;
+        let mut both: Vec<[u32; 2]> = ends.iter().flat_map(|&[i, j]| [[i, j], [j, i]]).collect();
+        both.sort_unstable();
+        both.dedup();
+        let mut first = vec![0u32; world.alive.len() + 1];
+        for [i, _] in &both {
+            first[*i as usize + 1] += 1;
+        }
+        for b in 1..first.len() {
+            first[b] += first[b - 1];
+        }
+        let partners = both.into_iter().map(|[_, j]| j).collect();
+        Self { first, partners }
+    }
+
+    fn of(&self, b: u32) -> &[u32] {
+        &self.partners[self.first[b as usize] as usize..self.first[b as usize + 1] as usize]
+    }
+
+    /// Whether a patch joins the two.
+    pub(super) fn joins(&self, i: u32, j: u32) -> bool {
+        self.of(i).binary_search(&j).is_ok()
+    }
+
+    /// Whether the two are joined by way of one block, as about an edge, or of two, as about a corner.
+    fn chained(&self, i: u32, j: u32) -> bool {
+        share(self.of(i), self.of(j)) || self.of(i).iter().any(|k| share(self.of(*k), self.of(j)))
+    }
+
+    /// Whether joints hold a pair that shares an edge or a corner at most: blocks that face each other across a gap can close it while
+    /// their joints hold.
+    pub(super) fn hold(&self, world: &World, shapes: &[Shape], [i, j]: [u32; 2]) -> bool {
+        if !self.chained(i, j) {
+            return false;
+        }
+        let ends = [i as usize, j as usize];
+        let pair = ends.map(|b| &shapes[world.solid[b] as usize]);
+        let start = ends.map(|b| Pose::at(world.reference[b]));
+        let largest = |s: &Shape| s.areas.iter().copied().fold(0.0, f64::max);
+        let rim = RIM * largest(pair[0]).min(largest(pair[1]));
+        let faces = pair.map(|shape| 0..shape.faces() as u16);
+        facing(pair, start, 0.0, faces).is_none_or(|facing| facing.area <= rim)
+    }
+}
+
+/// Whether two ascending lists have a number in common.
+fn share(a: &[u32], b: &[u32]) -> bool {
+    let (mut a, mut b) = (a.iter().peekable(), b.iter().peekable());
+    while let (Some(x), Some(y)) = (a.peek(), b.peek()) {
+        match x.cmp(y) {
+            std::cmp::Ordering::Less => a.next(),
+            std::cmp::Ordering::Greater => b.next(),
+            std::cmp::Ordering::Equal => return true,
+        };
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use riprap_geom::Vec3;
+
+    use crate::contact::release::release_pairs;
+    use crate::contact::tests::{Run, above_floor, brick};
+    use crate::state::patches::flag;
+
+    /// Four bricks of half a metre about an edge, in the air, joined without strength.
+    fn four() -> Run {
+        let at = |k: u32| [0.5 * f64::from(k % 2), 0.5 * f64::from(k / 2), 1.0];
+        let blocks = (0..4).map(|k| brick(at(k), [0.5; 3])).collect();
+        let mut setup = above_floor(blocks, 0.5, 0.0);
+        setup.gravity = Vec3::ZERO;
+        let mut run = Run::new(setup, 1, 1e-5);
+        assert_eq!(run.world.patches.len(), 4);
+        for flags in &mut run.world.patches.flags {
+            *flags |= flag::BROKEN;
+        }
+        run
+    }
+
+    #[test]
+    fn pairs_about_an_edge_are_no_candidates_while_joints_hold_them() {
+        let mut run = four();
+        run.until(1e-3);
+        assert_eq!(run.world.found.held, [[1, 4], [2, 3]]);
+        assert!(run.world.found.pairs.is_empty());
+    }
+
+    #[test]
+    fn a_pair_that_nothing_holds_any_more_starts_without_force() {
+        let mut run = four();
+        run.evaluate();
+        // The fourth moves onto the edge of the first, and lets go of its neighbours.
+        let depth = 1e-4;
+        for axis in [0, 1] {
+            run.world.bodies.displacement[axis][4] = -depth;
+        }
+        run.evaluate();
+        release_pairs(&mut run.world, &mut run.scratch, &[[2, 4], [3, 4]]);
+        run.evaluate();
+        assert_eq!(run.world.found.held, [[2, 3]]);
+        let pair = |run: &Run| {
+            let mut pairs = run.world.found.pairs.iter();
+            pairs.find(|pair| pair.ends == [1, 4]).cloned().unwrap()
+        };
+        let first = pair(&run);
+        assert!(first.depth > 0.9 * depth && first.offset.is_some(), "{first:?}");
+        assert!(first.force.length() < 1e-9, "{first:?}");
+        // Only what comes on top presses.
+        for axis in [0, 1] {
+            run.world.bodies.displacement[axis][4] = -2.0 * depth;
+        }
+        run.evaluate();
+        // A square prism of overlap of side s and length L: E = kn s³ L/3, and s grows by 1/root 2 of the way. The energy of the first
+        // depth stays hidden, which leaves 1 - sqrt(1/8) of the force.
+        let whole = 1e9 * 0.5 * 4.0 * depth * depth / 2.0_f64.sqrt();
+        let wanted = (1.0 - 8.0_f64.powf(-0.5)) * whole;
+        let force = pair(&run).force.length();
+        assert!((force / wanted - 1.0).abs() < 1e-2, "{force} {wanted}");
+    }
+
+    #[test]
+    fn blocks_that_face_each_other_across_a_gap_meet_while_a_floor_holds_both() {
+        let blocks = [0.0, 0.501].map(|x| brick([x, 0.0, 0.0], [0.5; 3]));
+        let mut run = Run::new(above_floor(blocks.into(), 0.5, 0.1), 1, 1e-4);
+        for flags in &mut run.world.patches.flags {
+            *flags |= flag::BROKEN;
+        }
+        assert_eq!(run.world.patches.len(), 2);
+        run.until(1e-3);
+        assert!(run.world.found.held.is_empty());
+        assert_eq!(run.world.found.pairs[0].ends, [1, 2]);
+    }
+}

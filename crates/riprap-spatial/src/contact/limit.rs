@@ -1,0 +1,456 @@
+//! How long a step may be for the contacts that are there, and for those that can form in it.
+//!
+//! A spring between two blocks holds no more energy than twice what it holds as a spring of each of them against a fixed wall. So no motion is faster than that of the stiffest block on twice its own springs: the largest eigenvalue of a matrix
+//! of six rows, bounded by the norm of its fourth power (`felt`). A contact of the area A gives it the stiffness `kn A` across and `ks A` along at its place, and the
+//! couples of its polar second moment J. No part of a face is stiffer than the face: where two faces can come flat onto each other, the
+//! whole of the smaller one stands for them until most of it is in touch. Where nothing of that is known, the larger stiffness times
+//! `A (1/m + (h² + 2 A/3)/I)` comes on top, with the distance h of the farthest face. No point is farther away than the radius of the block.
+//!
+//! An impact in the middle of a step, and parting in it, does wrong to the energy by a share that grows with the square of the step. So
+//! faces that are about to meet flat allow, until they have parted, the smaller share of a stable step that counts with any place of the contact; where blocks lie in
+//! place since a joint of theirs has let go (`seated`), that of joints, which open and close in such steps too. So it does for
+//! the stiffest pairs whose impacts together are [`NEGLIGIBLE`], which would make the shortest steps: the sand between rocks that fly. With one degree of freedom and steps of half the stable one the energy after an impact is off
+//! by up to 0.12 of it (one standard deviation) but by less than 0.005 in the mean over its phase, so that the errors of many impacts do not add up.
+//!
+//! Contacts of edges and corners grow: A is what makes the present area as safe as a share of the stable step for growing springs asks, and no
+//! more than what the pair can have before the next look of the search.
+//! Pairs that do not touch yet count only with what can happen in the coming step: two faces that can come flat onto each other from
+//! the moment they meet, edges and corners with the area that the way of the blocks makes.
+//!
+//! No step may let two blocks pass through each other: those of a pair come nearer by no more than their gap and a tenth of
+//! the smaller inscribed radius, and no block outruns the search that finds its pairs.
+
+use std::collections::BinaryHeap;
+
+use riprap_geom::Vec3;
+
+use crate::contact::felt::{AreaMoments, ContactStiffness};
+use crate::exec::Exec;
+use crate::kernel::{ContactLaw, Memory, Pose, Role, Shape};
+use crate::laws::damping::stable_share;
+use crate::state::bodies::{Bodies, SolidClass};
+use crate::state::contact_scratch::{Constants, ContactScratch, FacePair, Impact, Slot};
+use crate::state::found::FoundPair;
+use crate::state::world::World;
+
+/// Share of the stable step: the stiffness grows with the area.
+const SAFETY: f64 = 0.2;
+/// Share of the stable step for the largest area that a contact can have: that of joints, whose springs do not grow either.
+const BOUNDED: f64 = 0.5;
+/// Share of the step that is stable with strong dashpots for what meets, as on terrain: flat impacts give back 0.312 and 0.091 of their speed where
+/// 0.3 and 0.1 are asked for.
+const DAMPED: f64 = 0.375;
+/// Part of these shares by which an edge goes into another block in its first step, which may be twice as long as it is allowed when it begins:
+/// with all of it that would be 0.4 of the depth to which the impact goes, and the energy of an impact is off by 2 %.
+const EDGE: f64 = 0.5;
+/// Faces of which less than this is in touch may come to touch anywhere.
+const MOSTLY: f64 = 0.5;
+/// Energy of all impacts of faces at one instant, over the largest energy that has moved in the run: at most this is negligible. The errors of n
+/// impacts, each of a tenth of its energy and of either sign, are then `1e-4 sqrt(n)` of the scale by which the residual is judged.
+const NEGLIGIBLE: f64 = 1e-3;
+/// Share of the time until two blocks can meet that a step may take. The kick of a step spans half of the step before it too, and
+/// the limit is that of the last evaluation: steps shrink with the gap, so that the first kick of a contact is a short one.
+const APPROACH: f64 = 0.25;
+/// Share of the smaller inscribed radius by which two blocks that touch may approach in one step.
+const TRANSIT: f64 = 0.1;
+/// Share of the time in which a block uses up its margin that a step may take.
+const FLIGHT: f64 = 0.25;
+/// Cosine between normals of faces that can come flat onto each other before the next look of the search.
+const FACING: f64 = -0.98;
+
+/// Longest step, s.
+pub(super) fn longest_step(world: &World, desk: &mut ContactScratch, exec: &Exec) -> f64 {
+    let transit = transit(world, desk, exec);
+    let limit =
+        StepLimit { world, desk, speeds: Speeds::of(world), gravity: world.gravity.length() };
+    exec.smallest(desk.blocks.len(), |blocks| {
+        blocks.fold(transit, |longest, at| limit.of_block(longest, at))
+    })
+    .min(transit)
+}
+
+/// What the pairs of a block allow.
+struct StepLimit<'a> {
+    world: &'a World,
+    desk: &'a ContactScratch,
+    speeds: Speeds<'a>,
+    /// m/s².
+    gravity: f64,
+}
+
+impl StepLimit<'_> {
+    /// The smaller of `longest` (s) and the longest step of a block, by its place in the list of those that are in a pair.
+    fn of_block(&self, mut longest: f64, at: usize) -> f64 {
+        let Self { world, desk, speeds, gravity } = self;
+        let b = desk.blocks[at] as usize;
+        let ease = InverseInertia::of(world, &desk.shapes, b);
+        let (mut felt, mut damping) = (ContactStiffness::default(), 0.0_f64);
+        let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
+        for &(k, second) in &desk.incidence[pairs] {
+            let k = k as usize;
+            let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
+            let (pair, law) = (&world.found.pairs[k], &constants.law(&desk.rows));
+            let change = until_change(pair, slot, *gravity);
+            if !slot.touching && change >= longest {
+                // Most of what is near: whatever it allows is longer than this.
+                continue;
+            }
+            let loss = stable_share(law.damping_ratio);
+            let flat = constants.facing(&desk.facings);
+            let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
+            let negligible_impact = desk.all_negligible || slot.negligible_impact;
+            let share = if negligible_impact { BOUNDED } else { SAFETY };
+            let as_joint = pair.seated || negligible_impact;
+            // In the root of an area, from the bound of all that touches to the step of what grows.
+            let growth = BOUNDED * loss / meeting(share, loss);
+            let alone = flat.map_or(f64::INFINITY, |flat| {
+                if as_joint {
+                    BOUNDED * 2.0 * loss / flat.square.sqrt()
+                } else {
+                    meeting(SAFETY, loss) * 2.0
+                        / (stiffness * flat.area * ease.of_area(flat.area)).sqrt()
+                }
+            });
+            longest =
+                longest.min(if slot.touching && !as_joint { alone } else { change.max(alone) });
+            if slot.touching {
+                let memory = &pair.memory;
+                let known = memory.area > 0.0;
+                let most = if constants.glued {
+                    let of = |b: u32| desk.glued[world.solid[b as usize] as usize].half_surface;
+                    of(pair.ends[0]).min(of(pair.ends[1]))
+                } else {
+                    desk.candidates.pairs[k].area
+                };
+                if known && flat.is_none() {
+                    let small = meeting(share, loss)
+                        * step_of(stiffness * slot.area * ease.of_area(slot.area));
+                    let whole = BOUNDED * loss * step_of(stiffness * most * ease.of_area(most));
+                    let closing = speeds.closing(pair.ends, memory);
+                    longest = longest.min(whole.max(growing(small, closing, pair.depth)));
+                    let held = 2.0 * held(law, memory, slot.area) * law.shear_stiffness;
+                    longest = longest.min(BOUNDED * loss * step_of(held * ease.of_area(slot.area)));
+                }
+                if constants.glued && known {
+                    // Each piece has a place of its own.
+                    let growth = growth * growth;
+                    for piece in pair.pieces.iter().filter(|p| p.memory.area > 0.0) {
+                        let face = flat.map_or(0.0, |flat| flat.face);
+                        let spread = AreaMoments {
+                            normal: piece.memory.normal,
+                            arm: piece.memory.arms[usize::from(second)],
+                            area: (growth * piece.area).min(most).max(face),
+                            polar: piece.memory.polar / piece.memory.area,
+                            held: held(law, &piece.memory, piece.area),
+                        };
+                        felt.add(&ease, law, &spread);
+                    }
+                    damping = damping.max(law.damping_ratio);
+                    continue;
+                }
+                let mostly = flat.is_none_or(|flat| slot.area >= MOSTLY * flat.area);
+                if known && (negligible_impact || mostly) {
+                    let grown = growth * growth * slot.area;
+                    let spread = AreaMoments {
+                        normal: memory.normal,
+                        arm: memory.arms[usize::from(second)],
+                        area: if negligible_impact {
+                            slot.area
+                        } else {
+                            grown.min(most).max(flat.map_or(slot.area, |f| f.area))
+                        },
+                        polar: memory.polar / memory.area,
+                        held: held(law, memory, slot.area),
+                    };
+                    felt.add(&ease, law, &spread);
+                } else if let Some(flat) = flat {
+                    let of = desk.place[pair.ends[flat.side] as usize] as usize;
+                    let from = desk.poses[at].position;
+                    let arm = desk.poses[of].position - from;
+                    felt.add(&ease, law, &flat.spread(desk.turns[of], arm));
+                } else {
+                    felt.anywhere += stiffness * slot.area * ease.of_area(slot.area);
+                }
+                damping = damping.max(law.damping_ratio);
+                continue;
+            }
+            let edge = stiffness * constants.largest.sqrt() * ease.of_area(constants.largest);
+            let allowed = 2.0 * EDGE * meeting(share, loss);
+            longest = longest.min(change + of_edge(allowed, edge, slot.nearing, *gravity));
+        }
+        let square = felt.bound();
+        if square > 0.0 {
+            let loss = stable_share(damping);
+            longest = longest.min(BOUNDED * 2.0 * loss / square.sqrt());
+        }
+        longest
+    }
+}
+
+/// Area that the springs along a contact stand for where it is stiffer along than across, m²; 0 elsewhere.
+fn held(law: &ContactLaw, memory: &Memory, area: f64) -> f64 {
+    let across = law.normal_stiffness.max(law.shear_stiffness) * area;
+    if law.shear_stiffness * memory.area > across { memory.area } else { 0.0 }
+}
+
+/// A share of the undamped stable step that keeps the energy of what meets. Dashpots take energy and make none, so they shorten it only where the
+/// step would come too near to what is stable with them, `loss` of the undamped one.
+fn meeting(share: f64, loss: f64) -> f64 {
+    share.min(DAMPED.max(share) * loss)
+}
+
+/// Step that the edge of a block may go into another one, s: `dt² K = allowed²`, where the squared frequency K is `edge` (1/(m s²)) times the
+/// way, that of the speed `v` (m/s) and of the acceleration `g` (m/s²) from rest: less than either allows alone by as much as the other adds.
+fn of_edge(allowed: f64, edge: f64, v: f64, g: f64) -> f64 {
+    let square = allowed * allowed;
+    let by_speed = libm::cbrt(edge * v / square);
+    let by_fall = (0.5 * edge * g / square).sqrt().sqrt();
+    1.0 / (by_speed + by_fall)
+}
+
+/// Step that a pair may make before it meets or parts, s.
+fn until_change(pair: &FoundPair, slot: &Slot, gravity: f64) -> f64 {
+    let way = if slot.touching { pair.depth } else { pair.gap.max(0.0) };
+    APPROACH * time_for(way, slot.nearing, gravity)
+}
+
+/// Says of each pair whether its impact is negligible: the stiffest ones, whose steps would be the shortest, as long as all of them together
+/// are. Their energy is that of the approach, by its bound, and of the pressure; pairs that cannot meet in a step that is as long as joints
+/// allow have none, and those that lie in place are left out. `energy`: that of all impacts, J.
+pub(super) fn find_negligible_impacts(world: &World, desk: &mut ContactScratch, energy: f64) {
+    let most = NEGLIGIBLE * world.works.peak;
+    desk.all_negligible = energy <= most;
+    if desk.all_negligible {
+        return;
+    }
+    let mut impacts = std::mem::take(&mut desk.impacts);
+    impacts.clear();
+    impacts.extend(desk.groups.iter().flat_map(|group| &group.impacts));
+    // Few of many are negligible: a heap gives the stiffest ones without sorting all.
+    let mut impacts = BinaryHeap::from(impacts);
+    let mut so_far = 0.0;
+    while let Some(impact) = impacts.pop() {
+        so_far += impact.energy;
+        if so_far > most {
+            break;
+        }
+        desk.slots[impact.pair as usize].negligible_impact = true;
+    }
+    desk.impacts = impacts.into_vec();
+}
+
+/// What is the same in all steps for all pairs, as in [`ContactScratch`].
+pub(super) struct Known<'a> {
+    pub(super) constants: &'a [Constants],
+    pub(super) rows: &'a [ContactLaw],
+    pub(super) facings: &'a [FacePair],
+    pub(super) inverse_masses: &'a [f64],
+}
+
+impl Known<'_> {
+    /// The impact of pair `k`: `None` where it lies in place or cannot meet in a step that is as long as joints allow.
+    pub(super) fn impact(
+        &self,
+        k: usize,
+        pair: &FoundPair,
+        slot: &Slot,
+        gravity: f64,
+    ) -> Option<Impact> {
+        if pair.seated {
+            return None;
+        }
+        let constants = &self.constants[k];
+        let [kn, _] = constants.stiffness;
+        let [i, j] = pair.ends.map(|b| self.inverse_masses[b as usize]);
+        let ease = i + j;
+        let flat = constants.facing(self.facings);
+        let edge = 2.0 * kn * constants.largest.sqrt() * ease;
+        let square = flat.map_or(edge * constants.largest.sqrt(), |flat| flat.square);
+        let mut energy = 0.5 * slot.nearing * slot.nearing / ease;
+        if slot.touching {
+            energy += 0.5 * kn * slot.area * pair.depth * pair.depth;
+        } else {
+            // An edge that is about to come down is let into the other block for longer than a face is.
+            let longest = BOUNDED * 2.0 / square.sqrt();
+            let longest = match flat {
+                Some(_) => longest,
+                None => longest.max(of_edge(2.0 * BOUNDED, edge, slot.nearing, gravity)),
+            };
+            if until_change(pair, slot, gravity) > longest {
+                return None;
+            }
+        }
+        Some(Impact { square, energy, pair: k as u32 })
+    }
+}
+
+/// How fast rigid blocks move.
+pub(super) struct Speeds<'a> {
+    pub(super) bodies: &'a Bodies,
+    /// Index into `solids`, per block.
+    pub(super) solid: &'a [u32],
+    pub(super) solids: &'a [SolidClass],
+}
+
+impl<'a> Speeds<'a> {
+    pub(super) fn of(world: &'a World) -> Self {
+        Self { bodies: &world.bodies, solid: &world.solid, solids: &world.solids }
+    }
+
+    /// Speed at which two blocks come nearer to each other across their contact, m/s; 0 where they part.
+    fn closing(&self, ends: [u32; 2], memory: &Memory) -> f64 {
+        let [a, b] = [0, 1].map(|side| {
+            let of = ends[side] as usize;
+            self.bodies.velocity(of) + self.bodies.spin(of).cross(memory.arms[side])
+        });
+        (a - b).dot(memory.normal).max(0.0)
+    }
+
+    /// Bound of the speed of the points of a block against its centroid, m/s.
+    pub(super) fn turning(&self, b: usize) -> f64 {
+        self.bodies.spin(b).length() * self.solids[self.solid[b] as usize].radius
+    }
+}
+
+/// Longest stable step of a squared frequency (1/s²), s.
+fn step_of(square: f64) -> f64 {
+    2.0 / square.sqrt()
+}
+
+/// Longest step of a contact whose stiffness grows with the square of its depth (m), that allows `small` (s) as it is, while its
+/// sides close at `speed` (m/s): `dt (1 + speed dt/depth) = small` in the form without cancellation, s.
+fn growing(small: f64, speed: f64, depth: f64) -> f64 {
+    2.0 * small / (1.0 + (1.0 + 4.0 * small * speed / depth).sqrt())
+}
+
+/// Time that a way (m) takes from the speed `v` (m/s) on under the acceleration `g` (m/s²): `v t + g t²/2 = way` in the form without
+/// cancellation, s.
+fn time_for(way: f64, v: f64, g: f64) -> f64 {
+    if way > 0.0 { 2.0 * way / (v + (v * v + 2.0 * g * way).sqrt()) } else { 0.0 }
+}
+
+/// Longest step in which no pair can pass through each other, s.
+fn transit(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
+    let g = world.gravity.length();
+    exec.smallest(world.found.pairs.len(), |pairs| {
+        let times = pairs.map(|k| {
+            let way = world.found.pairs[k].gap.max(0.0) + TRANSIT * desk.constants[k].inradius;
+            time_for(way, desk.slots[k].nearing, g)
+        });
+        times.fold(f64::INFINITY, f64::min)
+    })
+}
+
+/// Longest step in which no block uses up more than a share of its margin: whom it can run into is known before, s.
+///
+/// A quarter of the time, because what the ledger takes for the kinetic energy of a falling block, `m v(n-1/2).v(n+1/2)/2`, is less than its own by
+/// `m g² dt²/8`: where steps grow short before a contact that comes to light as a residual.
+pub(super) fn reach(world: &World) -> f64 {
+    let g = world.gravity.length();
+    let search = &world.found.search;
+    let mut longest = f64::INFINITY;
+    for (b, role) in world.found.roles.iter().enumerate() {
+        if *role != Role::Absent {
+            longest = longest.min(FLIGHT * time_for(search.margin[b], speed(world, b), g));
+        }
+    }
+    longest
+}
+
+/// How easily forces move and turn a block.
+pub(crate) struct InverseInertia {
+    /// 1/kg.
+    pub(super) mass: f64,
+    /// 1/(kg m²).
+    pub(super) inertia: f64,
+    /// Square of the distance of its farthest face, m².
+    pub(super) height: f64,
+    /// Square of its radius, m².
+    pub(super) reach: f64,
+}
+
+impl InverseInertia {
+    pub(crate) fn of(world: &World, shapes: &[Shape], b: usize) -> Self {
+        let [free, turns] = world.freedoms(b);
+        let solid = world.solid_of(b);
+        let diagonal =
+            Vec3::new(solid.inverse.x_axis.x, solid.inverse.y_axis.y, solid.inverse.z_axis.z);
+        let offsets = &shapes[world.solid[b] as usize].offsets;
+        let height = offsets.iter().copied().fold(0.0, f64::max);
+        Self {
+            mass: free.max_element() / solid.mass,
+            inertia: turns.max_element() * diagonal.max_element(),
+            height: height * height,
+            reach: solid.radius * solid.radius,
+        }
+    }
+
+    /// `1/m + (h² + 2 A/3)/I`.
+    pub(crate) fn of_area(&self, area: f64) -> f64 {
+        self.mass + (self.height + 2.0 * area / 3.0).min(self.reach) * self.inertia
+    }
+}
+
+/// Bound of the speed of the points of a block, m/s.
+fn speed(world: &World, b: usize) -> f64 {
+    world.bodies.velocity(b).length() + Speeds::of(world).turning(b)
+}
+
+/// Smaller one of the largest listed faces of both blocks, m².
+pub(super) fn largest_area(shapes: [&Shape; 2], faces: [&[u16]; 2]) -> f64 {
+    let [a, b] = [0, 1].map(|s| {
+        let areas = faces[s].iter().map(|f| shapes[s].areas[*f as usize]);
+        areas.fold(0.0, f64::max)
+    });
+    a.min(b)
+}
+
+/// Where a face lies along each of two axes: from, to, m.
+fn extent(shape: &Shape, pose: Pose, face: u16, axes: [Vec3; 2]) -> [[f64; 2]; 2] {
+    let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for v in shape.outline(face as usize) {
+        let at = pose.place(shape.vertices[*v as usize]);
+        for ([low, high], axis) in extent.iter_mut().zip(axes) {
+            let along = axis.dot(at);
+            *low = low.min(along);
+            *high = high.max(along);
+        }
+    }
+    extent
+}
+
+/// The two of these faces with the largest area that can come flat onto each other, if any: they face each other, and have moved by
+/// `margin` (m) at most along themselves from these poses.
+pub(super) fn facing<F: IntoIterator<Item = u16> + Clone>(
+    shapes: [&Shape; 2],
+    poses: [Pose; 2],
+    margin: f64,
+    faces: [F; 2],
+) -> Option<FacePair> {
+    let mut most = 0.0;
+    let mut found = None;
+    let [of_first, of_second] = faces;
+    for f in of_first {
+        let n = poses[0].rotation * shapes[0].normals[f as usize];
+        for g in of_second.clone() {
+            let m = poses[1].rotation * shapes[1].normals[g as usize];
+            if n.dot(m) > FACING {
+                continue;
+            }
+            let [_, e, h] = riprap_geom::polyhedron::frame(n);
+            let [first, second] =
+                [(0, f), (1, g)].map(|(s, face)| extent(shapes[s], poses[s], face, [e, h]));
+            let sides = [0, 1].map(|axis| {
+                let ([low, high], [from, to]) = (first[axis], second[axis]);
+                (high.min(to) - low.max(from) + margin).max(0.0)
+            });
+            let areas = [shapes[0].areas[f as usize], shapes[1].areas[g as usize]];
+            let area = areas[0].min(areas[1]).min(sides[0] * sides[1]);
+            if area > most {
+                most = area;
+                found = Some((area, usize::from(areas[1] < areas[0]), [f, g]));
+            }
+        }
+    }
+    found.map(|(area, side, faces)| FacePair::new(area, side, shapes[side], faces[side] as usize))
+}

@@ -1,0 +1,238 @@
+//! What found contacts store across themselves: known only as the work on them, and from above and below.
+//!
+//! Two blocks that are drawn apart along the force F of their contact have parted after the way D by which their projections on it overlap. F
+//! falls on that way at least as fast as what is left of it, so that the energy is `F D/2` at most: all of it where faces meet flat, two thirds at
+//! an edge, half at a corner. D is the depth of a face; it is more than the diameter of the largest ball in both blocks, by
+//! which depths are measured, where edges are sharp: `(1 + 1/sin b)/2` times as much at an edge of the half angle b on a
+//! face, `1/sin b` times between two such edges. A flat contact as deep as the largest ball in the thinner block is softer by its rim than a face without
+//! end, and stores up to a fifth more than `F D/2`.
+
+use riprap_geom::Vec3;
+
+use crate::exec::Exec;
+use crate::kernel::Memory;
+use crate::kernel::glued::Glued;
+use crate::state::contact_scratch::ContactScratch;
+use crate::state::found::{FacetContact, FoundPair};
+use crate::state::world::World;
+
+/// What the rim of a contact as deep as the largest ball in the thinner block may store beside it.
+const RIM: f64 = 0.25;
+
+/// How closely the energy of contacts is bounded.
+#[derive(Clone, Copy, PartialEq)]
+enum Bound {
+    /// By the diameter of the largest ball in both blocks: too little where edges are sharp.
+    Ball,
+    /// By the way on which they part.
+    Way,
+}
+
+/// What is stored in the pressure of found contacts lies between these, J. What a joint has handed over is known.
+fn bounds(world: &World, desk: &ContactScratch, exec: &Exec, bound: Bound) -> [f64; 2] {
+    let pair = |k: usize| {
+        let Some(by) = desk.exerted(k) else {
+            return [0.0; 2];
+        };
+        let pair = &world.found.pairs[k];
+        let taken_over = pair.offset.as_ref().map_or(0.0, |o| o.stored);
+        let mut most = 0.5 * by.elastic.force.length() * pair.depth;
+        if bound == Bound::Way {
+            most = most.max(of_pair(world, desk, k, by.elastic.force.length()));
+        }
+        [taken_over.min(0.0), most.max(taken_over)]
+    };
+    let [least, most] = exec.sums(world.found.pairs.len(), pair);
+    let facet = |b: usize, on: &FacetContact| {
+        let laws = desk.terrain.laws.get(b);
+        let law = laws.and_then(|laws| laws.get(on.terrain()));
+        let stiffness = law.map_or(0.0, |law| law.normal_stiffness);
+        let way = match bound {
+            Bound::Ball => on.depth,
+            Bound::Way => on.depth.max(below(world, desk, b, on)),
+        };
+        0.5 * stiffness * on.area * way * way
+    };
+    let terrain = world.found.terrain.iter().enumerate();
+    let facets = terrain.flat_map(|(b, on)| on.facets.iter().map(move |on| facet(b, on)));
+    [least, most + facets.sum::<f64>()]
+}
+
+/// `F d/2` of each pair, and of each facet on terrain in turn, J: what they store in proportion to each other.
+pub(super) fn at_most(world: &World, desk: &ContactScratch) -> (Vec<f64>, Vec<f64>) {
+    let pair = |(k, pair): (usize, &FoundPair)| {
+        let by = desk.exerted(k);
+        by.map_or(0.0, |by| 0.5 * by.elastic.force.length() * pair.depth)
+    };
+    let terrain = world.found.terrain.iter().enumerate();
+    let facets = terrain.flat_map(|(b, on)| on.facets.iter().map(move |on| facet(desk, b, on)));
+    let pairs = world.found.pairs.iter().enumerate();
+    (pairs.map(pair).collect(), facets.collect())
+}
+
+/// Energy of a facet of block `b` on terrain, J.
+fn facet(desk: &ContactScratch, b: usize, on: &FacetContact) -> f64 {
+    let laws = desk.terrain.laws.get(b);
+    let law = laws.and_then(|laws| laws.get(on.terrain()));
+    let stiffness = law.map_or(0.0, |law| law.normal_stiffness);
+    0.5 * stiffness * on.area * on.depth * on.depth
+}
+
+/// `F D/2` of a pair that presses with this force (N), J; piece by piece of blocks of glued parts.
+fn of_pair(world: &World, desk: &ContactScratch, k: usize, force: f64) -> f64 {
+    let pair = &world.found.pairs[k];
+    let most = |force: f64, way: f64| {
+        let rim = (way / desk.constants[k].inradius).min(1.0);
+        0.5 * force * way * (1.0 + RIM * rim)
+    };
+    if !desk.constants[k].glued {
+        return most(force, way(world, desk, pair, None, &pair.memory));
+    }
+    let of_piece = |piece: &crate::state::found::PieceContact| {
+        let force = piece.force.dot(piece.memory.normal).abs();
+        most(force, way(world, desk, pair, Some(piece.pieces), &piece.memory))
+    };
+    pair.pieces.iter().map(of_piece).sum()
+}
+
+/// By how much the two blocks of a pair, or two pieces of them, overlap along their normal, m.
+fn way(
+    world: &World,
+    desk: &ContactScratch,
+    pair: &FoundPair,
+    pieces: Option<[u16; 2]>,
+    memory: &Memory,
+) -> f64 {
+    let n = memory.normal;
+    let [first, second] = [0, 1].map(|side| {
+        let b = pair.ends[side];
+        let class = world.solid[b as usize] as usize;
+        let at = desk.place[b as usize] as usize;
+        let (turn, place) = (desk.turns[at], desk.poses[at].position);
+        let (shape, centre) = match pieces {
+            Some(pieces) => of_piece(&desk.glued[class], pieces[side]),
+            None => (&desk.shapes[class], Vec3::ZERO),
+        };
+        let outwards = if side == 0 { n } else { -n };
+        let along = turn.transpose() * outwards;
+        let heights = shape.vertices.iter().map(|v| along.dot(*v));
+        let highest = heights.fold(f64::NEG_INFINITY, f64::max);
+        highest + outwards.dot(place) + along.dot(centre)
+    });
+    (first + second).max(0.0)
+}
+
+/// Shape of a piece, and its centre from that of the block, m.
+fn of_piece(glued: &Glued, piece: u16) -> (&crate::kernel::Shape, Vec3) {
+    let own = &glued.piece(usize::from(piece))[0];
+    (&own.shape, own.centre)
+}
+
+/// How far a block, or a piece of it, reaches below a facet of terrain, m: as far as its sharpest edge does at this depth.
+fn below(world: &World, desk: &ContactScratch, b: usize, on: &FacetContact) -> f64 {
+    let class = world.solid[b] as usize;
+    let sharpest = match desk.glued.get(class).filter(|glued| !glued.is_convex()) {
+        Some(glued) => of_piece(glued, on.piece()).0.sharpness(),
+        None => desk.shapes[class].sharpness(),
+    };
+    on.depth * sharpest
+}
+
+/// Energy of the pressure of found contacts less that at the start, J: the work on it, within what it can be. Steps that are long beside
+/// an impact leave in that work what they made or lost, and blocks that are apart store nothing: what is left over is a defect of the law.
+pub(crate) fn stored(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
+    let work = world.works.contact_path;
+    if work == 0.0 || desk.slots.len() != world.found.pairs.len() {
+        return work;
+    }
+    let [mut least, mut most] = bounds(world, desk, exec, Bound::Ball);
+    // Most often this will do.
+    if work > most {
+        [least, most] = bounds(world, desk, exec, Bound::Way);
+    }
+    let at_start = (1.0 + 1e-9) * world.found.at_start;
+    work.min(most).max(least - at_start)
+}
+
+/// Notes what contacts of blocks that are built into each other store at the start, which no work has put in.
+pub(crate) fn begin(world: &mut World, desk: &ContactScratch, exec: &Exec) {
+    [_, world.found.at_start] = bounds(world, desk, exec, Bound::Way);
+}
+
+#[cfg(test)]
+mod tests {
+    use riprap_geom::Vec3;
+
+    use crate::contact::tests::{Run, above_floor, brick};
+
+    /// A brick that strikes the floor in steps that are long beside the impact: what the steps have made or lost is a defect of the law when
+    /// it is off again, and no energy of a contact that is not there.
+    #[test]
+    fn blocks_that_are_apart_store_nothing() {
+        let mut left = Vec::new();
+        for dt in [2e-3, 1e-3] {
+            let blocks = vec![brick([0.3, 0.2, 0.05], [0.4, 0.4, 0.4])];
+            let mut run = Run::new(above_floor(blocks, 0.3, 0.0), 1, dt);
+            run.world.bodies.set_velocity(1, Vec3::new(0.0, 0.0, -10.0), Vec3::ZERO);
+            run.until(0.04);
+            assert!(run.world.bodies.velocity(1).z > 5.0);
+            let balance = run.view().balance();
+            assert_eq!(balance.contact_normal, 0.0);
+            assert_eq!(balance.works.law_defect, -run.world.works.contact_path);
+            assert!(balance.residual_relative().abs() < 1e-5);
+            left.push(balance.works.law_defect.abs() / balance.scale());
+        }
+        assert!(left.iter().any(|share| *share > 1e-3), "{left:?}");
+    }
+
+    /// A prism with an edge of this half angle along y, 1 mm above the floor, looking down, and what it is to fall with.
+    fn wedge(half_angle: f64, damping: f64) -> Run {
+        let side = half_angle.tan();
+        let corners = [-0.5, 0.5].map(|y| {
+            [[0.0, 0.0], [side, 1.0], [-side, 1.0]].map(|[x, z]| Vec3::new(x, y, z + 0.001))
+        });
+        let solid = riprap_geom::polyhedron::hull(&corners.concat()).unwrap();
+        let mut block = brick([0.0; 3], [1.0; 3]);
+        block.shape = crate::setup::Shape::Polyhedron(Box::new(crate::setup::Solid {
+            vertices: solid.vertices,
+            faces: solid.faces,
+        }));
+        let mut setup = above_floor(vec![block], 0.0, damping);
+        setup.gravity = Vec3::ZERO;
+        let mut run = Run::new(setup, 1, 2e-5);
+        run.world.bodies.set_velocity(1, Vec3::new(0.0, 0.0, -1.0), Vec3::ZERO);
+        run
+    }
+
+    /// An edge as sharp as a knife holds what it takes up, at any angle.
+    #[test]
+    fn a_sharp_edge_stores_what_it_takes_up() {
+        for degrees in [8.0_f64, 15.0, 25.0, 45.0] {
+            let mut run = wedge(degrees.to_radians(), 0.0);
+            let mut worst = 0.0_f64;
+            for k in 1..=120 {
+                run.until(1e-3 * f64::from(k));
+                let balance = run.view().balance();
+                worst = worst.max(balance.works.law_defect.abs() / balance.scale());
+            }
+            assert!(worst < 2e-3, "{degrees} deg: {worst}");
+            let back = run.world.bodies.velocity(1).z;
+            assert!((back - 1.0).abs() < 2e-3, "{degrees} deg: {back}");
+        }
+    }
+
+    /// Work that no contact can hold is still a defect: twice what the sharp edge has at its deepest.
+    #[test]
+    fn more_than_a_sharp_edge_can_hold_is_a_defect() {
+        let mut run = wedge(15.0_f64.to_radians(), 0.0);
+        while run.world.bodies.velocity(1).z < 0.0 {
+            let now = run.world.time;
+            run.until(now + 1e-4);
+        }
+        let held = run.world.works.contact_path;
+        assert!(held > 0.0 && run.view().balance().works.law_defect.abs() < 1e-2 * held);
+        run.world.works.contact_path = 2.0 * held;
+        let lost = -run.view().balance().works.law_defect;
+        assert!(lost > 0.4 * held, "{lost} {held}");
+    }
+}

@@ -1,0 +1,500 @@
+//! The whole surface of equal pressure of a pair, walked from piece to piece, and the sums over it.
+//!
+//! The walk starts from the piece that carried most in the last step (the *hint*) or from the peak, and goes over shared edges. The surface
+//! can have two parts (a spike through the thin part near a sharp edge of the other block): each listed face that the walk has
+//! not met is looked at afterwards. Where blocks lie in each other so deep that corners of both come out on several sides, parts share
+//! all of their faces with others; then every pair of faces is looked at.
+//!
+//! **Ties.** Where faces f' of A and g' of B are coplanar and face the same way, `phi_f' = phi_g'` in a whole region and the
+//! side on which the surface runs there is a matter of round-off. Their strips (f', g) and (f, g') then both count, with weights that
+//! add up to 1 and change continuously as one face passes through the other.
+
+use riprap_geom::{Mat3, Vec3};
+
+use crate::kernel::ContactLaw;
+use crate::kernel::face_clip::FaceClip;
+use crate::kernel::frame::{Frame, Frames, PARALLEL};
+use crate::kernel::lateral;
+use crate::kernel::peak::{Peak, peak};
+use crate::kernel::piece::{BOUNDARY, Cutter, OPEN, Polygon};
+use crate::kernel::planes::{Planes, origin};
+use crate::kernel::shape::Body;
+use crate::kernel::sums::{Batch, Sums};
+use crate::lanes::{LANES, Lanes, dot, plus, same, scaled};
+
+/// Half the width of the band in which coplanar faces are tied, over the radius of the smaller block.
+const TIE_BAND: f64 = 1e-6;
+/// Overlaps less deep than this, times the radius of the smaller block, are lost in round-off.
+const LOST: f64 = 1e-14;
+/// Overlaps less deep than this, times the radius of the smaller block, may have no piece that is left by round-off.
+const UNSURE: f64 = 1e-10;
+
+/// Overlaps thicker than this, times the radius of the largest ball inside the smaller block: all pairs of faces are looked at.
+const DEEP: f64 = 1.0;
+
+/// What was found of a pair.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "it lives on the stack of one evaluation; a box would take memory in every step"
+)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Found {
+    /// They do not touch; at least so far apart, m (0 where it is not known).
+    Apart(f64),
+    /// They overlap.
+    Touching(Sums),
+    /// They have no surface of equal pressure: one block lies in the other as a whole, or round-off has lost it. Radius of the largest ball
+    /// in both, m. No force can be given: the run must stop.
+    FullyPenetrated(f64),
+}
+
+/// A pair to be evaluated.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<'a> {
+    /// A and B.
+    pub bodies: [&'a Body<'a>; 2],
+    /// Faces of each that can take part, ascending. All listed faces cut all pieces, neighbours or not.
+    pub faces: [&'a [u16]; 2],
+    /// Whether some faces of A and B may be coplanar.
+    pub ties: bool,
+    /// Places in the lists of the faces of the piece to start from.
+    pub hint: Option<[u16; 2]>,
+}
+
+/// Faces of A and B in one plane, and where their offset lies in the band of ties, from -1 to 1.
+#[derive(Clone, Copy, Debug)]
+struct Tie {
+    faces: [u16; 2],
+    offset: f64,
+}
+
+/// Workspace for evaluating pairs one after the other; kept, so that a pair takes no memory.
+#[derive(Clone, Debug, Default)]
+pub struct Walker {
+    /// Listed planes of the pair evaluated last.
+    pub planes: Planes,
+    /// All planes of the pair that was last tested for separation.
+    all: Planes,
+    /// The largest piece of the pair evaluated last.
+    pub largest: Polygon,
+    /// Its frame.
+    pub largest_frame: Frame,
+    /// Makes the pieces.
+    pub cutter: Cutter,
+    queue: Vec<[u16; 2]>,
+    /// `None` until it is needed: many walkers never walk.
+    batch: Option<Box<Batch>>,
+    /// Stamp of the pair that last looked at piece (f, g), at `f * faces of B + g`.
+    seen: Vec<u32>,
+    stamp: u32,
+    /// Whether each plane has a piece.
+    met: Vec<bool>,
+    /// The pieces that are not empty.
+    pieces: Vec<[u16; 2]>,
+    ties: Vec<Tie>,
+    clip: FaceClip,
+    radius: f64,
+    largest_weight: f64,
+    sums: Sums,
+}
+
+impl Walker {
+    /// Finds the surface of a pair.
+    pub fn find(&mut self, pair: &Pair) -> Found {
+        self.begin(pair);
+        if let Some(hint) = pair.hint {
+            self.walk(hint);
+        }
+        if self.sums.pieces == 0
+            && let Some(verdict) = self.start_from_peak(pair)
+        {
+            return verdict;
+        }
+        self.look_at_the_rest(pair);
+        let inside = |side: usize| pair.bodies[side].shape.inradius;
+        if self.sums.depth > DEEP * inside(0).min(inside(1)) {
+            self.walk_all();
+        }
+        Found::Touching(self.sums)
+    }
+
+    /// Tests for separation and walks from the peak; a verdict when there is no surface.
+    ///
+    /// With all planes, not only the listed ones: those are enough where the blocks overlap, but without the others two blocks
+    /// that are apart could seem to meet somewhere else.
+    fn start_from_peak(&mut self, pair: &Pair) -> Option<Found> {
+        let [a, b] = pair.bodies;
+        self.all.gather_all(pair.bodies, origin(a, b));
+        let (depth, start) = match peak(&self.all, 4.0 * (a.shape.radius + b.shape.radius)) {
+            Peak::Apart { gap, .. } => return Some(Found::Apart(gap)),
+            Peak::Unsure => return self.look_for_proof(),
+            Peak::Overlap { depth, start, .. } => (depth, start),
+        };
+        if depth < LOST * self.radius {
+            return Some(Found::Apart(0.0));
+        }
+        if let Some([f, g]) = start {
+            let place = |side: usize, face: u16| pair.faces[side].binary_search(&face);
+            if let (Ok(f), Ok(g)) = (place(0, f), place(1, g - self.all.split as u16)) {
+                self.walk([f as u16, g as u16]);
+            }
+        }
+        // By round-off that piece can be empty, or one of faces that are not listed: then all of them are tried.
+        if self.sums.pieces == 0 {
+            self.walk_all();
+        }
+        if self.sums.pieces > 0 {
+            None
+        } else if depth < UNSURE.max(TIE_BAND) * self.radius {
+            // Faces of both that go on in one plane are tied in this band, and what they share between them is no piece.
+            Some(Found::Apart(0.0))
+        } else {
+            Some(Found::FullyPenetrated(depth))
+        }
+    }
+
+    /// Where round-off has hidden the peak a piece that lies in both blocks proves that they touch; a verdict where there is none.
+    #[cold]
+    fn look_for_proof(&mut self) -> Option<Found> {
+        self.walk_all();
+        let (piece, frame) = (&self.largest, &self.largest_frame);
+        let inside = self.sums.pieces > 0 && {
+            let share = 1.0 / piece.len() as f64;
+            let mean = |list: &[f64]| share * list.iter().sum::<f64>();
+            let at = frame.point(mean(piece.s()), mean(piece.t()));
+            let room = |k: usize| self.all.d[k] - self.all.normal(k).dot(at);
+            // Of all planes: those that are not listed may leave nothing of it.
+            (0..self.all.len()).all(|k| room(k) >= -UNSURE * self.radius)
+        };
+        if inside {
+            None
+        } else {
+            self.sums = Sums::default();
+            Some(Found::Apart(0.0))
+        }
+    }
+
+    fn begin(&mut self, pair: &Pair) {
+        let [a, b] = pair.bodies;
+        self.planes.gather(pair.bodies, pair.faces, origin(a, b));
+        self.radius = a.shape.radius.min(b.shape.radius);
+        let (first, second) = (pair.faces[0].len(), pair.faces[1].len());
+        if self.seen.len() < first * second {
+            self.seen.resize(first * second, 0);
+        }
+        // A stamp for each pair, so that the table needs no clearing before every one of them.
+        if self.stamp == u32::MAX {
+            self.seen.fill(0);
+            self.stamp = 0;
+        }
+        self.stamp += 1;
+        self.met.clear();
+        self.met.resize(first + second, false);
+        self.pieces.clear();
+        self.sums = Sums::default();
+        self.largest_weight = 0.0;
+        self.ties.clear();
+        if pair.ties {
+            self.find_ties();
+        }
+    }
+
+    fn find_ties(&mut self) {
+        let planes = &self.planes;
+        for f in 0..planes.split {
+            for g in planes.split..planes.len() {
+                let difference = planes.normal(f) - planes.normal(g);
+                let offset = (planes.d[g] - planes.d[f]) / (TIE_BAND * self.radius);
+                if difference.length_squared() < PARALLEL * PARALLEL && offset.abs() < 1.0 {
+                    self.ties.push(Tie { faces: [f as u16, (g - planes.split) as u16], offset });
+                }
+            }
+        }
+    }
+
+    /// Tries piece (f, g), counted in the two lists, and all that hang together with it.
+    fn walk(&mut self, start: [u16; 2]) {
+        self.queue.clear();
+        self.enqueue(start);
+        let mut next = 0;
+        while next < self.queue.len() {
+            let some = (self.queue.len() - next).min(LANES);
+            if some == 1 {
+                self.visit(self.queue[next]);
+            } else {
+                self.visit_side_by_side(next, some);
+            }
+            next += some;
+        }
+    }
+
+    fn walk_all(&mut self) {
+        let split = self.planes.split;
+        for f in 0..split {
+            for g in 0..self.planes.len() - split {
+                self.walk([f as u16, g as u16]);
+            }
+        }
+    }
+
+    fn enqueue(&mut self, [f, g]: [u16; 2]) {
+        let width = self.planes.len() - self.planes.split;
+        let seen = &mut self.seen[f as usize * width + g as usize];
+        if *seen != self.stamp {
+            *seen = self.stamp;
+            self.queue.push([f, g]);
+        }
+    }
+
+    fn visit(&mut self, piece: [u16; 2]) {
+        self.sums.tried += 1;
+        let [f, g] = self.numbers(piece);
+        if let Some(frame) = Frame::between(&self.planes, f, g, self.radius)
+            && let Some(share) = self.make(&frame, piece)
+        {
+            let weight = self.sums.add(&self.cutter.polygon, &frame, share);
+            if self.takes_the_lead(weight, piece) {
+                self.largest.copy(&self.cutter.polygon);
+                self.largest_frame = frame;
+            }
+            self.queue_neighbours(piece);
+        }
+    }
+
+    /// Tries `some` pieces of the queue from `first` on. What they add is found for all of them at once, and added one after the other.
+    fn visit_side_by_side(&mut self, first: usize, some: usize) {
+        self.sums.tried += some as u32;
+        let mut numbers = [[0; 2]; LANES];
+        for (number, piece) in numbers.iter_mut().zip(&self.queue[first..first + some]) {
+            *number = self.numbers(*piece);
+        }
+        let width = self.cutter.width();
+        let (planes, reach) = (&self.planes, self.radius);
+        let mut batch = self.batch.take().unwrap_or_default();
+        batch.frames = width.run(
+            #[inline(always)]
+            || Frames::between(planes, &numbers[..some], reach),
+        );
+        batch.share = [0.0; LANES];
+        // What lanes without a piece hold is of an earlier pair.
+        for polygon in &mut batch.polygons {
+            polygon.clear();
+        }
+        for lane in 0..some {
+            let piece = self.queue[first + lane];
+            if let Some(frame) = batch.frames.get(lane)
+                && let Some(share) = self.make(&frame, piece)
+            {
+                self.queue_neighbours(piece);
+                batch.share[lane] = share;
+                std::mem::swap(&mut batch.polygons[lane], &mut self.cutter.polygon);
+            }
+        }
+        width.run(
+            #[inline(always)]
+            || batch.integrate(),
+        );
+        // In the order of the queue, so that the sums are those of one piece after the other.
+        for lane in 0..some {
+            let polygon = &batch.polygons[lane];
+            let Some(frame) = batch.frames.get(lane).filter(|_| !polygon.is_empty()) else {
+                continue;
+            };
+            let weight = if batch.fits(lane) {
+                batch.give(lane, &mut self.sums)
+            } else {
+                self.sums.add(polygon, &frame, batch.share[lane])
+            };
+            if self.takes_the_lead(weight, self.queue[first + lane]) {
+                self.largest.copy(polygon);
+                self.largest_frame = frame;
+            }
+        }
+        self.batch = Some(batch);
+    }
+
+    /// Numbers of the planes of a piece, counted in the two lists.
+    fn numbers(&self, [f, g]: [u16; 2]) -> [usize; 2] {
+        [f as usize, g as usize + self.planes.split]
+    }
+
+    /// Makes the polygon of a piece; how much of it counts, `None` where nothing is left.
+    fn make(&mut self, frame: &Frame, piece: [u16; 2]) -> Option<f64> {
+        let [f, g] = piece;
+        let split = self.planes.split;
+        let numbers = self.numbers(piece);
+        // The strip of f beside its twin g', and that of g beside its twin f'.
+        let beside = |side: usize, face: u16| self.ties.iter().find(move |t| t.faces[side] == face);
+        let (of_a, of_b) = (beside(0, f), beside(1, g));
+        let twins = [
+            of_a.map_or(usize::MAX, |t| t.faces[1] as usize + split),
+            of_b.map_or(usize::MAX, |t| t.faces[0] as usize),
+        ];
+        let share = of_a.map_or(1.0, |t| 0.5 * (1.0 + t.offset))
+            * of_b.map_or(1.0, |t| 0.5 * (1.0 - t.offset));
+        let tied = |k: usize| twins.contains(&k);
+        let left = self.cutter.make(&self.planes, frame, numbers, self.radius, tied);
+        if left {
+            for number in numbers {
+                self.met[number] = true;
+            }
+            self.pieces.push(piece);
+        }
+        left.then_some(share)
+    }
+
+    /// Whether a piece carries more than all before, which is noted.
+    fn takes_the_lead(&mut self, weight: f64, piece: [u16; 2]) -> bool {
+        // The first one leads even without any weight: the next walk has to start somewhere.
+        let more = self.sums.hint.is_none() || weight > self.largest_weight;
+        if more {
+            self.largest_weight = weight;
+            self.sums.hint = Some(piece);
+        }
+        more
+    }
+
+    /// Shows the piece that rubs: the largest one of the pair evaluated last.
+    pub fn rubbing(&self, show: &mut dyn FnMut(&Polygon, &Frame)) {
+        show(&self.largest, &self.largest_frame);
+    }
+
+    /// Negative stiffness along the surface of the pair evaluated last over the normal stiffness of its law, m², with the sums of the contact; 0
+    /// where no springs are asked to hold it.
+    pub fn falling(&mut self, law: &ContactLaw, sums: &Sums) -> f64 {
+        let split = self.planes.split;
+        let faces = |met: &[bool]| met.iter().filter(|met| **met).count();
+        // Along the one face of a block that is touched nothing changes.
+        if faces(&self.met[..split]) < 2 || faces(&self.met[split..]) < 2 {
+            return 0.0;
+        }
+        match law.least_falling() {
+            Some(least) if lateral::is_narrow(sums, least) => {
+                lateral::falls(&self.rate(), sums.force)
+            }
+            Some(_) | None => 0.0,
+        }
+    }
+
+    /// Rate of the integral of depth times normal with the displacement of the second block, m².
+    pub(super) fn rate(&mut self) -> Mat3 {
+        let mut rate = Mat3::ZERO;
+        let count = self.pieces.len();
+        for k in 0..count {
+            let piece = self.pieces[k];
+            let numbers = self.numbers(piece);
+            if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
+                && let Some(share) = self.make(&frame, piece)
+            {
+                let polygon = &self.cutter.polygon;
+                rate += lateral::rate(&self.planes, &frame, polygon, numbers) * share;
+            }
+        }
+        // Those that were made again.
+        self.pieces.truncate(count);
+        rate
+    }
+
+    fn queue_neighbours(&mut self, [f, g]: [u16; 2]) {
+        let split = self.planes.split as u16;
+        for edge in 0..self.cutter.polygon.len() {
+            let label = self.cutter.polygon.label()[edge];
+            if label == OPEN {
+                self.sums.unlabelled += 1;
+                continue;
+            }
+            if label == BOUNDARY {
+                continue;
+            }
+            let side = usize::from(label >= split);
+            let face = if side == 0 { label } else { label - split };
+            self.enqueue(if side == 0 { [face, g] } else { [f, face] });
+            // A tied face does not cut: no edge has its label, and the strip beyond it has to be named.
+            for at in 0..self.ties.len() {
+                let tie = self.ties[at].faces;
+                if tie[side] == face {
+                    self.enqueue(if side == 0 { [f, tie[1]] } else { [tie[0], g] });
+                }
+            }
+        }
+    }
+
+    /// Listed faces that have no piece yet may belong to another part of the surface.
+    fn look_at_the_rest(&mut self, pair: &Pair) {
+        let split = self.planes.split;
+        let count = self.planes.len();
+        for k in 0..count {
+            let side = usize::from(k >= split);
+            let others = if side == 0 { split..count } else { 0..split };
+            if self.met[k] || !self.reaches_in(pair, k, others.clone()) {
+                continue;
+            }
+            for other in others {
+                let (f, g) = if side == 0 { (k, other) } else { (other, k) };
+                self.walk([f as u16, (g - split) as u16]);
+            }
+        }
+    }
+
+    /// Whether a part of face `k` lies inside the other block, by its planes `others`. Only such faces have a piece: the ball about
+    /// a point of it that reaches to the nearest plane lies in the overlap and touches the face.
+    fn reaches_in(&mut self, pair: &Pair, k: usize, others: std::ops::Range<usize>) -> bool {
+        let side = usize::from(k >= self.planes.split);
+        let place = k - side * self.planes.split;
+        let body = pair.bodies[side];
+        let shift = body.position - origin(pair.bodies[0], pair.bodies[1]);
+        let face = body.shape.outline(pair.faces[side][place] as usize);
+        let (planes, clip, width) = (&self.planes, &mut self.clip, self.cutter.width());
+        let crosses = width.run(
+            #[inline(always)]
+            || cut_face(planes, others, body, shift, face, clip),
+        );
+        if !crosses {
+            return false;
+        }
+        // A face that is tied to one of the other block counts on either side of it.
+        let slack = if pair.ties { TIE_BAND * self.radius } else { 0.0 };
+        self.clip.is_left(slack)
+    }
+}
+
+/// Finds how far the corners of a face lie beyond planes of the other block, `shift` (m) being where its block is from their origin; whether no
+/// plane has all of them beyond it.
+#[inline(always)]
+fn cut_face(
+    planes: &Planes,
+    others: std::ops::Range<usize>,
+    body: &Body,
+    shift: Vec3,
+    face: &[u16],
+    clip: &mut FaceClip,
+) -> bool {
+    // Planes are turned back into the body once, instead of every corner into space: eight at a time.
+    let back = body.turn.transpose();
+    let axes = [back.x_axis, back.y_axis, back.z_axis].map(|axis| same(&axis.to_array()));
+    let shift = same(&shift.to_array());
+    clip.begin(others.len(), face.len());
+    for column in (0..others.len()).step_by(LANES) {
+        let from = others.start + column;
+        let normal = [&planes.x, &planes.y, &planes.z].map(|list| Lanes::at(list, from));
+        let own = plus(
+            &plus(&scaled(normal[0], &axes[0]), &scaled(normal[1], &axes[1])),
+            &scaled(normal[2], &axes[2]),
+        );
+        let room = Lanes::at(&planes.d, from) - dot(&normal, &shift);
+        let there = (others.len() - column).min(LANES);
+        let mut beyond = [true; LANES];
+        for (row, v) in face.iter().enumerate() {
+            let corner = same(&body.shape.vertices[*v as usize].to_array());
+            let height = (dot(&own, &corner) - room).0;
+            clip.set(row, column, &height[..there]);
+            for (beyond, height) in beyond.iter_mut().zip(height) {
+                *beyond &= height >= 0.0;
+            }
+        }
+        if beyond[..there].contains(&true) {
+            return false;
+        }
+    }
+    true
+}

@@ -1,0 +1,158 @@
+//! Why a model cannot be built.
+
+use crate::laws::explosive::ExplosiveError;
+
+/// Why a model cannot be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BuildError {
+    /// A stiffness from the material needs moduli that it lacks.
+    #[error("the material `{material}` needs `young` and `poisson` for {need}")]
+    NoModulus {
+        /// Name of the material.
+        material: String,
+        /// What needs them.
+        need: &'static str,
+    },
+    /// A block has no volume.
+    #[error("the block `{block}` has no volume: {reason}")]
+    Shape {
+        /// Name of the block.
+        block: String,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A block of glued parts beside something that does not know such blocks.
+    #[error("the block `{block}`, of glued parts, {reason}")]
+    Glued {
+        /// Name of the block.
+        block: String,
+        /// What it cannot do.
+        reason: &'static str,
+    },
+    /// The blocks cannot be split as asked for.
+    #[error("{0}")]
+    Refine(#[from] RefineError),
+    /// A source cannot be built.
+    #[error("{0}")]
+    Source(#[from] CavityError),
+    /// Deformable blocks that touch need a bond law.
+    #[error(
+        "the blocks `{}` and `{}` touch and one of them is deformable, but the interface `{interface}` says nothing \
+         about bonds: give it `brittle_bond`", .blocks[0], .blocks[1]
+    )]
+    NoBond {
+        /// Name of the interface.
+        interface: String,
+        /// Names of the blocks.
+        blocks: [String; 2],
+    },
+    /// A notch that is not on a face.
+    #[error(
+        "a notch finds no shared face of deformable blocks whose centre is in its box, whose lowest corner is \
+         ({}, {}, {}) m: cracks that are there at the start lie on faces between blocks", .at[0], .at[1], .at[2]
+    )]
+    NoFacet {
+        /// Lowest corner of the box, m (global).
+        at: [f64; 3],
+    },
+    /// A support for nodes finds none.
+    #[error(
+        "a support finds no node of its deformable blocks in its box, whose lowest corner is ({}, {}, {}) m: nodes are the \
+         corners, the face centres and the centroid of a block", .at[0], .at[1], .at[2]
+    )]
+    NoNode {
+        /// Lowest corner of the box, m (global).
+        at: [f64; 3],
+    },
+    /// A condition for faces finds none.
+    #[error(
+        "the boundary `{boundary}` finds no free face: check its plane, its blocks or its box, and the outward normal"
+    )]
+    NoFace {
+        /// Name of the boundary.
+        boundary: String,
+    },
+    /// A condition whose faces all have a later one.
+    #[error(
+        "the boundary `{boundary}` has no effect: all its faces belong to boundaries that stand later (`{later}`), and a \
+         face has one condition, the last; take it away, or give them other faces"
+    )]
+    Overruled {
+        /// Name of the boundary.
+        boundary: String,
+        /// Names of the later boundaries.
+        later: String,
+    },
+}
+
+/// Why a source cannot be built.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CavityError {
+    /// Nothing there.
+    #[error("the source `{source}` touches no block; move it into the model", source = .name)]
+    NoBlock {
+        /// Name of the source.
+        name: String,
+    },
+    /// Two sources on one block.
+    #[error(
+        "the sources `{name}` and `{other}` remove the same block {block}; move them apart or refine around them"
+    )]
+    Shared {
+        /// Name of one source.
+        name: String,
+        /// Name of the other.
+        other: String,
+        /// Name of the block.
+        block: String,
+    },
+    /// Nobody to push.
+    #[error("the blocks of the source `{name}` share no face with any other block")]
+    NoWall {
+        /// Name of the source.
+        name: String,
+    },
+    /// Heave needs a surface.
+    #[error("the source `{name}` vents by heave, but no free face lies above it (against gravity)")]
+    NoSurface {
+        /// Name of the source.
+        name: String,
+    },
+    /// No adiabat.
+    #[error("the source `{name}`: {reason}")]
+    Explosive {
+        /// Name of the source.
+        name: String,
+        /// What is wrong.
+        reason: ExplosiveError,
+    },
+}
+
+/// Most levels below the blocks as given: with more, the smallest edges come near the round-off of coordinates.
+pub(crate) const MAX_LEVELS: u8 = 16;
+/// Most blocks that splitting may make.
+pub(crate) const MAX_BLOCKS: usize = 100_000_000;
+
+/// Why blocks cannot be split.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum RefineError {
+    /// Only bricks and parallelepipeds have eight similar parts.
+    #[error(
+        "block {name} does not have six faces in three parallel pairs; only such blocks can be split 1 to 8 (make the region smaller)"
+    )]
+    Indivisible {
+        /// Its name.
+        name: String,
+    },
+    /// More levels than coordinates can resolve.
+    #[error("{levels} levels are asked for; at most {MAX_LEVELS} can be told apart")]
+    TooDeep {
+        /// Levels asked for.
+        levels: u8,
+    },
+    /// Too many blocks.
+    #[error(
+        "the refinement makes more than {MAX_BLOCKS} blocks; use fewer levels or a smaller region"
+    )]
+    TooMany,
+}

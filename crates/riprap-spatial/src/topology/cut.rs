@@ -1,0 +1,275 @@
+//! Cutting deformable blocks by planes where they are about to break.
+//!
+//! One transaction, as splitting 1 to 8: plan (read only) -> apply -> audit -> lay out and evaluate anew. It happens
+//! between `step::evaluate` and `step::advance`, in static phases at a converged state only. Displacements and velocities
+//! are those of the tetrahedra of the parent; mass, momentum and angular momentum stay. The bonds of a cut block
+//! are made anew by overlay: those with neighbours keep the stretch (and with it traction, breaks, softening and slip) that they
+//! had, those between parts begin with the traction that the parent's stress has on the plane. Nothing is tested for
+//! failure before the forces have converged again. What a cut does to the energy is booked as edit defect.
+//!
+//! Source: Han, Liu & Li (2010), section 3. Deviations: the criterion, the direction and the planes are those of
+//! `laws::fracture` and `riprap_geom::polyhedron::cut`; bonds start under load and by overlay.
+
+mod apply;
+mod facets;
+mod follow;
+mod plan;
+mod pressed;
+mod select;
+mod stretch;
+pub mod tip;
+mod transfer;
+
+use plan::{Cut, Family};
+use transfer::Handed;
+
+use riprap_geom::Vec3;
+
+use crate::exec::Exec;
+use crate::laws::fracture::FractureMode;
+use crate::push::charge;
+use crate::query::view::View;
+pub use crate::setup::deform::{CutAnchor as Anchor, CutRules as Rules};
+use crate::setup::error::RefineError;
+use crate::stable::deformable;
+pub use crate::state::cutting::{Cutting, Effort};
+use crate::state::deform::Deform;
+pub use crate::state::event::Note;
+use crate::state::event::{EditEvent, EditKind};
+use crate::state::scratch::Scratch;
+use crate::state::workspace::Workspace;
+use crate::state::world::World;
+use crate::step;
+use crate::topology::audit::unchanged;
+use crate::topology::error::EditError;
+use crate::topology::fracture::CHECK_INTERVAL;
+
+/// Most blocks that a model may have after a cut.
+const MAX_BLOCKS: usize = 4_000_000;
+/// Share by which sums may change.
+const EXACT: f64 = 1e-11;
+
+/// Lets the present phase cut blocks, or not.
+pub fn allow(world: &mut World, rules: Option<&Rules>) {
+    let blocks = world.alive.len() as u32;
+    let step = world.step;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return;
+    };
+    deform.given.get_or_insert(blocks);
+    deform.cutting = rules.map(|rules| Cutting {
+        rules: *rules,
+        // The state that a phase begins with may not have been relaxed by its rules.
+        last_check_step: step,
+        stages: 0,
+    });
+}
+
+/// Cuts the blocks whose criterion is met now; returns how many. Call it between `evaluate` and `advance` with the same
+/// `dt` (s); a second call at the same step does nothing.
+///
+/// # Errors
+/// Too many blocks, no bond law, forces that are not finite, a failed audit.
+pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, EditError> {
+    let now = world.step;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return Ok(0);
+    };
+    // The state on the way to an equilibrium says nothing of what the rock bears.
+    let ready = match &deform.relax {
+        Some(relax) => relax.converged,
+        None => now.is_multiple_of(CHECK_INTERVAL) && now > 0,
+    };
+    let Some(cutting) = deform.cutting.as_mut().filter(|_| ready) else {
+        return Ok(0);
+    };
+    if cutting.last_check_step == now || cutting.stages >= cutting.rules.stages {
+        return Ok(0);
+    }
+    cutting.last_check_step = now;
+    let rules = cutting.rules;
+    // What bonds have lost on the way here is booked while they are there: those of cut blocks are replaced.
+    crate::topology::fracture::settle(world);
+    let cuts = select::plan(&View { world, scratch }, &rules);
+    if cuts.is_empty() {
+        return Ok(0);
+    }
+    let new: usize = cuts.iter().map(|c| c.parts.len()).sum();
+    if world.alive.len() + new > MAX_BLOCKS {
+        return Err(RefineError::TooMany.into());
+    }
+    // Parts begin with half a kick of forces of their own.
+    step::end_motion(world, scratch, &scratch.damping.clone())?;
+    // Nothing moves until `after`: what the residual changes by is what the cut has made.
+    let before = View { world, scratch }.balance().residual();
+    let count = cuts.len();
+    carry_out(world, scratch, cuts)?;
+    if let Some(deform) = world.deform.as_deref_mut() {
+        if let Some(cutting) = &mut deform.cutting {
+            cutting.stages += 1;
+        }
+        if let Some(relax) = &mut deform.relax {
+            relax.disturb();
+        }
+    }
+    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
+    let view = View { world, scratch };
+    let (after, ratio) = (view.balance().residual(), view.deformable_unbalanced());
+    world.works.edit_defect += after - before;
+    if let Some(deform) = world.deform.as_deref_mut() {
+        deform.cut_blocks += count as u64;
+        deform.cut_unbalanced = deform.cut_unbalanced.max(ratio.unwrap_or(0.0));
+    }
+    Ok(count)
+}
+
+/// Number of blocks that meet the criterion of cutting now and stay whole, because an earlier cut has left their faces crooked: their parts
+/// would have another mass.
+#[must_use]
+pub fn crooked(view: &View<'_>) -> usize {
+    let cutting = view.deformables().and_then(|(deform, _)| deform.cutting.as_ref());
+    cutting.map_or(0, |cutting| select::crooked(view, &cutting.rules))
+}
+
+/// Cuts one block as told and evaluates anew, for tests and tools; returns its parts.
+///
+/// # Errors
+/// As [`step()`].
+pub fn one(
+    world: &mut World,
+    scratch: &mut Scratch,
+    (block, normal, planes): (u32, Vec3, u32),
+    dt: f64,
+) -> Result<Vec<u32>, EditError> {
+    let blocks = world.alive.len() as u32;
+    let Some(deform) = world.deform.as_deref_mut() else {
+        return Ok(Vec::new());
+    };
+    deform.given.get_or_insert(blocks);
+    let note = Note { normal, mode: FractureMode::Tension, excess: 0.0 };
+    let view = View { world, scratch };
+    let Some((deform, work)) = view.deformables() else {
+        return Ok(Vec::new());
+    };
+    let Some(body) = deform.body(block as usize) else {
+        return Ok(Vec::new());
+    };
+    let whole = (block, work.class(body).mesh.volume());
+    let Ok(parts) = select::divide(world, whole, normal, planes, (0.03, 0.0), None) else {
+        return Ok(Vec::new());
+    };
+    let cut = select::cut(world, (deform, work), body, note, parts);
+    step::end_motion(world, scratch, &scratch.damping.clone())?;
+    let before = View { world, scratch }.balance().residual();
+    carry_out(world, scratch, vec![cut])?;
+    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
+    let after = View { world, scratch }.balance().residual();
+    world.works.edit_defect += after - before;
+    Ok((blocks..world.alive.len() as u32).collect())
+}
+
+/// Does it all but the evaluation.
+fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result<(), EditError> {
+    let classes = world.deform.as_ref().map_or(0, |d| d.classes.len());
+    let whole = world.clone();
+    let made = match edit(world, scratch, &cuts) {
+        Ok(made) => made,
+        // A cut that fails half-way leaves the run as it was: it is told, saved and resumed from there.
+        Err(error) => {
+            *world = whole;
+            return Err(error);
+        }
+    };
+    drop(whole);
+    scratch.extend(world, cuts.into_iter().flat_map(|cut| cut.classes));
+    let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
+    else {
+        return Ok(());
+    };
+    let mut known = std::mem::take(&mut work.alone);
+    let mut frequencies = 0;
+    // Frequencies are for the time step, and a relaxation has none.
+    if deform.relax.is_none() {
+        // The facets that were made stand last.
+        for facet in &deform.facets[deform.facets.len() - made..] {
+            for block in facet.blocks {
+                if let Some(known) = known.get_mut(deform.slot[block as usize] as usize) {
+                    *known = f64::NAN;
+                }
+            }
+        }
+        (known, frequencies) = deformable::alone::each(deform, work, known, &scratch.exec);
+        work.alone = known;
+    }
+    work.effort = Effort { classes: deform.classes.len() - classes, facets: made, frequencies };
+    Ok(())
+}
+
+/// Cuts, in the lists of the world; returns the number of facets made.
+fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, EditError> {
+    let walls = charge::walls::state(world);
+    let Some(work) = scratch.deform.as_deref() else {
+        return Ok(0);
+    };
+    let made = crate::deform::beside(world, |world, deform| {
+        edit_lists(world, deform, (work, &scratch.exec), cuts)
+    });
+    let made = made.transpose()?.unwrap_or(0);
+    charge::walls::renew(world, &walls);
+    super::bolts::follow(world);
+    Ok(made)
+}
+
+/// The same in the lists of blocks, bodies and facets alone.
+fn edit_lists(
+    world: &mut World,
+    deform: &mut Deform,
+    (work, exec): (&Workspace, &Exec),
+    cuts: &[Cut],
+) -> Result<usize, EditError> {
+    let first = world.alive.len() as u32;
+    let mut next = first;
+    let families: Vec<Family> = cuts
+        .iter()
+        .map(|cut| {
+            let family = Family { cut, first: next, slot: deform.slot[cut.block as usize] };
+            next += cut.parts.len() as u32;
+            family
+        })
+        .collect();
+    apply::append(world, deform, &families);
+    follow::follow(&mut world.setup, &families);
+    audit(world, &families)?;
+    let (counts, made) = facets::rebuild(world, deform, work, &families, exec)?;
+    for (family, counts) in families.iter().zip(counts) {
+        apply::retire(world, deform, family);
+        let event = EditEvent {
+            children: family.children().collect(),
+            patches: counts,
+            cut: Some(family.cut.note),
+            ..world.event(EditKind::Cut, family.cut.block)
+        };
+        world.events.push(event);
+    }
+    crate::deform::build::hold_anew(world, deform);
+    Ok(made)
+}
+
+/// Checks that the parts of each block have its mass and momenta; that they have no more energy of motion is seen to before.
+fn audit(world: &World, families: &[Family]) -> Result<(), EditError> {
+    for family in families {
+        let Handed { before, after, .. } = &family.cut.handed;
+        let check = |what, before: f64, after: f64, scale: f64| {
+            unchanged(world, family.cut.block, what, [before, after], EXACT * scale)
+        };
+        check("the mass", before.mass, after.mass, before.mass)?;
+        let scale = before.mass * (2.0 * before.kinetic / before.mass).sqrt();
+        let radius = world.solid_of(family.cut.block as usize).radius + before.centre.length();
+        for k in 0..3 {
+            check("the momentum", before.momentum[k], after.momentum[k], scale)?;
+            let (one, two) = (before.spin[k], after.spin[k]);
+            check("the angular momentum", one, two, scale * radius)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,403 @@
+//! Splitting blocks 1 to 8 during a run.
+
+use crate::faces::overlap::GAP;
+use std::collections::{BTreeMap, BTreeSet};
+
+use riprap_geom::{Mat3, Vec3};
+
+use crate::faces::divisible::Divisible;
+use crate::faces::overlap;
+use crate::faces::overlap::Overlap;
+use crate::joint::classes::ClassTable;
+use crate::joint::patch::turned_inertia;
+use crate::laws::face_joint::SIGNS;
+use crate::push::charge;
+use crate::push::charge::walls;
+use crate::query::view::View;
+use crate::state::bodies::Turned;
+use crate::state::cavity::Wall;
+use crate::state::event::{EditEvent, EditKind};
+use crate::state::face::{Face, HalfBlock};
+use crate::state::interface::Origin;
+use crate::state::world::World;
+use crate::topology::error::EditError;
+use crate::topology::patches;
+use crate::topology::patches::Old;
+use crate::topology::refine;
+
+/// Least cosine between the normals of a face and of its part.
+const ALIKE: f64 = 0.999;
+/// Farther than this from the centre of a rectangle along an axis, in radii of gyration, lies no point of it (half edges are sqrt(3)).
+const IN_RECTANGLE: f64 = 1.8;
+/// The same for a parallelogram along its principal axes (half diagonals of a rhombus are sqrt(6)).
+const IN_PARALLELOGRAM: f64 = 2.5;
+
+/// All that is needed of the state before.
+pub(super) struct Plan<'a> {
+    /// Parents in order; children may be named by their future number.
+    splits: &'a [u32],
+    /// Number of blocks before.
+    pub(super) blocks: usize,
+    /// Patches of split blocks, by the lower and the higher block.
+    old: BTreeMap<[u32; 2], Vec<Old>>,
+    /// Average stress of the split blocks in the frame of the start, Pa.
+    stress: BTreeMap<u32, Mat3>,
+    /// Number of patches of the split blocks.
+    count: BTreeMap<u32, u32>,
+}
+
+impl<'a> Plan<'a> {
+    pub(super) fn new(view: &View, splits: &'a [u32]) -> Self {
+        let world = view.world;
+        let blocks = world.alive.len();
+        let mut plan = Self {
+            splits,
+            blocks,
+            old: BTreeMap::new(),
+            stress: BTreeMap::new(),
+            count: BTreeMap::new(),
+        };
+        let stresses = view.stresses();
+        for &b in splits.iter().filter(|b| (**b as usize) < blocks) {
+            let turn = world.turned[b as usize]
+                .as_ref()
+                .map_or(Mat3::IDENTITY, |t| Mat3::from_quat(t.attitude));
+            let stress = turn.transpose() * stresses[b as usize] * turn;
+            plan.stress.insert(b, stress);
+            plan.count.insert(b, 0);
+        }
+        for (p, &ends) in world.patches.ends.iter().enumerate() {
+            if !ends.iter().any(|b| plan.stress.contains_key(b)) {
+                continue;
+            }
+            let pair = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+            plan.old.entry(pair).or_default().push(Old::new(view, p));
+            for b in ends {
+                if let Some(count) = plan.count.get_mut(&b) {
+                    *count += 1;
+                }
+            }
+        }
+        plan
+    }
+
+    /// The block that existed before and holds block `b`.
+    pub(super) fn root(&self, world: &World, b: u32) -> u32 {
+        let mut b = b;
+        while b as usize >= self.blocks {
+            b = world.lineage[b as usize].parent;
+        }
+        b
+    }
+
+    pub(super) fn is_new(&self, b: u32) -> bool {
+        b as usize >= self.blocks
+    }
+
+    /// The patch that parts of the blocks `roots` share in an overlap, and whether its blocks stand the other way round there.
+    fn old_of(&self, roots: [u32; 2], overlap: &Overlap) -> Option<(&Old, bool)> {
+        let pair = [roots[0].min(roots[1]), roots[0].max(roots[1])];
+        let same = |old: &Old, back: bool| {
+            let sign = if back { -1.0 } else { 1.0 };
+            let ends = if back { [roots[1], roots[0]] } else { roots };
+            old.ends == ends && sign * old.normal().dot(overlap.frame[0]) > ALIKE
+        };
+        let olds = self.old.get(&pair).into_iter().flatten();
+        // Parts can share their face in the other order than the patch of their parents has it.
+        olds.flat_map(|old| [(old, false), (old, true)]).find(|(old, back)| same(old, *back))
+    }
+}
+
+/// Does it all but the evaluation.
+pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
+    refine::append_children(&mut world.setup, &mut world.lineage, plan.splits);
+    refine::follow(&mut world.setup, &world.lineage, plan.splits);
+    for (k, &parent) in plan.splits.iter().enumerate() {
+        let first = plan.blocks + 8 * k;
+        for child in first..first + 8 {
+            add_child(world, parent as usize, child);
+        }
+        world.alive[parent as usize] = false;
+    }
+    let tolerance = GAP * world.finest();
+    let (near, charges) = neighbourhood(world, plan);
+    let (overlaps, free) = overlap::touching(world, &near, tolerance);
+    let turned = turned_walls(world);
+    forget(world);
+    let parents: BTreeMap<u32, Vec<Face>> = take_faces(world);
+    let mut after: BTreeMap<u32, u32> = BTreeMap::new();
+    let mut table = ClassTable::new(world, world.finest());
+    for overlap in &overlaps {
+        let blocks = overlap.blocks;
+        if !blocks.iter().any(|b| plan.is_new(*b)) {
+            continue;
+        }
+        let owner = |k: usize| charges.get(&blocks[k]).copied();
+        if let Some((side, cavity)) = [(1, owner(0)), (0, owner(1))]
+            .into_iter()
+            .find_map(|(side, owner)| owner.map(|cavity| (side, cavity)))
+        {
+            let mut wall = Wall::new(&world.setup, &world.reference, overlap, side);
+            if let Some(parent) = turned.get(&(plan.root(world, wall.block), wall.behind)) {
+                walls::divide(world, &mut wall, parent);
+            }
+            world.cavities[cavity].walls.push(wall);
+            continue;
+        }
+        let roots = blocks.map(|b| plan.root(world, b));
+        let inside = roots[0] == roots[1] && lies_inside(world, roots[0], overlap);
+        let old = plan.old_of(roots, overlap);
+        if !inside && old.is_none() {
+            // Neighbours of the start whose joint has given way: the faces of the parts are as bare as those of the parents.
+            for side in [0, 1] {
+                lay_bare(world, plan, &parents, overlap.side(side))?;
+            }
+            continue;
+        }
+        let p = world.patches.len();
+        // What a patch remembers is along its own axes, from its own block i to its block j.
+        match old {
+            Some((_, true)) if !inside => world.add_patch(&mut table, &overlap.reversed())?,
+            _ => world.add_patch(&mut table, overlap)?,
+        }
+        for root in if roots[0] == roots[1] { &roots[..1] } else { &roots[..] } {
+            *after.entry(*root).or_default() += 1;
+        }
+        if inside {
+            let finite = world.turned[roots[0] as usize].is_some();
+            patches::inside(world, p, &plan.stress[&roots[0]], finite);
+            world.patches.set_origin(p, Origin::Cut);
+        } else if let Some((old, _)) = old {
+            old.hand_on(world, p);
+        }
+    }
+    for mut face in free {
+        if plan.is_new(face.block) {
+            let root = plan.root(world, face.block);
+            inherit(world, &mut face, &parents, root);
+            world.faces.push(face);
+        }
+    }
+    world.faces.sort_by_key(|f| f.block);
+    world.patches.sort(&world.classes);
+    for cavity in &mut world.cavities {
+        cavity.walls.sort_by_key(|w| (w.block, w.behind));
+    }
+    charge::renew_surfaces(world);
+    report(world, plan, &after);
+    Ok(())
+}
+
+fn missing(world: &World, block: u32, area: f64) -> EditError {
+    EditError::Audit {
+        what: "the area of patches",
+        block: world.name(block as usize),
+        before: 0.0,
+        after: area,
+    }
+}
+
+/// Appends a child to the lists of the world; it moves with the rigid body that its parent is.
+fn add_child(world: &mut World, parent: usize, child: usize) {
+    let Some(shape) = Divisible::of(&world.setup.blocks[child].shape) else {
+        unreachable!("only blocks with eight similar parts are split")
+    };
+    let centre = shape.centre();
+    let start = centre - world.reference[parent];
+    let whole = *world.solid_of(parent);
+    let mut part = whole;
+    part.mass /= 8.0;
+    part.volume /= 8.0;
+    // An eighth of the mass at half the distances.
+    part.inertia = whole.inertia * (1.0 / 32.0);
+    part.inverse = whole.inverse * 32.0;
+    part.half = 0.5 * whole.half;
+    part.radius = 0.5 * whole.radius;
+    let class = match shape {
+        Divisible::Brick(_) => world.solids.iter().position(|s| *s == part),
+        // The corners of others are alike only up to round-off.
+        Divisible::Leaning(_) => None,
+    };
+    let class = class.unwrap_or_else(|| {
+        world.solids.push(part);
+        world.solids.len() - 1
+    });
+    let (u, turn) = (world.bodies.displacement(parent), world.bodies.rotation(parent));
+    let (v, mut w) = (world.bodies.velocity(parent), world.bodies.spin(parent));
+    let (mut moved, mut arm, mut turned) = (turn.cross(start), start, None);
+    if let Some(state) = world.turned[parent].as_deref() {
+        let q = state.attitude;
+        arm = q * start;
+        moved = arm - start;
+        w = turned_inertia(&whole.inverse, q) * state.momentum;
+        turned =
+            Some(Box::new(Turned { attitude: q, momentum: turned_inertia(&part.inertia, q) * w }));
+    }
+    world.bodies.push([u + moved, turn], [v + w.cross(arm), w]);
+    if !world.datum.is_empty() {
+        let [shift, turn] = world.datum(parent);
+        world.datum.resize(child, [Vec3::ZERO; 2]);
+        world.datum.push([shift + turn.cross(start), turn]);
+    }
+    world.reference.push(centre);
+    world.solid.push(class as u32);
+    world.turned.push(turned);
+    world.alive.push(true);
+    world.motion.push(world.motion[parent].clone());
+    world.peak_speed_squared.push(world.peak_speed_squared[parent]);
+}
+
+/// New blocks, the blocks around them, and the removed blocks behind walls of cavities, with the number of the cavity.
+fn neighbourhood(world: &World, plan: &Plan) -> (Vec<u32>, BTreeMap<u32, usize>) {
+    let mut near: BTreeSet<u32> = (plan.blocks..world.alive.len()).map(|b| b as u32).collect();
+    near.extend(plan.old.values().flatten().flat_map(|old| old.ends));
+    near.retain(|&b| world.alive[b as usize]);
+    let mut charges = BTreeMap::new();
+    for (k, cavity) in world.cavities.iter().enumerate() {
+        for wall in &cavity.walls {
+            if plan.stress.contains_key(&wall.block) {
+                charges.insert(wall.behind, k);
+                near.insert(wall.behind);
+            }
+        }
+    }
+    (near.into_iter().collect(), charges)
+}
+
+/// Walls of dead blocks that have turned with them, by block and removed block.
+fn turned_walls(world: &World) -> BTreeMap<(u32, u32), Wall> {
+    let walls = world.cavities.iter().flat_map(|c| &c.walls);
+    let gone = walls.filter(|w| w.turned.is_some() && !world.alive[w.block as usize]);
+    gone.map(|w| ((w.block, w.behind), *w)).collect()
+}
+
+/// Drops patches and walls of dead blocks.
+fn forget(world: &mut World) {
+    let list = &world.patches;
+    let alive = |b: &u32| world.alive[*b as usize];
+    let keep: Vec<u32> =
+        (0..list.len() as u32).filter(|&p| list.ends[p as usize].iter().all(alive)).collect();
+    world.patches.keep(&keep);
+    for cavity in &mut world.cavities {
+        cavity.walls.retain(|w| world.alive[w.block as usize]);
+    }
+}
+
+/// Takes the faces of dead blocks out of the list, by block.
+fn take_faces(world: &mut World) -> BTreeMap<u32, Vec<Face>> {
+    let mut parents: BTreeMap<u32, Vec<Face>> = BTreeMap::new();
+    for face in std::mem::take(&mut world.faces) {
+        if world.alive[face.block as usize] {
+            world.faces.push(face);
+        } else {
+            parents.entry(face.block).or_default().push(face);
+        }
+    }
+    parents
+}
+
+/// Whether an overlap of two parts of a block that was split lies inside it, and not where the block meets itself across a period.
+fn lies_inside(world: &World, root: u32, overlap: &Overlap) -> bool {
+    let n = overlap.frame[0];
+    let height = n.dot(overlap.centre(&world.reference) - world.reference[root as usize]);
+    let reach = match Divisible::of(&world.setup.blocks[root as usize].shape) {
+        Some(whole) => whole.reach(n),
+        None => return false,
+    };
+    height.abs() < ALIKE * reach
+}
+
+/// Adds a face that a neighbour of the start faces, to which no joint of the parent led any more.
+fn lay_bare(
+    world: &mut World,
+    plan: &Plan,
+    parents: &BTreeMap<u32, Vec<Face>>,
+    mut face: Face,
+) -> Result<(), EditError> {
+    if !plan.is_new(face.block) {
+        return Ok(()); // It has its face already.
+    }
+    let root = plan.root(world, face.block);
+    inherit(world, &mut face, parents, root);
+    if !face.parted {
+        return Err(missing(world, root, face.area));
+    }
+    world.faces.push(face);
+    Ok(())
+}
+
+/// A free face of a child takes the condition of the parent's face; springs keep their stress at their new stiffness.
+fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, root: u32) {
+    let reference = |b: u32| world.reference[b as usize];
+    let centre = reference(face.block) + face.arm;
+    let within = match Divisible::of(&world.setup.blocks[root as usize].shape) {
+        Some(Divisible::Brick(_)) => IN_RECTANGLE,
+        Some(Divisible::Leaning(_)) | None => IN_PARALLELOGRAM,
+    };
+    // How far the centre is from that of a face of the parent, in radii of gyration.
+    let far = |f: &Face| {
+        let [n, b, c] = f.frame;
+        let from = centre - (reference(root) + f.arm);
+        let share = [from.dot(b) / f.half_spacing[0], from.dot(c) / f.half_spacing[1]];
+        let along = n.dot(face.frame[0]) > ALIKE;
+        along.then(|| share[0].abs().max(share[1].abs()))
+    };
+    let faces = parents.get(&root).into_iter().flatten();
+    let Some((_, parent)) = faces
+        .filter_map(|f| Some((far(f).filter(|far| *far < within)?, f)))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+    else {
+        return;
+    };
+    face.parted = parent.parted;
+    let Some(index) = parent.boundary else {
+        return;
+    };
+    face.boundary = Some(index);
+    let depth = |f: &Face| f.arm.dot(f.frame[0]);
+    // A part is less deep behind the face than the whole, and stiffer by as much.
+    let ratio = depth(parent) / depth(face);
+    let Some(behind) = &parent.half_block else {
+        return;
+    };
+    let mut half = HalfBlock {
+        stiffness: behind.stiffness.map(|k| ratio * k),
+        impedance: behind.impedance,
+        ..HalfBlock::default()
+    };
+    for p in 0..4 {
+        let at = face.place(p);
+        let from = reference(face.block) + at - (reference(root) + parent.arm);
+        let side = |k: usize| from.dot(parent.frame[k + 1]) >= 0.0;
+        let nearest = (0..4).find(|&q| (0..2).all(|k| (SIGNS[k][q] > 0.0) == side(k))).unwrap_or(0);
+        let own = moved(world, face.block, at);
+        let theirs = moved(world, root, parent.place(nearest));
+        let stretch = theirs - behind.anchor[nearest];
+        // With the stretch divided by what the stiffness is multiplied with the stress goes on.
+        half.anchor[p] = own - stretch / ratio;
+    }
+    face.half_block = Some(Box::new(half));
+}
+
+/// Displacement of a point of a block given from its centroid at the start, m.
+fn moved(world: &World, block: u32, arm: Vec3) -> Vec3 {
+    let b = block as usize;
+    let turned = match &world.turned[b] {
+        Some(turned) => turned.attitude * arm - arm,
+        None => world.bodies.rotation(b).cross(arm),
+    };
+    world.bodies.displacement(b) + turned
+}
+
+fn report(world: &mut World, plan: &Plan, after: &BTreeMap<u32, u32>) {
+    for (k, &parent) in plan.splits.iter().enumerate() {
+        let first = (plan.blocks + 8 * k) as u32;
+        let counts = [plan.count.get(&parent), after.get(&parent)];
+        let event = EditEvent {
+            children: (first..first + 8).collect(),
+            patches: counts.map(|c| c.copied().unwrap_or(0)),
+            ..world.event(EditKind::Split, parent)
+        };
+        world.events.push(event);
+    }
+}
