@@ -1,6 +1,6 @@
 //! Runs that go where their laws mean nothing: they stop or warn, and right runs that look odd pass without a word.
 
-use crate::bench::{Bench, Said};
+use super::bench::{Bench, Said};
 
 /// A scene in space of rock of 2600 kg/m³ with these keys of space, of the interface, and whatever else.
 fn space(keys: &str, interface: &str, rest: &str) -> String {

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::bench::{Bench, FALL};
+use super::bench::{Bench, FALL};
 
 const RIGID: &str = include_str!("../../../../scenes/spatial/bricks.toml");
 const DEFORMABLE: &str =

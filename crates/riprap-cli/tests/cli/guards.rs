@@ -1,6 +1,6 @@
 //! Runs that are not to be believed: they stop, and say why.
 
-use crate::bench::{Bench, FALL, Said};
+use super::bench::{Bench, FALL, Said};
 
 const CORNER: &str =
     include_str!("../../../../scenes/verify/spatial-contact/b3_corner_impact.toml");

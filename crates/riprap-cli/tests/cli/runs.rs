@@ -1,6 +1,6 @@
 //! Runs: what they leave behind, how they end, how they go on.
 
-use crate::bench::{Bench, FALL};
+use super::bench::{Bench, FALL};
 
 /// Forces, masses and energies are those of the slice, with its units; the motion is the same to the bit.
 #[test]

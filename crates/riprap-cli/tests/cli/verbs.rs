@@ -1,6 +1,6 @@
 //! The other verbs, and input that is wrong.
 
-use crate::bench::{Bench, FALL};
+use super::bench::{Bench, FALL};
 
 #[test]
 fn check_tells_what_to_expect() {

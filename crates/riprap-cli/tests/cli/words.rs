@@ -1,6 +1,6 @@
 //! Help texts and wrong words.
 
-use crate::bench::{Bench, FALL};
+use super::bench::{Bench, FALL};
 
 const VERBS: [&str; 21] = [
     "new",
