@@ -23,6 +23,7 @@ pub enum Output {
 /// A column of `histories.csv`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(at_most_one("of", "at_point"))]
 pub struct History {
     /// Name of the column, once in the file.
     pub name: Name,

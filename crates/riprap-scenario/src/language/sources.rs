@@ -30,10 +30,10 @@ pub enum Source {
 }
 
 /// A charge of explosive. The blocks that it touches are removed at the start, after splitting; the
-/// faces that they shared with others are pushed. Exactly one of `centre`, `line`, `group`,
-/// `pattern`.
+/// faces that they shared with others are pushed.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("centre", "line", "group", "pattern"))]
 pub struct GasCavity {
     /// Centre of a concentrated charge [x, y, z], m.
     pub centre: Option<Point3>,
@@ -43,7 +43,9 @@ pub struct GasCavity {
     pub group: Option<Name>,
     /// Many holes from a CSV file; the sources are called name.1, name.2, ...
     pub pattern: Option<Pattern>,
-    /// Mass of the charge, kg. Needed, except with `pattern`.
+    /// Mass of the charge, kg.
+    #[key(excludes("pattern", help = "the masses are in the file, in its column charge_kg"))]
+    #[key(required("!pattern"))]
     pub mass: Option<Quantity<Mass>>,
     /// The explosive: a name from `[explosives]`, or its constants.
     pub explosive: WordOr<Name, Explosive>,
@@ -138,9 +140,10 @@ pub struct Pattern {
     pub csv: Name,
 }
 
-/// A cavity with a given pressure. Exactly one of `centre`, `line`, `group`.
+/// A cavity with a given pressure.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("centre", "line", "group"))]
 pub struct PressureCavity {
     /// Centre [x, y, z], m: the blocks that touch it are removed.
     pub centre: Option<Point3>,
@@ -273,9 +276,10 @@ impl JsonSchema for Around {
     }
 }
 
-/// Criterion of splitting while the model runs. Exactly one of `stress`, `strain_rate`, `broken`.
+/// Criterion of splitting while the model runs.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("stress", "strain_rate", "broken"))]
 pub struct During {
     /// Splits where the largest magnitude of a principal stress is above this, Pa.
     pub stress: Option<Quantity<Strength>>,

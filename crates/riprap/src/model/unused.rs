@@ -20,10 +20,9 @@ mod start;
 
 use crate::model::builder::Builder;
 use crate::plan::PhaseKind;
-use crate::scenario::diagnostic::list;
 use crate::scenario::language::{Fixed, Interface, Output, Phase, Target};
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{Diagnostic, Span, target_span};
+use crate::scenario::{Diagnostic, Span, no_effect, target_span};
 
 /// A key, and whether it was given.
 type Given = (&'static str, bool);
@@ -93,14 +92,6 @@ impl Builder<'_> {
                 self.no_effect("`fixed` of nodes", &keys, &span, "nodes have no rotation");
             }
         }
-        for boundary in &scenario.boundaries {
-            if let Some(pressure) = &boundary.pressure
-                && let (Some(datum), None) = (&pressure.datum, &pressure.gradient)
-            {
-                let help = "the pressure is uniform; `datum` needs `gradient`";
-                self.no_effect("a pressure", &[("datum", true)], &datum.span, help);
-            }
-        }
     }
 
     /// Warns if there are any of the keys.
@@ -109,10 +100,7 @@ impl Builder<'_> {
         if given.is_empty() {
             return;
         }
-        let verb = if given.len() == 1 { "has" } else { "have" };
-        let message = format!("{} of {of} {verb} no effect", list(&given));
-        let note = Diagnostic::warning("key.unused", message).at(span.clone());
-        self.found.push(note.help(help));
+        self.found.push(no_effect(of, &given, span.clone(), help));
     }
 
     /// Which blocks deform.

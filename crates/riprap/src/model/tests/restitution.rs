@@ -81,12 +81,12 @@ fn two_ways_to_say_it_and_impossible_values_are_refused() {
         let both = format!("{head}{LAW}restitution = 0.3\ndamping_ratio = 0.2\n{blocks}");
         let error = built(&both).unwrap_err();
         assert!(
-            error.contains("interfaces.default has `damping_ratio` and `restitution`"),
+            error.contains("interfaces.default has `damping_ratio`, `restitution`"),
             "{error}"
         );
         let later = "interfaces.default = { damping_ratio = 0.1, restitution = 0.5 }\n";
         let error = built(&format!("{head}{LAW}{blocks}{later}")).unwrap_err();
-        let says = "phases.fall.interfaces.default has `damping_ratio` and `restitution`";
+        let says = "phases.fall.interfaces.default has `damping_ratio`, `restitution`";
         assert!(error.contains(says), "{error}");
         for value in ["0", "1.2", "-0.5"] {
             let error = built(&format!("{head}{LAW}restitution = {value}\n{blocks}")).unwrap_err();
@@ -111,5 +111,5 @@ fn without_found_contacts_it_has_no_effect() {
     let model = built(&format!("{space}{LAW}restitution = 0.5\n{BRICK}")).unwrap();
     let said = model.warnings.iter().map(|w| w.message.as_str());
     let said: Vec<&str> = said.filter(|m| m.contains("restitution")).collect();
-    assert_eq!(said, ["`restitution` of interfaces.default has no effect"]);
+    assert_eq!(said, ["`restitution` in interfaces.default has no effect"]);
 }

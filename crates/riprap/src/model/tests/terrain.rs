@@ -156,7 +156,7 @@ fn blocks_start_on_or_above_terrain() {
 fn terrain_does_not_move() {
     let text = asc(PLAIN);
     for key in ["velocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]", "mechanics.deformable = {}"] {
-        refused(("g.asc", &text), &format!("{key}\n{BALL}"), &["is terrain and has"]);
+        refused(("g.asc", &text), &format!("{key}\n{BALL}"), &["cannot be used with `terrain`"]);
     }
     let release = "[[phases]]\nname = \"on\"\nuntil = { time = \"1 s\" }\nrelease = [\"ground\"]\n";
     refused(
