@@ -71,7 +71,10 @@ impl Rule {
                 "space" => rule.space = text,
                 "reader" => rule.reader = Some(text),
                 _ => {
-                    return Err(syn::Error::new(name.span(), "`when`, `help`, `space` or `reader`"));
+                    return Err(syn::Error::new(
+                        name.span(),
+                        "`when`, `help`, `space` or `reader`",
+                    ));
                 }
             }
         }

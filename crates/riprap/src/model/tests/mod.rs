@@ -407,7 +407,9 @@ fn how_a_group_turns_is_told_where_it_cannot_be_meant() {
     assert!(told.contains("has `about`, `each`"), "{told}");
     let idle = "velocity = { x = { constant = \"1 m/s\" }, about = [\"0 m\", \"0 m\"] }";
     let model = good(&driven_pair(idle));
-    let idle = |w: &Diagnostic| w.message.starts_with("`about` in supports.") && w.message.ends_with("has no effect");
+    let idle = |w: &Diagnostic| {
+        w.message.starts_with("`about` in supports.") && w.message.ends_with("has no effect")
+    };
     assert!(model.warnings.iter().any(idle));
 }
 

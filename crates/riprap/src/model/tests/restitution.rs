@@ -80,10 +80,7 @@ fn two_ways_to_say_it_and_impossible_values_are_refused() {
     for (head, blocks) in [(SPACE, BRICK), (PLANE, SQUARE)] {
         let both = format!("{head}{LAW}restitution = 0.3\ndamping_ratio = 0.2\n{blocks}");
         let error = built(&both).unwrap_err();
-        assert!(
-            error.contains("interfaces.default has `damping_ratio`, `restitution`"),
-            "{error}"
-        );
+        assert!(error.contains("interfaces.default has `damping_ratio`, `restitution`"), "{error}");
         let later = "interfaces.default = { damping_ratio = 0.1, restitution = 0.5 }\n";
         let error = built(&format!("{head}{LAW}{blocks}{later}")).unwrap_err();
         let says = "phases.fall.interfaces.default has `damping_ratio`, `restitution`";
