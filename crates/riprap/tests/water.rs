@@ -482,7 +482,7 @@ fn what_is_wrong_with_water_is_told() {
         "[water.high.seepage]",
         "within = { min = [\"0 m\", \"0 m\"], max = [\"1 m\", \"1 m\"] }\n[water.high.seepage]",
     );
-    assert!(told(&seeps).contains("`within` in water.table cannot be used with `seepage`"), "{}", told(&seeps));
+    assert!(told(&seeps).contains("`within` in water.high cannot be used with `seepage`"), "{}", told(&seeps));
     let folder = tempfile::tempdir().unwrap();
     let several = several(folder.path());
     assert!(told(&several).contains("end 13.000 m inside the model"), "{}", told(&several));

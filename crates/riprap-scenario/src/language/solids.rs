@@ -23,7 +23,7 @@ pub struct Brick {
     pub centre: Option<Point3>,
 }
 
-/// A region filled with equal bricks. Exactly one form.
+/// A region filled with equal bricks.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Grid {
@@ -154,7 +154,7 @@ pub struct Terrain {
     pub unit: Option<Quantity<PositiveLength>>,
 }
 
-/// How blocks deform. Exactly one form.
+/// How blocks deform.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Mechanics {
