@@ -49,7 +49,7 @@ pub struct Interface {
     #[key(space = "planar", instead = "joints are elastic up to their strength; leave it out")]
     #[key(default, changes)]
     pub law: Option<NormalLaw>,
-    /// How `penetration_potential` treats a reflex (inward) corner.
+    /// How a reflex (inward) corner acts.
     #[key(space = "planar")]
     #[key(default, changes)]
     #[key(only_with("law = penetration_potential"))]

@@ -148,7 +148,7 @@ pub struct Terrain {
     pub csv: Option<Name>,
     /// Path of an STL file: one open surface.
     pub stl: Option<Name>,
-    /// Length of 1 in `asc` or `stl`.
+    /// Length of 1 in the file.
     #[key(default = "1 m")]
     #[key(excludes("csv", help = "the columns of a CSV file have their units in their names"))]
     pub unit: Option<Quantity<PositiveLength>>,
