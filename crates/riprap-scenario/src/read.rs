@@ -302,7 +302,12 @@ impl TableSchema {
     }
 
     pub(crate) fn finish(mut self, rules: Vec<Rule>) -> Schema {
-        for rule in &rules {
+        // A key that is required under a condition has no need of "only with" the same.
+        let said = |rule: &&Rule| {
+            let same = |one: &Rule| one.keys == rule.keys && one.when == rule.when;
+            rule.kind == "required" || !rules.iter().any(|one| one.kind == "required" && same(one))
+        };
+        for rule in rules.iter().filter(said) {
             rule.describe(&mut self.head, &mut self.keys);
         }
         if !rules.is_empty() {

@@ -47,8 +47,12 @@ impl Rule {
         };
         let object = key.unwrap_or(table);
         // Long lists and conditions are in the texts of keys themselves; a changed form refers to its table.
-        let long =
-            self.keys.len() > 6 && self.kind != "one_of" || self.when.matches('|').count() > 3;
+        let most = match self.kind {
+            "one_of" => usize::MAX,
+            "at_most_one" | "any_of" => 6,
+            _ => 2,
+        };
+        let long = self.keys.len() > most || self.when.matches('|').count() > 2;
         if long || object.contains_key("x-change-of") {
             return;
         }
@@ -176,7 +180,7 @@ impl Checked<'_, '_> {
                     return None;
                 }
                 if given.is_empty() && kind != "at_most_one" && holds {
-                    let message = format!("{of} needs {}", crate::diagnostic::one_of(&possible));
+                    let message = format!("{of} needs {}", choice(&possible, kind));
                     let error = Diagnostic::error("key.one_of", message).at(self.place());
                     return Some(error.help(or(format!("give {}", choice(&possible, kind)))));
                 }

@@ -480,7 +480,7 @@ fn what_is_wrong_with_water_is_told() {
         "within = { min = [\"0 m\", \"0 m\"], max = [\"1 m\", \"1 m\"] }\n[water.high.seepage]",
     );
     assert!(
-        told(&seeps).contains("`within` in water.table cannot be used with `seepage`"),
+        told(&seeps).contains("`within` in water.high cannot be used with `seepage`"),
         "{}",
         told(&seeps)
     );

@@ -246,7 +246,7 @@ impl Block {
     }
 }
 
-/// Corners of a polygon, in either sense of rotation. Exactly one form.
+/// Corners of a polygon, in either sense of rotation.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Polygon {

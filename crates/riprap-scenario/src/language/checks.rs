@@ -81,7 +81,7 @@ pub struct Check {
     pub phase: Option<Name>,
     /// Moment of the check: a time, `"start"` or `"end"`. Default `"end"`.
     pub at: Option<Moment>,
-    /// First and last time of an interval, s. Default the whole run, if `reduce` is given.
+    /// First and last time of an interval, s. Default the whole run.
     #[key(needs(
         "reduce",
         help = "say how the values become one number, for example reduce = \"max\""

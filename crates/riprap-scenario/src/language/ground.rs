@@ -168,7 +168,7 @@ pub struct FaceTraction {
     pub time: Option<TimeFunction<Plain>>,
 }
 
-/// Stress that all joints carry at the start. Exactly one form; the sign stands in its name. Heights are along z, in the plane along y.
+/// Stress that all joints carry at the start. The sign stands in its name. Heights are along z, in the plane along y.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum InSitu {

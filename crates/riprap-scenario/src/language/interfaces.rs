@@ -49,7 +49,7 @@ pub struct Interface {
     #[key(space = "planar", instead = "joints are elastic up to their strength; leave it out")]
     #[key(default, changes)]
     pub law: Option<NormalLaw>,
-    /// How `penetration_potential` treats a reflex (inward) corner.
+    /// How a reflex (inward) corner acts.
     #[key(space = "planar")]
     #[key(default, changes)]
     #[key(only_with("law = penetration_potential"))]
@@ -104,7 +104,7 @@ pub struct Interface {
     /// Angle of dilation of joints that slide; in the plane of `bond`.
     #[key(default = "0 deg", read_by("joints", "sliding"))]
     pub dilation_angle: Option<Quantity<FrictionAngle>>,
-    /// Slip at which dilation ends, m; joints that slide back close again; needed unless the angle is 0 deg.
+    /// Slip at which dilation ends, m; joints that slide back close again.
     #[key(read_by("joints"))]
     #[key(only_with("dilation_angle"))]
     pub dilation_end: Option<Quantity<PositiveLength>>,

@@ -60,7 +60,7 @@ pub struct JointPlanes {
     pub dfnworks: Option<Name>,
     /// Path of a network in space as 3DEC and PFC3D write it with `fracture export` (`.dat`): disks and polygons.
     pub itasca: Option<Name>,
-    /// What the length 1 in `fab`, `dfnworks` or `itasca` stands for, m. Default as the file says (`Length_Unit`), else 1 m.
+    /// What the length 1 in the file stands for, m. Default as the file says (`Length_Unit`), else 1 m.
     #[key(excludes("csv", help = "the columns of a CSV file have their units in their names"))]
     pub unit: Option<Quantity<PositiveLength>>,
     /// Interface of rock bridges, the parts of cuts beyond disks and polygons.

@@ -12,7 +12,7 @@ use crate::quantity::{
 };
 use crate::time_function::TimeFunction;
 
-/// Which blocks. Exactly one form.
+/// Which blocks.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Target {
@@ -87,7 +87,7 @@ pub struct Fixed {
     pub rotation_z: Option<bool>,
 }
 
-/// Prescribed motion. Exactly one form.
+/// Prescribed motion.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Motion {

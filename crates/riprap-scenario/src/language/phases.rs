@@ -70,7 +70,7 @@ pub struct Phase {
     /// Measure of strain of all deformable blocks from this phase on. Default: that of the blocks, or of the phase before.
     #[key(space = "spatial")]
     pub strain: Option<Strain>,
-    /// Number of steps in which time passes in a `static` phase of deformable blocks: loads and
+    /// Number of steps in which time passes for deformable blocks: loads and
     /// driven nodes follow it, and each step is relaxed to `until.unbalanced`.
     #[key(space = "spatial")]
     #[key(default = 1, min = 1, max = 1_000_000)]

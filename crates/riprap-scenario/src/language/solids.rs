@@ -23,7 +23,7 @@ pub struct Brick {
     pub centre: Option<Point3>,
 }
 
-/// A region filled with equal bricks. Exactly one form.
+/// A region filled with equal bricks.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Grid {
@@ -148,13 +148,13 @@ pub struct Terrain {
     pub csv: Option<Name>,
     /// Path of an STL file: one open surface.
     pub stl: Option<Name>,
-    /// Length of 1 in `asc` or `stl`.
+    /// Length of 1 in the file.
     #[key(default = "1 m")]
     #[key(excludes("csv", help = "the columns of a CSV file have their units in their names"))]
     pub unit: Option<Quantity<PositiveLength>>,
 }
 
-/// How blocks deform. Exactly one form.
+/// How blocks deform.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Mechanics {

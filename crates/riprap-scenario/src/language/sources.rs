@@ -19,7 +19,7 @@ use crate::quantity::{
 use crate::time_function::TimeFunction;
 use crate::words::WordOr;
 
-/// A cavity that pushes on the faces around it. Exactly one form.
+/// A cavity that pushes on the faces around it.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Source {
@@ -108,7 +108,7 @@ pub struct CouplingScale {
     pub scaled: Quantity<NotNegativePlain>,
 }
 
-/// How gas escapes. Exactly one form.
+/// How gas escapes.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Venting {
@@ -182,7 +182,7 @@ pub struct Octree {
     pub levels: Option<u8>,
 }
 
-/// A place in space. Exactly one form.
+/// A place in space.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Place {

@@ -12,7 +12,7 @@ use crate::quantity::{
     PositiveLength, Quantity,
 };
 
-/// The space in which the blocks move. Exactly one form.
+/// The space in which the blocks move.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Space {
