@@ -180,6 +180,13 @@ impl Checked<'_, '_> {
                     return None;
                 }
                 if given.is_empty() && kind != "at_most_one" && holds {
+                    // An empty list gives nothing, but it was meant.
+                    if let Some(empty) = possible.iter().find(|key| self.value(key).is_some()) {
+                        let message = format!("`{empty}` in {of} is empty");
+                        let error = Diagnostic::error("key.one_of", message);
+                        let help = or(format!("give it entries, or {}", choice(&possible, kind)));
+                        return Some(error.at(self.place_of(empty)).help(help));
+                    }
                     let message = format!("{of} needs {}", choice(&possible, kind));
                     let error = Diagnostic::error("key.one_of", message).at(self.place());
                     return Some(error.help(or(format!("give {}", choice(&possible, kind)))));

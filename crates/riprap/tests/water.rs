@@ -486,7 +486,7 @@ fn what_is_wrong_with_water_is_told() {
     );
     let folder = tempfile::tempdir().unwrap();
     let several = several(folder.path());
-    assert!(told(&several).contains("end 13.000 m inside the model"), "{}", told(&several));
+    assert!(told(&several).contains("ends 13.000 m inside the model"), "{}", told(&several));
     for (heads, words) in [
         ("x [m],y [m],z [m]\n0,0,1\n1,0,1\n0,1,1\n", "has no height at (1 m, 1 m)"),
         ("x [m],y [m],z [m]\n0,0,1\n1,0,1\n", "only one grid line"),

@@ -200,7 +200,7 @@ fn ctrl_c_before_the_first_step_quits_at_once() {
         bench.run(&again).expect(2).warns(&["--force"]);
         bench.run(&[&again[..], &["--force"]].concat()).expect(0);
     } else {
-        said.warns(&["a.run is free"]);
+        said.warns(&["a.run can be reused"]);
         bench.run(&again).expect(0);
     }
 }
@@ -398,7 +398,7 @@ time_step = "0.1 ms"
     asked("block,x_m\nbrick.1,3\n", &["no column `y_m`", "x_m, y_m, z_m"]);
     asked(
         "block,vx_m_s,vy_m_s,vz_m_s\nbrick,3,0,0\n",
-        &["name blocks that this scene does not have", "`brick` first"],
+        &["name blocks that this scene does not have", "the first is `brick`"],
     );
     asked("block,qw,qx,qy,qz\nbrick.1,1,1,0,0\n", &["length 1.41"]);
     asked(

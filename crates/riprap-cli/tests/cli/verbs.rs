@@ -166,7 +166,7 @@ fn safety_finds_the_factor_and_leaves_a_run_of_the_mechanism() {
     let said = bench.run(&["safety", "stone.toml", "--width", "0.02"]).expect(0);
     assert!(said.out.contains("factor of safety: 1.4"), "{}", said.out);
     assert!(
-        said.out.contains("mechanism: 1 block slides or falls without turning: stone"),
+        said.out.contains("mechanism: 1 block slides or falls without rotation: stone"),
         "{}",
         said.out
     );
@@ -341,8 +341,8 @@ fn plots_are_drawn() {
         (&["spectrum"], "name of a history"),
         (&["spectrum", "hieght"], "did you mean `height`"),
         (&["energy", "height"], "only spectrum does"),
-        (&["section", "--at", "3 s"], "no length"),
-        (&["crater", "--uplift", "high"], "no length"),
+        (&["section", "--at", "3 s"], "is not a valid length"),
+        (&["crater", "--uplift", "high"], "is not a valid length"),
         (&["ppv", "--time", "0 s", "--time", "1 s"], "one frame"),
         (&["blocks", "--exaggerate", "0"], "positive"),
     ] {

@@ -548,7 +548,7 @@ mod tests {
                  {more}[[supports]]\non.block = \"floor\"\nfixed = {{}}\n\
                  [[phases]]\nname = \"run\"\nuntil.time = \"0.5 s\"\n{phase}\n"
             );
-            let wanted = "the `safety` 0.8 of phase `run` gives no longer steps than 0.5";
+            let wanted = "`safety` = 0.8 in phase `run` gives no longer steps than 0.5";
             told(text).warnings.iter().any(|s| s.starts_with(wanted))
         };
         let brick = |z: &str| {

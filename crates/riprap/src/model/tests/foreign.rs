@@ -168,7 +168,7 @@ fn joints_cut_blocks_in_space() {
     let of = |middle: &str| built(format!("{SPACE}{GRAIN}{brick}{middle}{TAIL}"), fields);
     let alone = "cut.joint_sets = [{ dip = \"30 deg\", spacing = \"1 m\" }]\n";
     refused(of(alone), "the key `dip_direction` is missing in");
-    refused(of("cut = {}\n"), ".cut needs one of `joint_sets`, `joints`");
+    refused(of("cut = {}\n"), ".cut needs at least one of `joint_sets`, `joints`");
     refused(
         of("cut.joints.csv = \"../scenarios/good/traces.csv\"\n"),
         "has no columns with the orientation of the joints",

@@ -81,7 +81,7 @@ fn a_block_of_no_parts_or_of_too_many_is_refused() {
         "[[blocks]]\nname = \"ell\"\nmaterial = \"rock\"\nparts = []\n[[supports]]\non.block = \"ell\"\nfixed = {}\n",
     );
     assert!(
-        none.contains("`ell`: it has 0 parts") && none.contains("for a single part use `brick`"),
+        none.contains("`parts` in blocks.ell is empty") && none.contains("`brick`, `grid`"),
         "{none}"
     );
 }

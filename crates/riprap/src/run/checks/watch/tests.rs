@@ -192,5 +192,5 @@ fn known_failures_are_skipped_and_unexpected_passes_fail() {
     assert_eq!(result(9.0, true).status, Status::Failed);
     let surprise = result(10.0, false);
     assert_eq!(surprise.status, Status::Failed);
-    assert!(surprise.note.contains("marked known"), "{}", surprise.note);
+    assert!(surprise.note.contains("marked as a known failure"), "{}", surprise.note);
 }
