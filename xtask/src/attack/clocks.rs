@@ -81,7 +81,9 @@ pub fn jump(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
             match differ {
                 Err(why) => found.failures.push(format!("{at}: {why}")),
                 Ok(differ) => {
-                    found.failures.extend(differ.iter().map(|what| format!("{at}: another {what}")))
+                    found
+                        .failures
+                        .extend(differ.iter().map(|what| format!("{at}: another {what}")));
                 }
             }
             if begun(field, "jumps.run")? < begun(field, "whole.run")? + 20 {

@@ -17,6 +17,7 @@ use crate::quantity::{
 pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 
 /// One block or a generator of blocks.
+#[expect(clippy::duplicated_attributes, reason = "two rules hold under one condition")]
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 #[keys(one_of(

@@ -309,7 +309,7 @@ mod tests {
             assert_eq!(book.fill(&Run::new(&path), limits).unwrap(), 1);
             let told = book.notes.iter().any(|n| n.contains("shows no motion"));
             assert_eq!(told, frames > 1, "{:?}", book.notes);
-            let left_out = book.notes.iter().any(|n| n.contains("frame 5 is left out"));
+            let left_out = book.notes.iter().any(|n| n.contains("frame 5 was left out"));
             assert_eq!(left_out, damaged.is_some(), "{:?}", book.notes);
         }
     }

@@ -95,19 +95,20 @@ pub fn verify(
     mut report: impl FnMut(CheckResult),
 ) -> Tally {
     // A case to run, or why the scene cannot be read.
-    let mut work: Vec<Result<(Scene, Case), CheckResult>> = Vec::new();
+    let mut work: Vec<Result<(Scene, Case), Box<CheckResult>>> = Vec::new();
     for path in scenes {
         match Scene::load(path, &[]) {
             Ok(scene) => work.extend(scene.cases.iter().map(|c| Ok((scene.clone(), c.clone())))),
             Err(wrong) => {
-                work.push(Err(broken(path, "", ("the scene can be read", wrong.render()))));
+                let result = broken(path, "", ("the scene can be read", wrong.render()));
+                work.push(Err(Box::new(result)));
             }
         }
     }
     let mut tally = Tally::default();
-    let one = |item: &Result<(Scene, Case), CheckResult>| match item {
+    let one = |item: &Result<(Scene, Case), Box<CheckResult>>| match item {
         Ok((scene, case)) => verify_case(scene, case, executor),
-        Err(wrong) => vec![wrong.clone()],
+        Err(wrong) => vec![(**wrong).clone()],
     };
     executor.each(&work, one, |results| {
         for mut result in results {

@@ -210,7 +210,7 @@ impl Single {
             copy_rows(&mut setup.materials, &self.twins);
             copy_rows(&mut setup.interfaces, &self.copies);
             setup.pair_table = self.pairs;
-        })
+        });
     }
 }
 
