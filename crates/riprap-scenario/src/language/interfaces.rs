@@ -81,10 +81,10 @@ pub struct Interface {
     #[key(read_by("joints"))]
     pub elastic: bool,
     /// Angle of friction.
-    #[key(changes, read_by("joints", "sliding"))]
+    #[key(changes, read_by("joints"))]
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Tangent of the friction angle.
-    #[key(changes, read_by("joints", "sliding"))]
+    #[key(changes, read_by("joints"))]
     pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
     /// Cohesion, Pa.
     #[key(default = "0 Pa", changes, read_by("joints", "sliding"))]

@@ -230,6 +230,12 @@ impl Builder<'_> {
                 if let Some(wanted) = &said.restitution {
                     self.no_effect(&of, &[("restitution", true)], &wanted.span, help);
                 }
+                // A joint that is elastic does not slide; a contact under its law does.
+                let given = [
+                    ("friction_angle", said.elastic && said.friction_angle.is_some()),
+                    ("friction_coefficient", said.elastic && said.friction_coefficient.is_some()),
+                ];
+                self.no_effect(&of, &given, &name.span, help);
                 for phase in &self.parsed.scenario.phases {
                     let change = phase.interfaces.get(name.as_str());
                     if let Some(wanted) = change.and_then(|change| change.restitution.as_ref()) {

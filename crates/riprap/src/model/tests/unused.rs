@@ -383,3 +383,23 @@ fn rhythms_longer_than_the_run_are_told() {
         assert_eq!(rare(&outputs, until), Vec::<String>::new(), "{outputs} {until}");
     }
 }
+
+/// A contact under the law of an elastic joint slides by its friction; without contacts nothing does.
+#[test]
+fn friction_beside_an_elastic_joint_is_that_of_contacts() {
+    let text = |space: &str, strength: &str| {
+        format!(
+            "riprap = 1\ntitle = \"t\"\nspace.spatial.gravity = \"10 m/s2\"\n{space}\nmaterials.rock.density = \"2000 kg/m3\"\n\
+             interfaces.default = {{ normal_stiffness = \"1 GPa/m\", elastic = true, {strength} }}\n\
+             [[blocks]]\nname = \"rock\"\nmaterial = \"rock\"\ngrid.box = {{ size = [\"2 m\", \"1 m\", \"1 m\"], cell = \"1 m\" }}\n{}",
+            phase("")
+        )
+    };
+    for friction in ["friction_angle = \"30 deg\"", "friction_coefficient = 0.5"] {
+        assert_eq!(unused(&text("", friction)), [""; 0]);
+        let told = unused(&text("space.spatial.found_contacts = false", friction));
+        assert!(told.iter().any(|t| t.contains("friction") && t.contains("no effect")), "{told:?}");
+    }
+    let told = unused(&text("", "friction_angle = \"30 deg\", cohesion = \"1 MPa\""));
+    assert!(told.iter().any(|t| t.starts_with("`cohesion` in")), "{told:?}");
+}
