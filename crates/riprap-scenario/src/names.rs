@@ -18,6 +18,12 @@ pub struct Name {
     pub span: Span,
 }
 
+impl From<&Name> for Span {
+    fn from(name: &Name) -> Span {
+        name.span.clone()
+    }
+}
+
 impl Name {
     /// The word.
     pub fn as_str(&self) -> &str {

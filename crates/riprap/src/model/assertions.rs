@@ -110,22 +110,7 @@ impl Builder<'_> {
             Some(reduce) => Some(self.reduce(reduce, said.threshold.as_ref(), unit, &said.name)?),
             None => None,
         };
-        let window = match (&said.at, &said.over, reduce) {
-            (_, Some([from, to]), Some(reduce)) => {
-                self.in_run(from.si(), from.span.clone(), &said.name);
-                Window::Over { from: from.si(), to: to.si(), reduce }
-            }
-            (None, None, Some(reduce)) => Window::Over { from: 0.0, to: f64::INFINITY, reduce },
-            (Some(moment), _, _) => match moment.read() {
-                When::Time(time) => {
-                    self.in_run(time, moment.span.clone(), &said.name);
-                    Window::At(time)
-                }
-                When::Start => Window::Start,
-                When::End => Window::End,
-            },
-            (None, _, _) => Window::End,
-        };
+        let window = self.window(said, reduce);
         let window = match &said.phase {
             Some(name) => self.in_phase(name, window)?,
             None => window,
@@ -142,14 +127,7 @@ impl Builder<'_> {
             gauge: used.gauge(),
             unit: field_unit,
             shown: shown(
-                [
-                    said.value.as_ref(),
-                    said.between.as_ref().map(|[low, _]| low),
-                    said.between.as_ref().map(|[_, high]| high),
-                    said.absolute.as_ref(),
-                ]
-                .into_iter()
-                .flatten(),
+                said.value.iter().chain(said.between.iter().flatten()).chain(&said.absolute),
             ),
             window,
             expected,
@@ -157,6 +135,26 @@ impl Builder<'_> {
             absolute,
             known: said.known.as_ref().map(|reason| reason.text.clone()),
         })
+    }
+
+    /// When a check reads its field.
+    fn window(&mut self, said: &language::Check, reduce: Option<Reduce>) -> Window {
+        match (&said.at, &said.over, reduce) {
+            (_, Some([from, to]), Some(reduce)) => {
+                self.in_run(from.si(), from.span.clone(), &said.name);
+                Window::Over { from: from.si(), to: to.si(), reduce }
+            }
+            (None, None, Some(reduce)) => Window::Over { from: 0.0, to: f64::INFINITY, reduce },
+            (Some(moment), _, _) => match moment.read() {
+                When::Time(time) => {
+                    self.in_run(time, moment.span.clone(), &said.name);
+                    Window::At(time)
+                }
+                When::Start => Window::Start,
+                When::End => Window::End,
+            },
+            (None, _, _) => Window::End,
+        }
     }
 
     /// A field that is one number.
@@ -228,8 +226,7 @@ impl Builder<'_> {
             let message = format!(
                 "check `{name}` reads at {time} s, after the end of the last phase ({total} s)"
             );
-            let error = Diagnostic::error("check.late", message).at(span);
-            self.found.push(error.help("choose an earlier time, or a longer phase"));
+            self.error_at("check.late", span, message, "choose an earlier time, or a longer phase");
         }
     }
 
@@ -244,9 +241,9 @@ impl Builder<'_> {
                 return None;
             };
             if low > high_value {
-                let error =
-                    Diagnostic::error("value.order", "the lower bound exceeds the upper bound");
-                self.found.push(error.at(high.span.clone()).help("between = [lowest, highest]"));
+                let message = "the lower bound exceeds the upper bound";
+                let help = "between = [lowest, highest]";
+                self.error_at("value.order", high.span.clone(), message, help);
             }
             return Some(Expected::Between(low, high_value));
         }
@@ -273,10 +270,9 @@ impl Builder<'_> {
             match number {
                 Ok(number) => names.push((name.text.clone(), number)),
                 Err(reason) => {
-                    let error =
-                        Diagnostic::error("key.path", format!("`{name}` in `let`: {reason}"));
                     let help = "give a number, a value with a unit, or a key of this scene";
-                    self.found.push(error.at(value.span.clone()).help(help));
+                    let message = format!("`{name}` in `let`: {reason}");
+                    self.error_at("key.path", value.span.clone(), message, help);
                     return None;
                 }
             }

@@ -13,7 +13,6 @@ use riprap_geom::{Vec2, Vec3, polygon};
 
 use super::builder::Builder;
 use crate::plan::PhaseKind;
-use crate::scenario::Diagnostic;
 use crate::scenario::language::Geometry;
 use crate::scenario::read::with_unit;
 use crate::scenario::vectors::InSpace;
@@ -97,10 +96,8 @@ impl Builder<'_> {
                     "{names} {verb} nothing and {} nothing below; the static phase `{phase}` cannot reach equilibrium",
                     if lost.len() == 1 { "has" } else { "have" }
                 );
-                let note = Diagnostic::warning("model.falls", message).at(self.table_span(*first));
-                self.found.push(
-                    note.help("hold it by [[supports]], or place a block or terrain under it"),
-                );
+                let help = "hold it by [[supports]], or place a block or terrain under it";
+                self.warn_at("model.falls", self.table_span(*first), message, help);
             }
         }
         let near: Vec<&&Around> = apart.iter().filter(|a| a.near.is_some()).collect();
@@ -119,9 +116,8 @@ impl Builder<'_> {
                 with_unit(*gap, "m"),
                 self.directory.name(*other)
             );
-            let note = Diagnostic::warning("model.gap", message).at(self.table_span(*block));
             let help = "if they should touch, move one of them";
-            self.found.push(note.help(help));
+            self.warn_at("model.gap", self.table_span(*block), message, help);
         }
         let far = apart.iter().filter(|a| a.near.is_none() && a.below);
         let far: Vec<u32> = far.map(|a| a.block).collect();
@@ -132,9 +128,8 @@ impl Builder<'_> {
             let (names, verb) = self.named(&far);
             let message =
                 format!("{names} {verb} nothing at the start of the static phase `{phase}`");
-            let note = Diagnostic::warning("model.gap", message).at(self.table_span(*first));
             let help = "it falls until it lands, in a phase whose time is not physical; if it should touch another block, move it";
-            self.found.push(note.help(help));
+            self.warn_at("model.gap", self.table_span(*first), message, help);
         }
     }
 

@@ -120,9 +120,8 @@ impl Builder<'_> {
                      deg from then on",
                     said.name
                 );
-                let note = Diagnostic::warning("phase.dilation", message);
                 let help = "sliding with more dilation than friction would create energy";
-                self.found.push(note.at(name.span.clone()).help(help));
+                self.warn_at("phase.dilation", name.span.clone(), message, help);
             }
         }
         (contacts, joints)
@@ -152,9 +151,8 @@ impl Builder<'_> {
                 "phase `{}` has no duration; the removed blocks cannot fade out",
                 said.name
             );
-            let error = Diagnostic::error("key.missing", message).at(ramp.span.clone());
             let help = "give `until.time`, as long as `removal_ramp`, and `load_steps`";
-            self.found.push(error.help(help));
+            self.error_at("key.missing", ramp.span.clone(), message, help);
         }
         Some(ramp.si())
     }
@@ -274,8 +272,8 @@ impl Builder<'_> {
         };
         if let Some(run) = run {
             let message = format!("{what}: `every` ({rhythm}) is longer than the run ({run})");
-            let note = Diagnostic::warning("output.rare", message).at(span.clone());
-            self.found.push(note.help("write every = \"phase\" if this is intended"));
+            let help = "write every = \"phase\" if this is intended";
+            self.warn_at("output.rare", span.clone(), message, help);
         }
     }
 

@@ -121,9 +121,8 @@ impl Builder<'_> {
                     let message = format!(
                         "`{text}` cannot have a boundary condition: the model is periodic there"
                     );
-                    let error = Diagnostic::error("boundary.periodic", message);
                     let help = "remove the boundary, or the period";
-                    self.found.push(error.at(span.clone()).help(help));
+                    self.error_at("boundary.periodic", span.clone(), message, help);
                     return None;
                 }
                 let (min, max) = self.model_bounds();
@@ -140,9 +139,9 @@ impl Builder<'_> {
         };
         let lies = self.spatial.blocks.iter().any(|block| has_face(&block.shape, normal, offset));
         if !lies {
-            let error = Diagnostic::error("boundary.no_face", "no block face lies on this plane");
             let help = "give a point on the faces and their outward normal";
-            self.found.push(error.at(plane.span().clone()).help(help));
+            let message = "no block face lies on this plane";
+            self.error_at("boundary.no_face", plane.span().clone(), message, help);
             return None;
         }
         Some(FaceSet::Plane { normal, offset })

@@ -204,17 +204,15 @@ impl Builder<'_> {
         };
         if touched.is_empty() {
             let message = format!("`{name}` lies outside all blocks");
-            let error = Diagnostic::error("source.outside", message).at(span.clone());
             let help = "check its coordinates; a source removes the blocks that it touches";
-            self.found.push(error.help(help));
+            self.error_at("source.outside", span.clone(), message, help);
             return false;
         }
         if let Some(&block) = touched.iter().find(|&&block| self.held(block)) {
             let held = self.directory.name(block);
             let message = format!("`{name}` touches block `{held}`, which is fixed");
-            let error = Diagnostic::error("source.fixed", message).at(span.clone());
             let help = "move the source, or hold the model at its boundaries";
-            self.found.push(error.help(help));
+            self.error_at("source.fixed", span.clone(), message, help);
             return false;
         }
         true
@@ -323,9 +321,8 @@ impl Builder<'_> {
             let which = "only rigid blocks with six faces in three parallel pairs can be split, in any orientation: bricks, also with `rotate`, and \
                          blocks bounded by three joint sets";
             if !during || whole.len() == touched.len() {
-                let error = Diagnostic::error("refine.shape", message).at(span.clone());
                 let help = format!("{which}; choose a region that touches only such blocks");
-                self.found.push(error.help(&help));
+                self.error_at("refine.shape", span.clone(), message, help);
                 return false;
             }
             let message = format!(
@@ -333,13 +330,11 @@ impl Builder<'_> {
                 whole.len(),
                 touched.len()
             );
-            let note = Diagnostic::warning("refine.shape", message).at(span.clone());
-            self.found.push(note.help(which));
+            self.warn_at("refine.shape", span.clone(), message, which);
         }
         if touched.is_empty() {
-            let error = Diagnostic::error("refine.nothing", "no block lies in this region");
             let help = "check its coordinates and their units";
-            self.found.push(error.at(span.clone()).help(help));
+            self.error_at("refine.nothing", span.clone(), "no block lies in this region", help);
         }
         !touched.is_empty()
     }
@@ -365,9 +360,8 @@ impl Builder<'_> {
             if exact { "about" } else { "more than" },
             if exact { format!("{count:.1e}") } else { format!("{most:.1e}") },
         );
-        let error = Diagnostic::error("refine.many", message).at(span.clone());
         let help = "give fewer `levels` (each level splits a block into eight) or a smaller region";
-        self.found.push(error.help(help));
+        self.error_at("refine.many", span.clone(), message, help);
         false
     }
 
@@ -417,8 +411,7 @@ impl Builder<'_> {
                     .map(|(said, _)| said)
                     .find(|said| name == said.text || name.starts_with(&format!("{said}.")))
                     .map_or(0..0, |said| said.span.clone());
-                let note = Diagnostic::warning("source.volume", message).at(span);
-                self.found.push(note.help(help));
+                self.warn_at("source.volume", span, message, help);
             }
             self.summary.charges.push(Charge { name, mass, volume, blocks: cells, cavity, ratio });
         }
