@@ -109,6 +109,36 @@ fn columns_for(frames: &[Frame], given: Option<[f64; 4]>) -> usize {
     frames.len().div_ceil(frames.len().div_ceil(columns))
 }
 
+/// Where the panels are on the page.
+struct Panels {
+    window: Window,
+    columns: usize,
+    /// Of one panel.
+    size: [f64; 2],
+    /// From one panel to the next.
+    step: [f64; 2],
+    /// Top of the first row.
+    head: f64,
+    /// Right edge of the last column.
+    right: f64,
+    /// From the top of the first row to the foot of the last.
+    height: f64,
+}
+
+impl Panels {
+    fn of(frames: &[Frame], options: BlockOptions) -> Self {
+        let columns = columns_for(frames, options.window);
+        let rows = frames.len().div_ceil(columns);
+        let window = Window::around(frames, columns, options.vectors.is_some(), options.window);
+        let size = window.size.map(|x| x * window.zoom);
+        let step = [size[0] + LEFT + 10.0, size[1] + 72.0];
+        let head = if frames.len() > 1 { TOP + 24.0 } else { TOP };
+        let right = LEFT + step[0] * (columns - 1) as f64 + size[0];
+        let height = step[1] * (rows - 1) as f64 + size[1];
+        Self { window, columns, size, step, head, right, height }
+    }
+}
+
 /// Draws the frames with one colour bar for all.
 pub(super) fn draw(
     words: &Words,
@@ -122,14 +152,9 @@ pub(super) fn draw(
     refuse(words, frames, options)?;
     let all: Vec<f64> = fields.iter().flat_map(|f| f.values.iter().copied()).collect();
     let (map, scale) = colours(&all, options.log);
-    let columns = columns_for(frames, options.window);
-    let rows = frames.len().div_ceil(columns);
-    let window = Window::around(frames, columns, options.vectors.is_some(), options.window);
-    let (w, h) = (window.size[0] * window.zoom, window.size[1] * window.zoom);
-    let step = [w + LEFT + 10.0, h + 72.0];
-    let right = LEFT + step[0] * (columns - 1) as f64 + w;
-    let head = if frames.len() > 1 { TOP + 24.0 } else { TOP };
-    let bar_height = (step[1] * (rows - 1) as f64 + h).max(140.0);
+    let Panels { window, columns, size: [w, h], step, head, right, height } =
+        Panels::of(frames, options);
+    let bar_height = height.max(140.0);
     let note = notes(frames, options);
     let foot = if note.is_empty() { 0.0 } else { 10.0 };
     let mut page = Page::new((right + 110.0).max(360.0), head + bar_height + 58.0 + foot);

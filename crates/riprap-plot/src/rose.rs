@@ -167,6 +167,18 @@ fn polar(middle: [f64; 2], r: f64, angle: f64, flat: bool) -> [f64; 2] {
     }
 }
 
+/// What stands beside the rim at an angle, in degrees.
+fn direction(angle: u32, flat: bool) -> String {
+    match (flat, angle) {
+        (true, a) => format!("{a}\u{b0}"),
+        (false, 0) => "N".to_owned(),
+        (false, 90) => "E".to_owned(),
+        (false, 180) => "S".to_owned(),
+        (false, 270) => "W".to_owned(),
+        (false, a) => format!("{a:03}\u{b0}"),
+    }
+}
+
 fn one(page: &mut Page, rose: &Rose, middle: [f64; 2], flat: bool) {
     let sum = rose.sum();
     let most = rose.petals.iter().fold(0.0_f64, |m, p| m.max(*p)) / sum;
@@ -205,16 +217,8 @@ fn one(page: &mut Page, rose: &Rose, middle: [f64; 2], flat: bool) {
     }
     page.circle(middle, RADIUS, "fill=\"none\" stroke=\"#1a1a1a\"");
     for angle in (0..360).step_by(30) {
-        let name = match (flat, angle) {
-            (true, a) => format!("{a}\u{b0}"),
-            (false, 0) => "N".to_owned(),
-            (false, 90) => "E".to_owned(),
-            (false, 180) => "S".to_owned(),
-            (false, 270) => "W".to_owned(),
-            (false, a) => format!("{a:03}\u{b0}"),
-        };
         let [x, y] = polar(middle, RADIUS + 20.0, f64::from(angle), flat);
-        page.text([x, y + 4.2], SIZE, Anchor::Middle, &name);
+        page.text([x, y + 4.2], SIZE, Anchor::Middle, &direction(angle, flat));
     }
     // Over the petals, beside the spoke that points up and right.
     for ring in 1..=rings as usize {

@@ -179,22 +179,16 @@ impl Checked<'_, '_> {
                 if given.iter().any(|key| !possible.contains(key)) || possible.is_empty() {
                     return None;
                 }
-                if given.is_empty() && kind != "at_most_one" && holds {
-                    // An empty list gives nothing, but it was meant.
-                    if let Some(empty) = possible.iter().find(|key| self.value(key).is_some()) {
-                        let message = format!("`{empty}` in {of} is empty");
-                        let error = Diagnostic::error("key.one_of", message);
-                        let help = or(format!("give it entries, or {}", choice(&possible, kind)));
-                        return Some(error.at(self.place_of(empty)).help(help));
-                    }
-                    let message = format!("{of} needs {}", choice(&possible, kind));
-                    let error = Diagnostic::error("key.one_of", message).at(self.place());
-                    return Some(error.help(or(format!("give {}", choice(&possible, kind)))));
-                }
-                let second = given.get(1).filter(|_| kind != "any_of")?;
-                let message = format!("{of} has {}: only one is possible", list(&given));
-                let error = Diagnostic::error("key.one_of", message).at(self.place_of(second));
-                Some(error.help(or("keep one and remove the others".to_owned())))
+                let lacks = given.is_empty() && kind != "at_most_one" && holds;
+                let (message, place, remedy) = if lacks {
+                    self.lacks(&possible, kind)
+                } else {
+                    let second = given.get(1).filter(|_| kind != "any_of")?;
+                    let message = format!("{of} has {}: only one is possible", list(&given));
+                    let remedy = "keep one and remove the others".to_owned();
+                    (message, self.place_of(second), remedy)
+                };
+                Some(Diagnostic::error("key.one_of", message).at(place).help(or(remedy)))
             }
             "needs" if !holds => {
                 let key = *given.first()?;
@@ -228,6 +222,20 @@ impl Checked<'_, '_> {
                 Some(error.help(or(self.remedy(lacking[0]))))
             }
             _ => None,
+        }
+    }
+
+    /// Message, place and remedy where none of several keys is given.
+    fn lacks(&self, possible: &[&str], kind: &str) -> (String, Span, String) {
+        let (of, choice) = (&self.of, choice(possible, kind));
+        // An empty list gives nothing, but it was meant.
+        match possible.iter().find(|key| self.value(key).is_some()) {
+            Some(empty) => (
+                format!("`{empty}` in {of} is empty"),
+                self.place_of(empty),
+                format!("give it entries, or {choice}"),
+            ),
+            None => (format!("{of} needs {choice}"), self.place(), format!("give {choice}")),
         }
     }
 

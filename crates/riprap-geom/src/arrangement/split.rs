@@ -19,6 +19,9 @@ struct Piece {
     on: Vec<(f64, u32)>,
 }
 
+/// Position along a cut (0 to 1), and the number of the point if it is on the outline.
+type Stop = (f64, Option<u32>);
+
 /// Edges of the arrangement: pairs of point numbers, smaller first, with whether they belong to the
 /// region's outline. Points are in local coordinates; the first `region.len()` are the outline's.
 pub(super) fn split(
@@ -80,8 +83,7 @@ fn clip_to_region(
     if length <= near {
         return;
     }
-    // (position along the cut, point number if on the outline)
-    let mut stops: Vec<(f64, Option<u32>)> = vec![(0.0, None), (1.0, None)];
+    let mut stops: Vec<Stop> = vec![(0.0, None), (1.0, None)];
     for (edge, (a, b)) in polygon::edges(region).enumerate() {
         let side = b - a;
         let side_length = side.length();
@@ -101,12 +103,10 @@ fn clip_to_region(
         if (h0 > near && h1 > near) || (h0 < -near && h1 < -near) {
             continue;
         }
-        let t = if on0 {
-            0.0
-        } else if on1 {
-            1.0
-        } else {
-            h0 / (h0 - h1)
+        let t = match (on0, on1) {
+            (true, _) => 0.0,
+            (false, true) => 1.0,
+            (false, false) => h0 / (h0 - h1),
         };
         let s = (cut.from + t * along - a).dot(side) / (side_length * side_length);
         let slack = near / side_length;
@@ -117,17 +117,7 @@ fn clip_to_region(
             stops.push((t, Some(number)));
         }
     }
-    // At equal places the one on the outline comes first and wins.
-    stops.sort_by(|x, y| {
-        x.0.total_cmp(&y.0).then(y.1.is_some().cmp(&x.1.is_some())).then(x.1.cmp(&y.1))
-    });
-    stops.dedup_by(|next, kept| {
-        let same = (next.0 - kept.0) * length <= near || (next.1.is_some() && next.1 == kept.1);
-        if same && kept.1.is_none() {
-            *kept = *next;
-        }
-        same
-    });
+    merge_stops(&mut stops, length, near);
     for pair in stops.windows(2) {
         let ((t0, start), (t1, end)) = (pair[0], pair[1]);
         let middle = cut.from + 0.5 * (t0 + t1) * along;
@@ -146,6 +136,21 @@ fn clip_to_region(
         piece.on.extend(end.map(|i| (1.0, i)));
         pieces.push(piece);
     }
+}
+
+/// Sorts the stops of a cut of this length along it, and joins those nearer than `near`.
+fn merge_stops(stops: &mut Vec<Stop>, length: f64, near: f64) {
+    // At equal places the one on the outline comes first and wins.
+    stops.sort_by(|x, y| {
+        x.0.total_cmp(&y.0).then(y.1.is_some().cmp(&x.1.is_some())).then(x.1.cmp(&y.1))
+    });
+    stops.dedup_by(|next, kept| {
+        let same = (next.0 - kept.0) * length <= near || (next.1.is_some() && next.1 == kept.1);
+        if same && kept.1.is_none() {
+            *kept = *next;
+        }
+        same
+    });
 }
 
 /// Put the crossing and touching points of all pairs of pieces on both.
