@@ -158,11 +158,7 @@ pub(super) fn draw(
     let note = notes(frames, options);
     let foot = if note.is_empty() { 0.0 } else { 10.0 };
     let mut page = Page::new((right + 110.0).max(360.0), head + bar_height + 58.0 + foot);
-    let width = page.width;
-    // A long title loses its end, never the time.
-    let room = width - LEFT - 10.0 - text_width(words.suffix, 15.0);
-    let title = format!("{}{}", fitted(words.title, 15.0, room), words.suffix);
-    page.text([LEFT, 26.0], 15.0, Anchor::Start, &title);
+    page.title([LEFT, 26.0], 10.0, words.title, words.suffix);
     let most = Most {
         bolts: bolts::most(frames),
         arrow: arrows::longest(frames, options.vectors),

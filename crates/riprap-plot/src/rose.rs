@@ -3,7 +3,7 @@
 use super::drawing::short;
 use super::frames::{Which, crack_surfaces, load_frame, moment};
 use super::planes;
-use super::svg::{Anchor, Page, fitted, text_width};
+use super::svg::{Anchor, Page};
 use super::{PlotError, column, digits, suffix, table_csv, write};
 use riprap_record::manifest::Manifest;
 use riprap_record::names::Names;
@@ -142,8 +142,7 @@ fn drawn((title, end): (&str, &str), roses: &[Rose; 2], flat: bool) -> Page {
     let shown: Vec<&Rose> = roses.iter().filter(|r| r.count > 0).collect();
     let width = (90.0 + shown.len() as f64 * (2.0 * RADIUS + 90.0)).max(560.0);
     let mut page = Page::new(width, 540.0);
-    let room = page.width - 50.0 - text_width(end, 15.0);
-    page.text([30.0, 30.0], 15.0, Anchor::Start, &format!("{}{end}", fitted(title, 15.0, room)));
+    page.title([30.0, 30.0], 20.0, title, end);
     for (k, rose) in shown.iter().enumerate() {
         let middle = [90.0 + RADIUS + k as f64 * (2.0 * RADIUS + 90.0), 270.0];
         one(&mut page, rose, middle, flat);

@@ -169,6 +169,9 @@ impl Checked<'_, '_> {
             return None;
         }
         let or = |other: String| if help.is_empty() { other } else { help.to_owned() };
+        let error = |code, message, place: Span, help: String| {
+            Some(Diagnostic::error(code, message).at(place).help(or(help)))
+        };
         let possible: Vec<&str> = keys.clone().filter(|key| self.of_space(key)).map(bare).collect();
         let given: Vec<&str> = keys.map(bare).filter(|key| self.has(key)).collect();
         let holds = when.is_empty() || self.condition(when).is_some();
@@ -188,22 +191,20 @@ impl Checked<'_, '_> {
                     let remedy = "keep one and remove the others".to_owned();
                     (message, self.place_of(second), remedy)
                 };
-                Some(Diagnostic::error("key.one_of", message).at(place).help(or(remedy)))
+                error("key.one_of", message, place, remedy)
             }
             "needs" if !holds => {
                 let key = *given.first()?;
                 let needed = described(when);
                 let needed = needed.strip_prefix("with ").unwrap_or(&needed);
                 let message = format!("`{key}` in {of} needs {needed}");
-                let error = Diagnostic::error("key.missing", message).at(self.place_of(key));
-                Some(error.help(or(self.remedy(when))))
+                error("key.missing", message, self.place_of(key), self.remedy(when))
             }
             "excludes" => {
                 let key = *given.first()?;
                 let with = described(self.condition(when)?);
                 let message = format!("{} in {of} cannot be used {with}", list(&given));
-                let error = Diagnostic::error("key.forbidden", message).at(self.place_of(key));
-                Some(error.help(or("keep one of them".to_owned())))
+                error("key.forbidden", message, self.place_of(key), "keep one of them".to_owned())
             }
             "only_with" if !holds => {
                 let key = *given.first()?;
@@ -218,8 +219,7 @@ impl Checked<'_, '_> {
                     [key] => format!("the key `{key}` is missing in {of}"),
                     _ => format!("the keys {} are missing in {of}", list(&lacking)),
                 };
-                let error = Diagnostic::error("key.missing", message).at(self.place());
-                Some(error.help(or(self.remedy(lacking[0]))))
+                error("key.missing", message, self.place(), self.remedy(lacking[0]))
             }
             _ => None,
         }

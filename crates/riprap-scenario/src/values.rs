@@ -48,11 +48,8 @@ pub(super) fn check_quantity(
                 }
                 Ok(read) => read,
                 Err(error) => {
-                    let code = if error.message.starts_with("unknown unit") {
-                        "unit.unknown"
-                    } else {
-                        "value.number"
-                    };
+                    let unknown = error.message.starts_with("unknown unit");
+                    let code = if unknown { "unit.unknown" } else { "value.number" };
                     let what = format!("= \"{}\": {}", short(text), error.message);
                     let refused = refused(code, &what).label(format!("{} is expected", kind.what));
                     return Some(match error.help {

@@ -118,24 +118,24 @@ fn clip_to_region(
         }
     }
     merge_stops(&mut stops, length, near);
-    for pair in stops.windows(2) {
-        let ((t0, start), (t1, end)) = (pair[0], pair[1]);
-        let middle = cut.from + 0.5 * (t0 + t1) * along;
-        if polygon::locate(region, middle) != Side::Inside
-            || polygon::distance_to_boundary(region, middle) <= near
-        {
-            continue;
-        }
-        let mut piece = Piece {
-            from: start.map_or(cut.from + t0 * along, |i| points.points[i as usize]),
-            to: end.map_or(cut.from + t1 * along, |i| points.points[i as usize]),
-            family: cut.family,
-            on: Vec::new(),
-        };
-        piece.on.extend(start.map(|i| (0.0, i)));
-        piece.on.extend(end.map(|i| (1.0, i)));
-        pieces.push(piece);
+    pieces.extend(stops.windows(2).filter_map(|w| piece(region, cut, points, [w[0], w[1]])));
+}
+
+/// The piece of a cut between two stops, if it is inside the region.
+fn piece(region: &[Vec2], cut: &Cut, points: &PointStore, stops: [Stop; 2]) -> Option<Piece> {
+    let ([(t0, start), (t1, end)], along) = (stops, cut.to - cut.from);
+    let middle = cut.from + 0.5 * (t0 + t1) * along;
+    if polygon::locate(region, middle) != Side::Inside
+        || polygon::distance_to_boundary(region, middle) <= points.distance
+    {
+        return None;
     }
+    let place = |t: f64, number: Option<u32>| {
+        number.map_or(cut.from + t * along, |i| points.points[i as usize])
+    };
+    let on = start.map(|i| (0.0, i)).into_iter().chain(end.map(|i| (1.0, i)));
+    let (from, to) = (place(t0, start), place(t1, end));
+    Some(Piece { from, to, family: cut.family, on: on.collect() })
 }
 
 /// Sorts the stops of a cut of this length along it, and joins those nearer than `near`.

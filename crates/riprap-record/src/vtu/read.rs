@@ -227,18 +227,14 @@ pub(super) fn array(
     match (section, name.as_str()) {
         ("FieldData", "TimeValue") => out.time = t.text.trim().parse().map_err(|_| bad())?,
         ("FieldData", "step") => out.step = t.text.trim().parse().map_err(|_| bad())?,
-        ("FieldData", "dimension") => {
-            out.dimension = t.text.trim().parse().map_err(|_| bad())?;
-        }
+        ("FieldData", "dimension") => out.dimension = t.text.trim().parse().map_err(|_| bad())?,
         ("FieldData", "phase") => {
             let codes: Result<Vec<u8>, _> = t.text.split_whitespace().map(str::parse).collect();
             let mut codes = codes.map_err(|_| bad())?;
             codes.pop();
             out.phase = String::from_utf8(codes).map_err(|_| bad())?;
         }
-        ("Points", "Points") => {
-            out.points = triples(&numbers(&load()?)?, points, &name)?;
-        }
+        ("Points", "Points") => out.points = triples(&numbers(&load()?)?, points, &name)?,
         ("Cells", "types") => out.kinds = load()?,
         ("Cells", "faces") => out.faces = integers(&load()?)?,
         ("Cells", "faceoffsets") => out.face_ends = integers(&load()?)?,

@@ -4,7 +4,6 @@ use super::builder::Builder;
 use super::fields::{FieldUse, Said as Place};
 use crate::plan::shown::Shown;
 use crate::plan::{Check, Expected, Part, Reduce, Window};
-use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Reduce as Said};
 use crate::scenario::quantity::{Any, Raw, When};
 use crate::scenario::units::Dim;
@@ -202,10 +201,8 @@ impl Builder<'_> {
     fn in_phase(&mut self, name: &Name, window: Window) -> Option<Window> {
         let phases = &self.plan.phases;
         let Some(phase) = phases.iter().position(|phase| phase.name == name.text) else {
-            let message = format!("there is no phase `{name}`");
-            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
-            error.help = suggest(name.as_str(), phases.iter().map(|p| p.name.as_str()));
-            self.found.push(error);
+            let known = phases.iter().map(|p| p.name.as_str());
+            self.found.push(Diagnostic::unknown("phase", name, known));
             return None;
         };
         let part = match window {

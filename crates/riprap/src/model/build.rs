@@ -198,11 +198,8 @@ impl Builder<'_> {
         let material = scenario.materials.names().position(|name| name == block.material.as_str());
         let density = scenario.materials.get(block.material.as_str()).map(|m| m.density.si());
         let (Some(material), Some(density)) = (material, density) else {
-            let message = format!("there is no material `{}`", block.material);
-            let mut error = Diagnostic::error("name.unknown", message);
             let known: Vec<&str> = scenario.materials.names().collect();
-            error.help = crate::scenario::diagnostic::suggest(block.material.as_str(), known);
-            self.found.push(error.at(block.material.span.clone()));
+            self.found.push(Diagnostic::unknown("material", &block.material, known));
             return;
         };
         let entry = Entry {

@@ -234,10 +234,8 @@ impl Builder<'_> {
         if let Some(number) = sources.iter().position(|source| *source == one.text) {
             return Some(vec![number as u32]);
         }
-        let message = format!("there is no source `{one}`");
-        let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
-        error.help = suggest(one.as_str(), sources.iter().map(String::as_str));
-        self.found.push(error);
+        let known = sources.iter().map(String::as_str);
+        self.found.push(Diagnostic::unknown("source", one, known));
         None
     }
 

@@ -100,16 +100,13 @@ impl Builder<'_> {
                 self.warn_at("model.falls", self.table_span(*first), message, help);
             }
         }
-        let near: Vec<&&Around> = apart.iter().filter(|a| a.near.is_some()).collect();
-        if let Some(Around {
-            block,
-            near: Some((other, gap)),
-            ..
-        }) = near.first()
+        let near = apart.iter().filter_map(|a| Some((a.block, a.near?)));
+        let near: Vec<(u32, (u32, f64))> = near.collect();
+        if let Some((block, (other, gap))) = near.first()
             // Where most blocks are apart, that is what the scene means.
             && near.len() < touched
         {
-            let (names, verb) = self.named(&near.iter().map(|a| a.block).collect::<Vec<_>>());
+            let (names, verb) = self.named(&near.iter().map(|(b, _)| *b).collect::<Vec<_>>());
             let message = format!(
                 "{names} {verb} nothing at the start, and `{}` is {} away from `{}`",
                 self.directory.name(*block),

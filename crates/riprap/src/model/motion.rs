@@ -237,12 +237,8 @@ impl Builder<'_> {
                 table.lines[k],
                 table.lines[k + 1]
             );
-            self.error_at(
-                "file.csv",
-                &csv.time,
-                message,
-                "sort the lines by time and give each time once",
-            );
+            let help = "sort the lines by time and give each time once";
+            self.error_at("file.csv", &csv.time, message, help);
             return None;
         }
         let scale = csv.scale.si_or(1.0);

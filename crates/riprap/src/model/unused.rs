@@ -41,14 +41,9 @@ impl Builder<'_> {
                 && said.gravity.is_none()
                 && let Some(ramp) = &said.gravity_ramp
             {
-                let keys = [("gravity_ramp", true)];
                 let of = format!("phase `{}`", said.name);
-                self.no_effect(
-                    &of,
-                    &keys,
-                    &ramp.span,
-                    "gravity does not change in this phase; give `gravity`",
-                );
+                let help = "gravity does not change in this phase; give `gravity`";
+                self.no_effect(&of, &[("gravity_ramp", true)], &ramp.span, help);
             }
         }
     }

@@ -61,24 +61,10 @@ impl Simulation {
             // No phase before it has had a gravity that the ramp could begin from.
             engine.set_gravity([0.0; 3]);
         }
-        Ok(Self {
-            plan,
-            cursor,
-            engine,
-            stable: None,
-            dt: 0.0,
-            standing: false,
-            residual: None,
-            reason: None,
-            shorter: None,
-        })
+        Ok(Self::at(plan, cursor, engine))
     }
 
-    /// A run that goes on from a snapshot.
-    #[must_use]
-    pub fn resume(snapshot: Snapshot, exec: Exec) -> Self {
-        let Snapshot { plan, cursor, state } = snapshot;
-        let engine = Engine::resume(state, exec);
+    fn at(plan: Plan, cursor: Cursor, engine: Engine) -> Self {
         Self {
             // With the engine's present revision, so that it is not searched for again: joints that have failed
             // since then would make it longer than that of a run that was not stopped.
@@ -92,6 +78,13 @@ impl Simulation {
             reason: None,
             shorter: None,
         }
+    }
+
+    /// A run that goes on from a snapshot.
+    #[must_use]
+    pub fn resume(snapshot: Snapshot, exec: Exec) -> Self {
+        let Snapshot { plan, cursor, state } = snapshot;
+        Self::at(plan, cursor, Engine::resume(state, exec))
     }
 
     /// What a checkpoint holds. A run goes on from it with the same bits where it is taken between a step and the next

@@ -7,7 +7,6 @@ use super::shapes::{bounds, solid};
 use crate::accounts::Holder;
 use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
-use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Faces, Side};
 use crate::scenario::read::Provenance;
 use crate::scenario::vectors::unit;
@@ -92,10 +91,10 @@ impl Builder<'_> {
     /// The faces of a physical surface of a mesh.
     fn mesh_surface(&mut self, name: &Name) -> Option<FaceSet> {
         let Some(faces) = self.surfaces.get(name.as_str()) else {
-            let message = format!("there is no surface `{name}`");
-            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
-            error.help = suggest(name.as_str(), self.surfaces.keys().map(String::as_str))
-                .or_else(|| Some("valid names are the physical surfaces of `mesh.msh`".to_owned()));
+            let known = self.surfaces.keys().map(String::as_str);
+            let mut error = Diagnostic::unknown("surface", name, known);
+            let help = || "valid names are the physical surfaces of `mesh.msh`".to_owned();
+            error.help.get_or_insert_with(help);
             self.found.push(error);
             return None;
         };

@@ -13,7 +13,6 @@ use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
 use crate::scenario::csv_columns::Column;
-use crate::scenario::diagnostic::suggest;
 use crate::scenario::foreign::dfn::{Network, Shape, parse_fab};
 use crate::scenario::foreign::dfnworks::read_dfnworks;
 use crate::scenario::foreign::itasca::parse_itasca;
@@ -157,11 +156,8 @@ impl Builder<'_> {
     fn bridge(&mut self, name: &Name, joints: &[Joint]) {
         let table = &self.parsed.scenario.interfaces;
         let Some(row) = table.names().position(|one| one == name.as_str()) else {
-            let message = format!("there is no interface `{name}`");
-            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
             let known: Vec<&str> = table.names().collect();
-            error.help = suggest(name.as_str(), known);
-            self.found.push(error);
+            self.found.push(Diagnostic::unknown("interface", name, known));
             return;
         };
         let ended = joints.iter().filter_map(|joint| {
