@@ -256,8 +256,7 @@ fn schema(input: &DeriveInput, keys: &[Key<'_>], table: &TableAttributes) -> Res
             None => quote! { None },
         });
         let (space, instead) = (option(key.space.as_deref()), option(key.instead.as_deref()));
-        let required = !key.optional;
-        let texts = key.texts();
+        let (required, texts) = (!key.optional, key.texts());
         quote! {
             table.key(crate::read::KeySchema {
                 word: #word,

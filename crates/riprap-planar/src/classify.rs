@@ -130,7 +130,9 @@ fn corner_edges(
                 let (e, f) = if swapped { (c.second, c.first) } else { (c.first, c.second) };
                 match c.kind {
                     ContactType::EdgeEdge => f == m && (e == k || e == (k + n - 1) % n),
-                    _ => e == k && (f == m || f == (m + 1) % o),
+                    ContactType::ConvexConvex
+                    | ContactType::ConcaveConvex
+                    | ContactType::ConvexEdge => e == k && (f == m || f == (m + 1) % o),
                 }
             });
             if !taken {

@@ -167,8 +167,7 @@ pub(super) fn draw(
     for (i, (frame, field)) in frames.iter().zip(fields).enumerate() {
         let corner = [LEFT + step[0] * (i % columns) as f64, head + step[1] * (i / columns) as f64];
         if frames.len() > 1 {
-            let text = words.moments.get(i).map_or("", String::as_str);
-            let text = fitted(text, SIZE, w + 20.0);
+            let text = fitted(words.moments.get(i).map_or("", |text| text), SIZE, w + 20.0);
             page.text([corner[0] + w / 2.0, corner[1] - 8.0], SIZE, Anchor::Middle, &text);
         }
         axes(&mut page, &window, corner, words.axes);

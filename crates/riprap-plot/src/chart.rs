@@ -159,9 +159,8 @@ fn one_panel(
     let text = fitted(&label(&panel.name, &panel.unit, &sy), SIZE, h + GAP);
     page.upright([20.0, top + h / 2.0], SIZE, &text);
     if let Some(x) = x {
-        let text = label(&x.name, &x.unit, sx);
         let at = [LEFT + WIDTH / 2.0, bottom + 38.0];
-        page.text(at, SIZE, Anchor::Middle, &text);
+        page.text(at, SIZE, Anchor::Middle, &label(&x.name, &x.unit, sx));
     }
     if panel.has_legend() {
         legend(page, panel, top);

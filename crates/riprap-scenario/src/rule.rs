@@ -194,8 +194,7 @@ impl Checked<'_, '_> {
                 error("key.one_of", message, place, remedy)
             }
             "needs" if !holds => {
-                let key = *given.first()?;
-                let needed = described(when);
+                let (key, needed) = (*given.first()?, described(when));
                 let needed = needed.strip_prefix("with ").unwrap_or(&needed);
                 let message = format!("`{key}` in {of} needs {needed}");
                 error("key.missing", message, self.place_of(key), self.remedy(when))
@@ -212,14 +211,14 @@ impl Checked<'_, '_> {
                 Some(no_effect(of, &given, self.place_of(key), &help))
             }
             "required" if holds => {
-                let lacking: Vec<&str> =
-                    possible.into_iter().filter(|key| !given.contains(key)).collect();
+                let lacking = possible.into_iter().filter(|key| !given.contains(key));
+                let lacking: Vec<&str> = lacking.collect();
+                let first = *lacking.first()?;
                 let message = match lacking[..] {
-                    [] => return None,
                     [key] => format!("the key `{key}` is missing in {of}"),
                     _ => format!("the keys {} are missing in {of}", list(&lacking)),
                 };
-                error("key.missing", message, self.place(), self.remedy(lacking[0]))
+                error("key.missing", message, self.place(), self.remedy(first))
             }
             _ => None,
         }

@@ -1,6 +1,5 @@
 //! The writer: header text with offsets, then the blocks of compressed bytes.
 
-use std::fmt::Write as _;
 use std::io;
 
 use flate2::{Compress, Compression, FlushCompress, Status};
@@ -169,13 +168,10 @@ fn file(frame: &Frame, mesh: &Mesh, exec: &Exec) -> io::Result<Vec<u8>> {
         ));
     }
     // VTK writes text as the codes of its bytes, with a 0 at the end.
-    let codes: String = frame.phase.bytes().fold(String::new(), |mut s, b| {
-        // Writing into a String cannot fail.
-        let _ = write!(s, "{b} ");
-        s
-    });
+    let codes: Vec<String> = frame.phase.bytes().chain([0]).map(|b| b.to_string()).collect();
+    let codes = codes.join(" ");
     w.put(&format!(
-        "<Array type=\"String\" Name=\"phase\" NumberOfTuples=\"1\" format=\"ascii\">{codes}0</Array>\n</FieldData>\n"
+        "<Array type=\"String\" Name=\"phase\" NumberOfTuples=\"1\" format=\"ascii\">{codes}</Array>\n</FieldData>\n"
     ));
     w.put(&format!(
         "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
