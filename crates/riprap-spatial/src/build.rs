@@ -27,7 +27,7 @@ use crate::setup::{GivenBody, Motion, Setup, Shape, Solid};
 use crate::state::bodies::{Bodies, SolidClass};
 use crate::state::cavity::{Cavity, Wall};
 use crate::state::face::Face;
-use crate::state::found::{FoundContacts, OnTerrain};
+use crate::state::found::FoundContacts;
 use crate::state::interface::Origin;
 use crate::state::lineage;
 use crate::state::patches::Patches;
@@ -96,7 +96,7 @@ impl World {
         }
         world.hold_terrain();
         if world.setup.found_contacts && (0..n).any(|b| world.is_terrain(b)) {
-            world.found.terrain = vec![OnTerrain::default(); n];
+            world.found.left_terrain = vec![false; n];
         }
         world.hold_driven();
         let charges = charge::charges(&world.setup, &world.lineage, &world.alive)?;

@@ -19,7 +19,7 @@ use crate::accounts::Condition;
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 use crate::laws::bolt::Design;
-pub use crate::laws::explosive::Explosive;
+pub use crate::laws::explosive::{Explosive, Products};
 pub use crate::laws::in_situ::InSitu;
 pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{
@@ -548,10 +548,10 @@ pub enum Place {
 /// What pushes on the faces of a cavity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum CavityPressure {
-    /// Detonation gas with the two-stage adiabat, in balance with the volume of the cavity.
+    /// Detonation gas on its adiabat, in balance with the volume of the cavity.
     Gas {
         /// The explosive.
-        explosive: Explosive,
+        explosive: Products,
         /// Mass of the charge, kg.
         mass: f64,
         /// How charge volume and cavity volume are matched.

@@ -366,13 +366,11 @@ impl View<'_> {
         // Work that has gone in and is not stored, or the other way round, steps have lost or made.
         out.works.law_defect += pressed - self.world.works.contact_path;
         let found = self.world.found.pairs.iter();
-        out.contact_shear += found.map(|pair| pair.stored).sum::<f64>();
+        out.contact_shear += found.map(|pair| pair.stored()).sum::<f64>();
         for pair in &self.world.found.deformable.pairs {
             out.contact_normal += pair.energy;
             out.contact_shear += pair.stored;
         }
-        let facets = self.world.found.terrain.iter().flat_map(|on| &on.facets);
-        out.contact_shear += facets.map(|facet| facet.stored).sum::<f64>();
         out.bond = self.boundary_energy() + self.strain_energy();
         let [normal, shear] = self.bond_energy();
         out.contact_normal += normal;
@@ -392,8 +390,8 @@ impl View<'_> {
     /// Blocks that have gone over the rim of the terrain.
     #[must_use]
     pub fn left_terrain(&self) -> Vec<u32> {
-        let all = (0..).zip(&self.world.found.terrain);
-        all.filter(|(_, on)| on.left).map(|(b, _)| b).collect()
+        let all = (0..).zip(&self.world.found.left_terrain);
+        all.filter(|(_, left)| **left).map(|(b, _)| b).collect()
     }
 
     /// The bolt whose equilibrium was missed by most so far: its name, and the force that was left over its largest one; `None` as long as

@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 use crate::contact::deformable::between;
 use crate::contact::deformable::search::shown;
 use crate::contact::limit::InverseInertia;
-use crate::contact::terrain::share;
+use crate::contact::limit::share_on_ground;
 use crate::contact::{constants, joined, make_shapes, roles};
 use crate::kernel::{Role, limits};
 use crate::query::view::View;
@@ -107,7 +107,7 @@ fn rigid(world: &World) -> Vec<Meets> {
             let ease = InverseInertia::of(world, &desk.shapes, b).of_area(face);
             let steps = laws.iter().map(|(_, law)| {
                 let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
-                share(law) * 2.0 / (stiffness * face * ease).sqrt()
+                share_on_ground(law) * 2.0 / (stiffness * face * ease).sqrt()
             });
             let spin = world.bodies.spin(b).length() * solid.radius;
             let density =

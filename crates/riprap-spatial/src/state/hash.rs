@@ -120,12 +120,12 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
             hash.count(faces.map_or(u64::MAX, |[a, b]| u64::from(a) << 16 | u64::from(b)));
         }
         hash.number(pair.gap);
-        if touches {
-            remember(hash, &pair.memory);
-        }
-        for piece in &pair.pieces {
-            hash.pair(piece.pieces.map(u32::from));
-            remember(hash, &piece.memory);
+        // Those of two convex blocks have no number.
+        for patch in pair.patches.iter().filter(|_| touches) {
+            if patch.key != [0; 2] {
+                hash.pair(patch.key);
+            }
+            remember(hash, &patch.memory);
         }
         if let Some(offset) = &pair.offset {
             carried_on(hash, offset);
@@ -144,13 +144,8 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
         hash.numbers(&m.normal.to_array());
         hash.numbers(&[m.torsion, m.area, m.polar]);
     }
-    for on in &found.terrain {
-        hash.number(on.clear);
-        hash.count((on.facets.len() as u64) << 1 | u64::from(on.left));
-        for facet in &on.facets {
-            hash.pair(facet.key);
-            remember(hash, &facet.memory);
-        }
+    for left in &found.left_terrain {
+        hash.count(u64::from(*left));
     }
 }
 

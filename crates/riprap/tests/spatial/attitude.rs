@@ -265,7 +265,7 @@ fn charged() -> Setup {
         place: Place::Point { centre: middle },
         delay: 0.0,
         push: CavityPressure::Gas {
-            explosive: AMMONIUM,
+            explosive: AMMONIUM.into(),
             mass: 1.0,
             coupling: Coupling::Scaled { exponent: 0.667 },
             venting: Some(Venting::Heave { height: 1e-3 }),

@@ -142,7 +142,7 @@ fn blasted() -> Setup {
         place: Place::Point { centre: Vec3::splat(6.0) },
         delay: 10.0 * DT,
         push: CavityPressure::Gas {
-            explosive: AMMONIUM,
+            explosive: AMMONIUM.into(),
             mass: 40.0,
             coupling: Coupling::Scaled { exponent: 0.5 },
             venting: None,

@@ -19,7 +19,7 @@ use crate::kernel::cells::{
     Member, PairConstants, PairSlot, PairWorkspace, TetContactScratch, TetFan,
 };
 use crate::kernel::grid::{Box3, Role};
-use crate::state::contact_scratch::TerrainDesk;
+use crate::state::contact_scratch::Grounds;
 use crate::state::deform::Deform;
 use crate::state::deformable::{DeformablePair, DeformableSearch};
 use crate::state::event::EditKind;
@@ -232,7 +232,7 @@ fn note_left(world: &mut World, grounds: &[Terrain]) {
     if grounds.is_empty() {
         return;
     }
-    for b in 0..world.found.terrain.len() {
+    for b in 0..world.found.left_terrain.len() {
         let Some(deform) = world.deform.as_deref() else {
             return;
         };
@@ -241,9 +241,8 @@ fn note_left(world: &mut World, grounds: &[Terrain]) {
         };
         let centre = (body.first + body.count - 1) as usize;
         let at = deform.nodes.place[centre] + Vec3::from_array(deform.nodes.displacement[centre]);
-        let state = &mut world.found.terrain[b];
-        if !state.left && grounds.iter().all(|ground| ground.depth(at).is_none()) {
-            state.left = true;
+        if !world.found.left_terrain[b] && grounds.iter().all(|ground| ground.depth(at).is_none()) {
+            world.found.left_terrain[b] = true;
             let event = world.event(EditKind::LeftTerrain, b as u32);
             world.events.push(event);
         }
@@ -328,7 +327,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
 }
 
 /// What follows from the list of pairs.
-fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrain: &TerrainDesk) {
+fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrain: &Grounds) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
