@@ -59,10 +59,9 @@ use crate::setup::During;
 use crate::setup::error::{MAX_LEVELS, RefineError};
 pub use crate::state::event::{EditEvent, EditKind};
 use crate::state::patches::flag;
-use crate::state::scratch::Scratch;
+use crate::state::scratch::{NonFinite, Scratch};
 use crate::state::world::World;
 use crate::step;
-use crate::step::Damping;
 use crate::topology::refine::Forest;
 
 /// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
@@ -92,15 +91,24 @@ pub fn reduce_strengths(world: &mut World, rows: &[u16], factor: f64) {
     }
 }
 
-/// Splits the blocks whose criterion is met now; returns how many. Call it between `evaluate` and `advance`; a second
-/// call at the same step does nothing.
+/// Splits and cuts the blocks whose criterion is met now. Call it between `evaluate` and `advance` with the same `dt` (s); a
+/// second call at the same step does nothing.
+///
+/// # Errors
+/// Too many blocks, no bond law, forces that are not finite, a failed audit.
+pub fn divide(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<(), EditError> {
+    refine_running(world, scratch, dt)?;
+    cut::step(world, scratch, dt)?;
+    Ok(())
+}
+
+/// Splits the blocks whose criterion is met now; returns how many. As [`divide`].
 ///
 /// # Errors
 /// Too many blocks, a failed audit.
 pub fn refine_running(
     world: &mut World,
     scratch: &mut Scratch,
-    damping: &Damping,
     dt: f64,
 ) -> Result<usize, EditError> {
     if world.last_check_step == world.step {
@@ -109,7 +117,7 @@ pub fn refine_running(
     world.last_check_step = world.step;
     let splits = plan(world, scratch)?;
     if !splits.is_empty() {
-        split(world, scratch, &splits, damping, dt)?;
+        split(world, scratch, &splits, dt)?;
     }
     Ok(splits.len())
 }
@@ -159,7 +167,7 @@ pub fn plan(world: &World, scratch: &Scratch) -> Result<Vec<u32>, EditError> {
     Ok(forest.into_splits())
 }
 
-/// Splits blocks (in this order; children may be split again by their future number) and evaluates anew.
+/// Splits blocks (in this order; children may be split again by their future number) and re-evaluates.
 ///
 /// # Errors
 /// A failed audit.
@@ -167,81 +175,93 @@ pub fn split(
     world: &mut World,
     scratch: &mut Scratch,
     splits: &[u32],
-    damping: &Damping,
     dt: f64,
 ) -> Result<(), EditError> {
-    // Children begin with half a kick of forces of their own.
-    step::end_motion(world, scratch, damping)?;
-    let before = View { world, scratch }.balance().residual();
-    let plan = split::Plan::new(&View { world, scratch }, splits);
-    split::apply(world, &plan)?;
-    bolts::follow(world);
-    audit::splits(world, &plan)?;
-    settle(world, scratch, damping, dt, before)
+    transact(world, scratch, dt, |world, scratch| {
+        let plan = split::Plan::new(&View { world, scratch }, splits);
+        split::apply(world, &plan)?;
+        bolts::follow(world);
+        audit::splits(world, &plan)?;
+        scratch.invalidate(world);
+        Ok(())
+    })
 }
 
-/// Takes blocks out and evaluates anew. Faces they shared with others become free, walls of cavities on them are
-/// gone.
+/// Carries out an edit between `evaluate` and `advance`: ends the motion, so that what comes new begins with half a kick of forces
+/// of its own, changes the world by `act`, which lays out the scratch data, and re-evaluates for a step of `dt` (s). The change of
+/// the ledger's residual is edit defect. An edit that fails leaves the world as it was, to be saved and resumed from there.
 ///
 /// # Errors
-/// Forces that are not finite.
-pub fn remove(
+/// Those of `act`, forces that are not finite.
+pub fn transact<T>(
     world: &mut World,
     scratch: &mut Scratch,
-    blocks: &[u32],
-    damping: &Damping,
     dt: f64,
-) -> Result<(), EditError> {
-    step::end_motion(world, scratch, damping)?;
+    act: impl FnOnce(&mut World, &mut Scratch) -> Result<T, EditError>,
+) -> Result<T, EditError> {
+    step::end_motion(world, scratch, &scratch.damping.clone())?;
+    booked(world, scratch, dt, |world, scratch| {
+        let whole = world.clone();
+        act(world, scratch).inspect_err(|_| *world = whole)
+    })
+}
+
+/// Does `act` and re-evaluates; the change of the residual is edit defect, as nothing moves meanwhile.
+fn booked<T, E: From<NonFinite>>(
+    world: &mut World,
+    scratch: &mut Scratch,
+    dt: f64,
+    act: impl FnOnce(&mut World, &mut Scratch) -> Result<T, E>,
+) -> Result<T, E> {
     let before = View { world, scratch }.balance().residual();
-    take_out(world, blocks);
-    settle(world, scratch, damping, dt, before)
-}
-
-/// Lays out and evaluates anew; books the change of the residual as edit defect.
-fn settle(
-    world: &mut World,
-    scratch: &mut Scratch,
-    damping: &Damping,
-    dt: f64,
-    residual: f64,
-) -> Result<(), EditError> {
-    scratch.invalidate(world);
-    step::evaluate(world, scratch, damping, dt)?;
+    let done = act(world, scratch)?;
+    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
     let after = View { world, scratch }.balance().residual();
-    world.works.edit_defect += after - residual;
-    Ok(())
+    world.works.edit_defect += after - before;
+    Ok(done)
 }
 
-/// Removes blocks from all lists that hold living things; lay out and evaluate anew afterwards ([`remove`] does it).
-pub fn take_out(world: &mut World, blocks: &[u32]) {
+/// Removes blocks, with what they share with others: joints, bonds, bolts, walls of cavities. Faces that they shared become free. Lay out
+/// and evaluate anew afterwards.
+pub fn remove(world: &mut World, blocks: &[u32]) {
     for &b in blocks {
         if std::mem::replace(&mut world.alive[b as usize], false) {
             let event = world.event(EditKind::Removed, b);
             world.events.push(event);
         }
     }
-    let gone = |b: u32| !world.alive[b as usize];
     let list = &world.patches;
-    let (mut keep, mut bared, mut lost) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut gone, mut bared) = (Vec::new(), Vec::new());
     for (p, &ends) in list.ends.iter().enumerate() {
-        match ends.map(gone) {
-            [false, false] => keep.push(p as u32),
-            [true, true] => lost.push((ends, list.flags[p])),
-            [i_gone, _] => {
-                lost.push((ends, list.flags[p]));
-                bared.push(bare(world, p, usize::from(i_gone)));
-            }
+        let stays = ends.map(|b| world.alive[b as usize]);
+        if stays == [true; 2] {
+            continue;
+        }
+        gone.push(p);
+        let broken = u64::from((list.flags[p] & flag::BROKEN).count_ones());
+        world.failed.add(ends, broken);
+        if let Some(side) = stays.iter().position(|stays| *stays) {
+            bared.push(bare(world, p, side));
         }
     }
-    let World { faces, alive, failed, .. } = &mut *world;
-    for (ends, flags) in lost {
-        failed.add(ends, u64::from((flags & flag::BROKEN).count_ones()));
-    }
+    world.patches.drop_some(&gone);
+    let World { faces, alive, .. } = &mut *world;
     faces.retain(|f| alive[f.block as usize]);
     faces.extend(bared);
     faces.sort_by_key(|f| f.block);
-    world.patches.keep(&keep);
     charge::drop_walls(world);
     charge::renew_surfaces(world);
+    let walls = charge::walls::state(world);
+    if let Some(deform) = world.deform.as_deref_mut() {
+        for &block in blocks {
+            for facet in deform.facets.iter().filter(|f| f.blocks.contains(&block)) {
+                world.failed.add(facet.blocks, deform.failed_points(facet));
+            }
+            deform.retire(block);
+        }
+        if !blocks.is_empty() {
+            charge::walls::renew(world, &walls);
+        }
+    }
+    bolts::follow(world);
 }

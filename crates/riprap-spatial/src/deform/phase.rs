@@ -41,22 +41,8 @@ pub fn begin(deform: &mut Deform, rules: &Rules, time: f64, origin: Vec3) -> boo
     stops
 }
 
-/// Begins a phase of a world: blocks in `removed` go, supports are looked at anew; everything must be laid out anew
-/// afterwards.
-pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
-    let walls = crate::push::charge::walls::state(world);
-    let Some(deform) = world.deform.as_deref_mut() else {
-        return;
-    };
-    for &block in removed {
-        for facet in deform.facets.iter().filter(|f| f.blocks.contains(&block)) {
-            world.failed.add(facet.blocks, deform.failed_points(facet));
-        }
-        deform.retire(block);
-    }
-    if !removed.is_empty() {
-        crate::push::charge::walls::renew(world, &walls);
-    }
+/// Begins a phase of a world: supports are looked at anew; everything must be laid out anew afterwards.
+pub fn enter(world: &mut World, rules: Option<&Rules>) {
     super::beside(world, |world, deform| {
         if let Some(strain) = rules.and_then(|r| r.strain) {
             for body in &mut deform.bodies {

@@ -39,10 +39,10 @@ use crate::state::event::{EditEvent, EditKind};
 use crate::state::scratch::Scratch;
 use crate::state::workspace::Workspace;
 use crate::state::world::World;
-use crate::step;
 use crate::topology::audit::unchanged;
 use crate::topology::error::EditError;
 use crate::topology::fracture::CHECK_INTERVAL;
+use crate::topology::transact;
 
 /// Most blocks that a model may have after a cut.
 const MAX_BLOCKS: usize = 4_000_000;
@@ -98,24 +98,20 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     if world.alive.len() + new > MAX_BLOCKS {
         return Err(RefineError::TooMany.into());
     }
-    // Parts begin with half a kick of forces of their own.
-    step::end_motion(world, scratch, &scratch.damping.clone())?;
-    // Nothing moves until `after`: what the residual changes by is what the cut has made.
-    let before = View { world, scratch }.balance().residual();
     let count = cuts.len();
-    carry_out(world, scratch, cuts)?;
-    if let Some(deform) = world.deform.as_deref_mut() {
-        if let Some(cutting) = &mut deform.cutting {
-            cutting.stages += 1;
+    transact(world, scratch, dt, |world, scratch| {
+        carry_out(world, scratch, cuts)?;
+        if let Some(deform) = world.deform.as_deref_mut() {
+            if let Some(cutting) = &mut deform.cutting {
+                cutting.stages += 1;
+            }
+            if let Some(relax) = &mut deform.relax {
+                relax.disturb();
+            }
         }
-        if let Some(relax) = &mut deform.relax {
-            relax.disturb();
-        }
-    }
-    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
-    let view = View { world, scratch };
-    let (after, ratio) = (view.balance().residual(), view.deformable_unbalanced());
-    world.works.edit_defect += after - before;
+        Ok(())
+    })?;
+    let ratio = View { world, scratch }.deformable_unbalanced();
     if let Some(deform) = world.deform.as_deref_mut() {
         deform.cut_blocks += count as u64;
         deform.cut_unbalanced = deform.cut_unbalanced.max(ratio.unwrap_or(0.0));
@@ -159,28 +155,14 @@ pub fn one(
         return Ok(Vec::new());
     };
     let cut = select::cut(world, (deform, work), body, note, parts);
-    step::end_motion(world, scratch, &scratch.damping.clone())?;
-    let before = View { world, scratch }.balance().residual();
-    carry_out(world, scratch, vec![cut])?;
-    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
-    let after = View { world, scratch }.balance().residual();
-    world.works.edit_defect += after - before;
+    transact(world, scratch, dt, |world, scratch| carry_out(world, scratch, vec![cut]))?;
     Ok((blocks..world.alive.len() as u32).collect())
 }
 
 /// Does it all but the evaluation.
 fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result<(), EditError> {
     let classes = world.deform.as_ref().map_or(0, |d| d.classes.len());
-    let whole = world.clone();
-    let made = match edit(world, scratch, &cuts) {
-        Ok(made) => made,
-        // A cut that fails half-way leaves the run as it was: it is told, saved and resumed from there.
-        Err(error) => {
-            *world = whole;
-            return Err(error);
-        }
-    };
-    drop(whole);
+    let made = edit(world, scratch, &cuts)?;
     scratch.extend(world, cuts.into_iter().flat_map(|cut| cut.classes));
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
     else {

@@ -20,7 +20,7 @@ use crate::state::relax::Relax;
 use crate::state::scratch::{NonFinite, Scratch};
 use crate::state::workspace::Workspace;
 use crate::state::world::World;
-use crate::step;
+use crate::topology::booked;
 
 /// Facets used at least this share of the most used one break with it.
 pub const TOGETHER: f64 = 0.95;
@@ -69,12 +69,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     if due.is_empty() {
         return Ok(0);
     }
-    let before = View { world, scratch }.balance().residual();
-    let count = apply(world, &due);
-    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
-    let after = View { world, scratch }.balance().residual();
-    world.works.edit_defect += after - before;
-    Ok(count)
+    booked(world, scratch, dt, |world, _| Ok(apply(world, &due)))
 }
 
 /// Commits softening and slip of a converged state of a relaxing phase, once, and books what they have taken since the last one.

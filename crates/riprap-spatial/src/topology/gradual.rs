@@ -5,14 +5,13 @@
 
 use riprap_geom::Vec3;
 
-use crate::deform;
 use crate::dynamics::TimeFunction;
 use crate::setup::{Load, LoadKind};
 use crate::state::scratch::{NonFinite, Scratch};
 use crate::state::world::World;
 use crate::step;
 use crate::step::Damping;
-use crate::topology::take_out;
+use crate::topology::remove;
 
 /// Share of the largest force that was lost up to which a difference is round-off.
 const ROUND_OFF: f64 = 1e-9;
@@ -52,8 +51,7 @@ pub fn take_out_gradually(
     damping: &Damping,
 ) -> Result<(), NonFinite> {
     let before = Forces::of(world, scratch);
-    take_out(world, blocks);
-    deform::phase::enter(world, blocks, None);
+    remove(world, blocks);
     scratch.invalidate(world);
     step::evaluate(world, scratch, damping, 0.0)?;
     let after = Forces::of(world, scratch);
