@@ -276,28 +276,6 @@ fn own_body(class: SolidClass, given: &GivenBody) -> SolidClass {
     }
 }
 
-/// Centroid and mass properties of what a closed surface bounds.
-fn of_surface(body: &Polyhedron, density: f64) -> (Vec3, SolidClass) {
-    let moments = body.moments();
-    let inertia = density * moments.inertia;
-    let (mut half, mut radius) = (Vec3::ZERO, 0.0_f64);
-    for corner in &body.vertices {
-        let arm = *corner - moments.centroid;
-        half = half.max(arm.abs());
-        radius = radius.max(arm.length());
-    }
-    let class = SolidClass {
-        mass: density * moments.volume,
-        volume: moments.volume,
-        inertia,
-        inverse: inertia.inverse(),
-        half,
-        radius,
-        diagonal: false,
-    };
-    (moments.centroid, class)
-}
-
 /// Centroid and mass properties of a shape.
 fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
     match shape {
@@ -324,14 +302,14 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
         Shape::Polyhedron(solid) => {
             let body = solid.polyhedron();
             body.validate().map_err(|e| e.to_string())?;
-            Ok(of_surface(&body, density))
+            Ok(SolidClass::bounded_by(&body, density, None))
         }
         // Integrals over glued faces cancel.
         Shape::Glued(parts) => {
             for part in parts {
                 part.polyhedron().validate().map_err(|e| e.to_string())?;
             }
-            Ok(of_surface(&Solid::all(parts).polyhedron(), density))
+            Ok(SolidClass::bounded_by(&Solid::all(parts).polyhedron(), density, None))
         }
         Shape::Terrain(surface) => {
             let bounds = Bounds::of(shape);

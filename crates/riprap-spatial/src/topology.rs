@@ -42,6 +42,7 @@ pub(crate) mod refine;
 
 pub(crate) mod audit;
 pub(super) mod error;
+mod family;
 mod gradual;
 mod measure;
 mod patches;

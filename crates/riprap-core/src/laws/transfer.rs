@@ -108,7 +108,7 @@ pub fn interpolate(place: &Place, field: &[[f64; 3]]) -> [f64; 3] {
 }
 
 /// Motion of a set of nodes as a whole.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Mass, kg.
     pub mass: f64,

@@ -8,19 +8,17 @@
 //!
 //! Source: Tian & Li, section 2.
 
-mod follow;
-
 use crate::setup::error::{MAX_BLOCKS, MAX_LEVELS, RefineError};
 use crate::state::lineage::name;
+use crate::topology::family::{self, Family};
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Parallelepiped, Polyhedron};
 
 use crate::faces::divisible::Divisible;
 use crate::faces::region::{Bins, Bounds, Extent, TOUCH};
 use crate::faces::solids::share_face;
-use crate::setup::{BlockSpec, Refinement, Region, Setup};
+use crate::setup::{Refinement, Region, Setup};
 pub(crate) use crate::state::lineage::Origin;
-pub(crate) use follow::follow;
 
 /// Blocks as a forest of octrees; finds neighbours and keeps the balance.
 #[derive(Debug)]
@@ -326,7 +324,6 @@ pub(crate) fn before_run(setup: &mut Setup) -> Result<Vec<Origin>, RefineError> 
     }
     let splits = forest.into_splits();
     append_children(setup, &mut lineage, &splits);
-    follow(setup, &lineage, &splits);
     Ok(lineage)
 }
 
@@ -339,24 +336,29 @@ pub(crate) fn why(setup: &Setup, lineage: &[Origin], block: Option<u32>) -> Refi
     }
 }
 
-/// Appends the children of the split blocks; they move with the rigid motion of their parent at the start.
+/// Appends the children of the split blocks, with the rigid motion of their parent at the start; lists that name blocks follow.
 pub(crate) fn append_children(setup: &mut Setup, lineage: &mut Vec<Origin>, splits: &[u32]) {
+    let families = in_eight(splits, lineage.len());
     for &parent in splits {
-        let spec = setup.blocks[parent as usize].clone();
+        let spec = &setup.blocks[parent as usize];
         let Some(whole) = Divisible::of(&spec.shape) else {
             unreachable!("only blocks with eight similar parts are split")
         };
-        let level = lineage[parent as usize].level + 1;
+        let (velocity, spin) = (spec.velocity, spec.spin);
         for octant in 0..8 {
             let part = whole.part(octant);
-            setup.blocks.push(BlockSpec {
-                shape: part.shape(),
-                velocity: spec.velocity + spec.spin.cross(part.centre() - whole.centre()),
-                ..spec.clone()
-            });
-            lineage.push(Origin { parent, octant, level });
+            let velocity = velocity + spin.cross(part.centre() - whole.centre());
+            family::describe(setup, lineage, (parent, octant), (part.shape(), velocity));
         }
     }
+    family::follow(setup, &families);
+}
+
+/// The families of blocks that are split in this order, with `blocks` blocks before.
+pub(super) fn in_eight(splits: &[u32], blocks: usize) -> Vec<Family<'static>> {
+    let firsts = (blocks as u32..).step_by(8);
+    let one = |(&parent, first)| Family { parent, first, parts: &[], note: None };
+    splits.iter().zip(firsts).map(one).collect()
 }
 
 #[cfg(test)]

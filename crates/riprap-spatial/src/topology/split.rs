@@ -16,11 +16,13 @@ use crate::push::charge::walls;
 use crate::query::view::View;
 use crate::state::bodies::Turned;
 use crate::state::cavity::Wall;
-use crate::state::event::{EditEvent, EditKind};
 use crate::state::face::{Face, HalfBlock};
 use crate::state::interface::Origin;
+use crate::state::lineage;
 use crate::state::world::World;
+use crate::topology::audit;
 use crate::topology::error::EditError;
+use crate::topology::family::{self, Moving};
 use crate::topology::patches;
 use crate::topology::patches::Old;
 use crate::topology::refine;
@@ -83,11 +85,7 @@ impl<'a> Plan<'a> {
 
     /// The block that existed before and holds block `b`.
     pub(super) fn root(&self, world: &World, b: u32) -> u32 {
-        let mut b = b;
-        while b as usize >= self.blocks {
-            b = world.lineage[b as usize].parent;
-        }
-        b
+        lineage::ancestor(&world.lineage, b, self.blocks as u32)
     }
 
     pub(super) fn is_new(&self, b: u32) -> bool {
@@ -111,13 +109,12 @@ impl<'a> Plan<'a> {
 /// Does it all but the evaluation.
 pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
     refine::append_children(&mut world.setup, &mut world.lineage, plan.splits);
-    refine::follow(&mut world.setup, &world.lineage, plan.splits);
-    for (k, &parent) in plan.splits.iter().enumerate() {
-        let first = plan.blocks + 8 * k;
-        for child in first..first + 8 {
-            add_child(world, parent as usize, child);
+    let families = refine::in_eight(plan.splits, plan.blocks);
+    for family in &families {
+        for child in family.children() {
+            add_child(world, family.parent as usize, child as usize);
         }
-        world.alive[parent as usize] = false;
+        world.alive[family.parent as usize] = false;
     }
     let tolerance = GAP * world.finest();
     let (near, charges) = neighbourhood(world, plan);
@@ -184,17 +181,11 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
         cavity.walls.sort_by_key(|w| (w.block, w.behind));
     }
     charge::renew_surfaces(world);
-    report(world, plan, &after);
-    Ok(())
-}
-
-fn missing(world: &World, block: u32, area: f64) -> EditError {
-    EditError::Audit {
-        what: "the area of patches",
-        block: world.name(block as usize),
-        before: 0.0,
-        after: area,
+    for family in &families {
+        let counts = [plan.count.get(&family.parent), after.get(&family.parent)];
+        family::record(world, family, counts.map(|c| c.copied().unwrap_or(0)));
     }
+    Ok(())
 }
 
 /// Appends a child to the lists of the world; it moves with the rigid body that its parent is.
@@ -233,18 +224,15 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
         turned =
             Some(Box::new(Turned { attitude: q, momentum: turned_inertia(&part.inertia, q) * w }));
     }
-    world.bodies.push([u + moved, turn], [v + w.cross(arm), w]);
-    if !world.datum.is_empty() {
-        let [shift, turn] = world.datum(parent);
-        world.datum.resize(child, [Vec3::ZERO; 2]);
-        world.datum.push([shift + turn.cross(start), turn]);
-    }
-    world.reference.push(centre);
-    world.solid.push(class as u32);
-    world.turned.push(turned);
-    world.alive.push(true);
-    world.motion.push(world.motion[parent].clone());
-    world.peak_speed_squared.push(world.peak_speed_squared[parent]);
+    let part = Moving {
+        solid: class,
+        lever: start,
+        centre,
+        displacement: [u + moved, turn],
+        velocity: [v + w.cross(arm), w],
+        turned,
+    };
+    family::append(world, parent, part);
 }
 
 /// New blocks, the blocks around them, and the removed blocks behind walls of cavities, with the number of the cavity.
@@ -320,7 +308,7 @@ fn lay_bare(
     let root = plan.root(world, face.block);
     inherit(world, &mut face, parents, root);
     if !face.parted {
-        return Err(missing(world, root, face.area));
+        audit::unchanged(world, root, "the area of patches", [0.0, face.area], 0.0)?;
     }
     world.faces.push(face);
     Ok(())
@@ -387,17 +375,4 @@ fn moved(world: &World, block: u32, arm: Vec3) -> Vec3 {
         None => world.bodies.rotation(b).cross(arm),
     };
     world.bodies.displacement(b) + turned
-}
-
-fn report(world: &mut World, plan: &Plan, after: &BTreeMap<u32, u32>) {
-    for (k, &parent) in plan.splits.iter().enumerate() {
-        let first = (plan.blocks + 8 * k) as u32;
-        let counts = [plan.count.get(&parent), after.get(&parent)];
-        let event = EditEvent {
-            children: (first..first + 8).collect(),
-            patches: counts.map(|c| c.copied().unwrap_or(0)),
-            ..world.event(EditKind::Split, parent)
-        };
-        world.events.push(event);
-    }
 }
