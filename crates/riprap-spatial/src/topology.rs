@@ -178,8 +178,8 @@ pub fn split(
     splits: &[u32],
     dt: f64,
 ) -> Result<(), EditError> {
-    transact(world, scratch, dt, |world, scratch| {
-        let plan = split::Plan::new(&View { world, scratch }, splits);
+    transact(world, scratch, dt, |world, scratch, before| {
+        let plan = split::Plan::new(before, scratch, splits);
         split::apply(world, &plan)?;
         bolts::follow(world);
         audit::splits(world, &plan)?;
@@ -189,7 +189,7 @@ pub fn split(
 }
 
 /// Carries out an edit between `evaluate` and `advance`: ends the motion, so that what comes new begins with half a kick of forces
-/// of its own, changes the world by `act`, which lays out the scratch data, and re-evaluates for a step of `dt` (s). The change of
+/// of its own, changes the world by `act`, which sees it as it was and lays out the scratch data, and re-evaluates for a step of `dt` (s). The change of
 /// the ledger's residual is edit defect. An edit that fails leaves the world as it was, to be saved and resumed from there.
 ///
 /// # Errors
@@ -198,12 +198,12 @@ pub fn transact<T>(
     world: &mut World,
     scratch: &mut Scratch,
     dt: f64,
-    act: impl FnOnce(&mut World, &mut Scratch) -> Result<T, EditError>,
+    act: impl FnOnce(&mut World, &mut Scratch, &World) -> Result<T, EditError>,
 ) -> Result<T, EditError> {
     step::end_motion(world, scratch, &scratch.damping.clone())?;
     booked(world, scratch, dt, |world, scratch| {
-        let whole = world.clone();
-        act(world, scratch).inspect_err(|_| *world = whole)
+        let before = world.clone();
+        act(world, scratch, &before).inspect_err(|_| *world = before)
     })
 }
 

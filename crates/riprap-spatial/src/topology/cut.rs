@@ -114,7 +114,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
         return Err(RefineError::TooMany.into());
     }
     let count = cuts.len();
-    transact(world, scratch, dt, |world, scratch| {
+    transact(world, scratch, dt, |world, scratch, _| {
         carry_out(world, scratch, cuts)?;
         if let Some(deform) = world.deform.as_deref_mut() {
             if let Some(cutting) = &mut deform.cutting {
@@ -170,7 +170,7 @@ pub fn one(
         return Ok(Vec::new());
     };
     let cut = select::cut(world, (deform, work), body, note, parts);
-    transact(world, scratch, dt, |world, scratch| carry_out(world, scratch, vec![cut]))?;
+    transact(world, scratch, dt, |world, scratch, _| carry_out(world, scratch, vec![cut]))?;
     Ok((blocks..world.alive.len() as u32).collect())
 }
 

@@ -10,6 +10,7 @@ use crate::faces::overlap;
 use crate::faces::overlap::Overlap;
 use crate::joint::classes::ClassTable;
 use crate::joint::patch::turned_inertia;
+use crate::joint::reading::Reading;
 use crate::laws::face_joint::SIGNS;
 use crate::push::charge;
 use crate::push::charge::walls;
@@ -19,12 +20,12 @@ use crate::state::cavity::Wall;
 use crate::state::face::{Face, HalfBlock};
 use crate::state::interface::Origin;
 use crate::state::lineage;
+use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use crate::topology::audit;
 use crate::topology::error::EditError;
 use crate::topology::family::{self, Moving};
 use crate::topology::patches;
-use crate::topology::patches::Old;
 use crate::topology::refine;
 
 /// Least cosine between the normals of a face and of its part.
@@ -34,53 +35,41 @@ const IN_RECTANGLE: f64 = 1.8;
 /// The same for a parallelogram along its principal axes (half diagonals of a rhombus are sqrt(6)).
 const IN_PARALLELOGRAM: f64 = 2.5;
 
-/// All that is needed of the state before.
+/// What is split, and what is needed of the state before.
 pub(super) struct Plan<'a> {
     /// Parents in order; children may be named by their future number.
     splits: &'a [u32],
+    before: &'a World,
     /// Number of blocks before.
     pub(super) blocks: usize,
     /// Patches of split blocks, by the lower and the higher block.
-    old: BTreeMap<[u32; 2], Vec<Old>>,
+    old: BTreeMap<[u32; 2], Vec<usize>>,
     /// Average stress of the split blocks in the frame of the start, Pa.
     stress: BTreeMap<u32, Mat3>,
-    /// Number of patches of the split blocks.
-    count: BTreeMap<u32, u32>,
 }
 
 impl<'a> Plan<'a> {
-    pub(super) fn new(view: &View, splits: &'a [u32]) -> Self {
-        let world = view.world;
-        let blocks = world.alive.len();
-        let mut plan = Self {
-            splits,
-            blocks,
-            old: BTreeMap::new(),
-            stress: BTreeMap::new(),
-            count: BTreeMap::new(),
-        };
-        let stresses = view.stresses();
-        for &b in splits.iter().filter(|b| (**b as usize) < blocks) {
-            let turn = world.turned[b as usize]
-                .as_ref()
-                .map_or(Mat3::IDENTITY, |t| Mat3::from_quat(t.attitude));
-            let stress = turn.transpose() * stresses[b as usize] * turn;
-            plan.stress.insert(b, stress);
-            plan.count.insert(b, 0);
-        }
-        for (p, &ends) in world.patches.ends.iter().enumerate() {
-            if !ends.iter().any(|b| plan.stress.contains_key(b)) {
-                continue;
-            }
-            let pair = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-            plan.old.entry(pair).or_default().push(Old::new(view, p));
-            for b in ends {
-                if let Some(count) = plan.count.get_mut(&b) {
-                    *count += 1;
-                }
+    pub(super) fn new(before: &'a World, scratch: &Scratch, splits: &'a [u32]) -> Self {
+        let blocks = before.alive.len();
+        let stresses = View { world: before, scratch }.stresses();
+        let stress = splits.iter().filter(|b| (**b as usize) < blocks).map(|&b| {
+            let turned = before.turned[b as usize].as_ref();
+            let turn = turned.map_or(Mat3::IDENTITY, |t| Mat3::from_quat(t.attitude));
+            (b, turn.transpose() * stresses[b as usize] * turn)
+        });
+        let stress: BTreeMap<u32, Mat3> = stress.collect();
+        let mut old: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+        for (p, &[i, j]) in before.patches.ends.iter().enumerate() {
+            if stress.contains_key(&i) || stress.contains_key(&j) {
+                old.entry([i.min(j), i.max(j)]).or_default().push(p);
             }
         }
-        plan
+        Self { splits, before, blocks, old, stress }
+    }
+
+    /// Blocks of the old patches.
+    fn old_ends(&self) -> impl Iterator<Item = u32> {
+        self.old.values().flatten().flat_map(|p| self.before.patches.ends[*p])
     }
 
     /// The block that existed before and holds block `b`.
@@ -93,14 +82,16 @@ impl<'a> Plan<'a> {
     }
 
     /// The patch that parts of the blocks `roots` share in an overlap, and whether its blocks stand the other way round there.
-    fn old_of(&self, roots: [u32; 2], overlap: &Overlap) -> Option<(&Old, bool)> {
+    fn old_of(&self, roots: [u32; 2], overlap: &Overlap) -> Option<(Reading<'_>, bool)> {
         let pair = [roots[0].min(roots[1]), roots[0].max(roots[1])];
-        let same = |old: &Old, back: bool| {
+        let same = |old: &Reading, back: bool| {
             let sign = if back { -1.0 } else { 1.0 };
             let ends = if back { [roots[1], roots[0]] } else { roots };
-            old.ends == ends && sign * old.normal().dot(overlap.frame[0]) > ALIKE
+            old.world.patches.ends[old.p] == ends
+                && sign * old.class().frame[0].dot(overlap.frame[0]) > ALIKE
         };
         let olds = self.old.get(&pair).into_iter().flatten();
+        let olds = olds.map(|&p| Reading { world: self.before, p });
         // Parts can share their face in the other order than the patch of their parents has it.
         olds.flat_map(|old| [(old, false), (old, true)]).find(|(old, back)| same(old, *back))
     }
@@ -116,24 +107,17 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
         }
         world.alive[family.parent as usize] = false;
     }
-    let tolerance = GAP * world.finest();
     let (near, charges) = neighbourhood(world, plan);
-    let (overlaps, free) = overlap::touching(world, &near, tolerance);
+    let (overlaps, free) = overlap::touching(world, &near, GAP * world.finest());
     let turned = turned_walls(world);
     forget(world);
     let parents: BTreeMap<u32, Vec<Face>> = take_faces(world);
-    let mut after: BTreeMap<u32, u32> = BTreeMap::new();
     let mut table = ClassTable::new(world, world.finest());
-    for overlap in &overlaps {
-        let blocks = overlap.blocks;
-        if !blocks.iter().any(|b| plan.is_new(*b)) {
-            continue;
-        }
-        let owner = |k: usize| charges.get(&blocks[k]).copied();
-        if let Some((side, cavity)) = [(1, owner(0)), (0, owner(1))]
-            .into_iter()
-            .find_map(|(side, owner)| owner.map(|cavity| (side, cavity)))
-        {
+    let mut counts: BTreeMap<u32, [u32; 2]> = BTreeMap::new();
+    plan.old_ends().for_each(|b| counts.entry(b).or_default()[0] += 1);
+    for overlap in overlaps.iter().filter(|o| o.blocks.iter().any(|b| plan.is_new(*b))) {
+        let owner = |side: usize| charges.get(&overlap.blocks[1 - side]);
+        if let Some((side, &cavity)) = [1, 0].into_iter().find_map(|k| Some((k, owner(k)?))) {
             let mut wall = Wall::new(&world.setup, &world.reference, overlap, side);
             if let Some(parent) = turned.get(&(plan.root(world, wall.block), wall.behind)) {
                 walls::divide(world, &mut wall, parent);
@@ -141,39 +125,21 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
             world.cavities[cavity].walls.push(wall);
             continue;
         }
-        let roots = blocks.map(|b| plan.root(world, b));
-        let inside = roots[0] == roots[1] && lies_inside(world, roots[0], overlap);
-        let old = plan.old_of(roots, overlap);
-        if !inside && old.is_none() {
+        let roots = overlap.blocks.map(|b| plan.root(world, b));
+        if join(world, plan, &mut table, overlap, roots)? {
+            let once = usize::from(roots[0] == roots[1]);
+            roots[once..].iter().for_each(|root| counts.entry(*root).or_default()[1] += 1);
+        } else {
             // Neighbours of the start whose joint has given way: the faces of the parts are as bare as those of the parents.
             for side in [0, 1] {
                 lay_bare(world, plan, &parents, overlap.side(side))?;
             }
-            continue;
-        }
-        let p = world.patches.len();
-        // What a patch remembers is along its own axes, from its own block i to its block j.
-        match old {
-            Some((_, true)) if !inside => world.add_patch(&mut table, &overlap.reversed())?,
-            _ => world.add_patch(&mut table, overlap)?,
-        }
-        for root in if roots[0] == roots[1] { &roots[..1] } else { &roots[..] } {
-            *after.entry(*root).or_default() += 1;
-        }
-        if inside {
-            let finite = world.turned[roots[0] as usize].is_some();
-            patches::inside(world, p, &plan.stress[&roots[0]], finite);
-            world.patches.set_origin(p, Origin::Cut);
-        } else if let Some((old, _)) = old {
-            old.hand_on(world, p);
         }
     }
-    for mut face in free {
-        if plan.is_new(face.block) {
-            let root = plan.root(world, face.block);
-            inherit(world, &mut face, &parents, root);
-            world.faces.push(face);
-        }
+    for mut face in free.into_iter().filter(|face| plan.is_new(face.block)) {
+        let root = plan.root(world, face.block);
+        inherit(world, &mut face, &parents, root);
+        world.faces.push(face);
     }
     world.faces.sort_by_key(|f| f.block);
     world.patches.sort(&world.classes);
@@ -182,10 +148,34 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
     }
     charge::renew_surfaces(world);
     for family in &families {
-        let counts = [plan.count.get(&family.parent), after.get(&family.parent)];
-        family::record(world, family, counts.map(|c| c.copied().unwrap_or(0)));
+        family::record(world, family, counts.get(&family.parent).copied().unwrap_or_default());
     }
     Ok(())
+}
+
+/// Adds the patch of parts of the blocks `roots`: one inside a block, or a part of one that was there; false where neither is.
+fn join(
+    world: &mut World,
+    plan: &Plan,
+    table: &mut ClassTable,
+    overlap: &Overlap,
+    roots: [u32; 2],
+) -> Result<bool, EditError> {
+    let p = world.patches.len();
+    if roots[0] == roots[1] && lies_inside(world, roots[0], overlap) {
+        world.add_patch(table, overlap)?;
+        let finite = world.turned[roots[0] as usize].is_some();
+        patches::inside(world, p, &plan.stress[&roots[0]], finite);
+        world.patches.set_origin(p, Origin::Cut);
+    } else if let Some((old, back)) = plan.old_of(roots, overlap) {
+        // What a patch remembers is along its own axes, from its own block i to its block j.
+        let overlap = if back { &overlap.reversed() } else { overlap };
+        world.add_patch(table, overlap)?;
+        patches::hand_on(world, p, &old);
+    } else {
+        return Ok(false);
+    }
+    Ok(true)
 }
 
 /// Appends a child to the lists of the world; it moves with the rigid body that its parent is.
@@ -238,7 +228,7 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
 /// New blocks, the blocks around them, and the removed blocks behind walls of cavities, with the number of the cavity.
 fn neighbourhood(world: &World, plan: &Plan) -> (Vec<u32>, BTreeMap<u32, usize>) {
     let mut near: BTreeSet<u32> = (plan.blocks..world.alive.len()).map(|b| b as u32).collect();
-    near.extend(plan.old.values().flatten().flat_map(|old| old.ends));
+    near.extend(plan.old_ends());
     near.retain(|&b| world.alive[b as usize]);
     let mut charges = BTreeMap::new();
     for (k, cavity) in world.cavities.iter().enumerate() {
@@ -273,14 +263,12 @@ fn forget(world: &mut World) {
 
 /// Takes the faces of dead blocks out of the list, by block.
 fn take_faces(world: &mut World) -> BTreeMap<u32, Vec<Face>> {
+    let faces = std::mem::take(&mut world.faces).into_iter();
+    let (living, dead): (Vec<Face>, _) = faces.partition(|face| world.alive[face.block as usize]);
+    world.faces = living;
     let mut parents: BTreeMap<u32, Vec<Face>> = BTreeMap::new();
-    for face in std::mem::take(&mut world.faces) {
-        if world.alive[face.block as usize] {
-            world.faces.push(face);
-        } else {
-            parents.entry(face.block).or_default().push(face);
-        }
-    }
+    let mut add = |face: Face| parents.entry(face.block).or_default().push(face);
+    dead.into_iter().for_each(&mut add);
     parents
 }
 
