@@ -126,15 +126,7 @@ impl World {
             self.reference.push(centre);
             let given = self.setup.bodies.iter().find(|g| g.block as usize == b);
             let class = given.map_or(class, |given| own_body(class, given));
-            let key = match block.shape {
-                Shape::Brick { half, .. } if given.is_none() => {
-                    Some([half.x, half.y, half.z, density].map(f64::to_bits))
-                }
-                Shape::Brick { .. }
-                | Shape::Polyhedron(_)
-                | Shape::Terrain(_)
-                | Shape::Glued(_) => None,
-            };
+            let key = block.shape.key(density.to_bits()).filter(|_| given.is_none());
             let index = key.and_then(|k| known.get(&k).copied());
             let index = index.unwrap_or_else(|| {
                 self.solids.push(class);

@@ -219,6 +219,17 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Numbers that bricks of one size and the same `of` share; `None` for other shapes, which count as all different.
+    pub(crate) fn key(&self, of: u64) -> Option<[u64; 4]> {
+        match self {
+            Self::Brick { half, .. } => {
+                let [x, y, z] = half.to_array().map(f64::to_bits);
+                Some([x, y, z, of])
+            }
+            Self::Polyhedron(_) | Self::Terrain(_) | Self::Glued(_) => None,
+        }
+    }
+
     /// Whether it is terrain.
     #[must_use]
     pub fn is_terrain(&self) -> bool {

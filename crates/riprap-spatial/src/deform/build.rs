@@ -12,7 +12,7 @@ use crate::faces::deformable::{PARALLEL, centred, face_of};
 use crate::faces::overlap::Overlap;
 use crate::setup::deform::{BondLaw, BondSprings, NodeHold};
 use crate::setup::error::BuildError;
-use crate::setup::{BoundaryKind, Material, Motion, Setup, Shape};
+use crate::setup::{BoundaryKind, Material, Motion, Setup};
 use crate::state::anchor::Anchor;
 use crate::state::deform::{Acts, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
 use crate::state::face::Face;
@@ -52,13 +52,7 @@ pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
             block: world.name(b),
             reason: error.to_string(),
         })?;
-        let key = match &spec.shape {
-            Shape::Brick { half, .. } => {
-                let [x, y, z] = half.to_array().map(f64::to_bits);
-                Some([x, y, z, u64::from(spec.material)])
-            }
-            Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => None,
-        };
+        let key = spec.shape.key(u64::from(spec.material));
         let class = key.and_then(|k| known.get(&k).copied()).unwrap_or_else(|| {
             deform.classes.push(b as u32);
             deform.classes.len() as u32 - 1
