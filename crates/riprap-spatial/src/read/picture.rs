@@ -260,10 +260,15 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             area(&softening),
             f64::from(facet.origin.code()),
         ];
-        let mut numbers = numbers.into_iter();
-        for column in &mut frame.contact_columns {
-            column.data.extend(numbers.by_ref().take(column.components));
-        }
+        put_row(frame, numbers);
+    }
+}
+
+/// Appends a row to the columns of patches.
+fn put_row(frame: &mut Frame, numbers: impl IntoIterator<Item = f64>) {
+    let mut numbers = numbers.into_iter();
+    for column in &mut frame.contact_columns {
+        column.data.extend(numbers.by_ref().take(column.components));
     }
 }
 
@@ -286,10 +291,7 @@ fn put_contacts(view: &View<'_>, frame: &mut Frame) {
         numbers.extend([0.0, 0.0, sliding, normal.x, normal.y, normal.z]);
         numbers.extend([0.0; 4]);
         numbers.push(f64::from(Origin::Found.code()));
-        let mut numbers = numbers.into_iter();
-        for column in &mut frame.contact_columns {
-            column.data.extend(numbers.by_ref().take(column.components));
-        }
+        put_row(frame, numbers);
     }
 }
 

@@ -16,10 +16,7 @@ use crate::state::world::World;
 pub(super) fn hand_on(world: &mut World, p: usize, old: &Reading) {
     let (list, k, was) = (&old.world.patches, old.p, *old.class());
     let class = world.classes[world.patches.class[p] as usize];
-    let (points, start) = (old.points(), patch::start(&was, list.prestress.get(k)));
-    let tractions = old.tractions(&points);
-    let joint = patch::joint(&old.world.setup.interfaces, &was);
-    let openings = patch::openings(joint, &was, &points, &start, &old.memory());
+    let (start, tractions, openings) = (old.start(), old.tractions(&old.points()), old.openings());
     let [i, i_was] =
         [world.patches.ends[p][0], list.ends[k][0]].map(|b| world.reference[b as usize]);
     let shift = i + class.arms[0] - (i_was + was.arms[0]);
