@@ -178,8 +178,8 @@ pub fn split(
     splits: &[u32],
     dt: f64,
 ) -> Result<(), EditError> {
-    transact(world, scratch, dt, |world, scratch, before| {
-        let plan = split::Plan::new(before, scratch, splits);
+    transact(world, scratch, dt, |world, scratch| {
+        let plan = split::Plan::new(&View { world, scratch }, splits);
         split::apply(world, &plan)?;
         bolts::follow(world);
         audit::splits(world, &plan)?;
@@ -189,8 +189,8 @@ pub fn split(
 }
 
 /// Carries out an edit between `evaluate` and `advance`: ends the motion, so that what comes new begins with half a kick of forces
-/// of its own, changes the world by `act`, which sees it as it was and lays out the scratch data, and re-evaluates for a step of `dt` (s). The change of
-/// the ledger's residual is edit defect. An edit that fails leaves the world as it was, to be saved and resumed from there.
+/// of its own, changes the world by `act`, which lays out the scratch data, and re-evaluates for a step of `dt` (s). The change of
+/// the ledger's residual is edit defect.
 ///
 /// # Errors
 /// Those of `act`, forces that are not finite.
@@ -198,13 +198,10 @@ pub fn transact<T>(
     world: &mut World,
     scratch: &mut Scratch,
     dt: f64,
-    act: impl FnOnce(&mut World, &mut Scratch, &World) -> Result<T, EditError>,
+    act: impl FnOnce(&mut World, &mut Scratch) -> Result<T, EditError>,
 ) -> Result<T, EditError> {
     step::end_motion(world, scratch, &scratch.damping.clone())?;
-    booked(world, scratch, dt, |world, scratch| {
-        let before = world.clone();
-        act(world, scratch, &before).inspect_err(|_| *world = before)
-    })
+    booked(world, scratch, dt, act)
 }
 
 /// Does `act` and re-evaluates; the change of the residual is edit defect, as nothing moves meanwhile.
@@ -231,17 +228,13 @@ pub fn remove(world: &mut World, blocks: &[u32]) {
             world.events.push(event);
         }
     }
-    let list = &world.patches;
-    let (mut gone, mut bared) = (Vec::new(), Vec::new());
-    for (p, &ends) in list.ends.iter().enumerate() {
-        let stays = ends.map(|b| world.alive[b as usize]);
-        if stays == [true; 2] {
-            continue;
-        }
-        gone.push(p);
-        let broken = u64::from((list.flags[p] & flag::BROKEN).count_ones());
-        world.failed.add(ends, broken);
-        if let Some(side) = stays.iter().position(|stays| *stays) {
+    let gone = orphans(world);
+    let mut bared = Vec::new();
+    for &p in &gone {
+        let ends = world.patches.ends[p];
+        let broken = (world.patches.flags[p] & flag::BROKEN).count_ones();
+        world.failed.add(ends, u64::from(broken));
+        if let Some(side) = ends.iter().position(|b| world.alive[*b as usize]) {
             bared.push(bare(world, p, side));
         }
     }
@@ -265,4 +258,11 @@ pub fn remove(world: &mut World, blocks: &[u32]) {
         }
     }
     bolts::follow(world);
+}
+
+/// Patches of blocks that are gone.
+fn orphans(world: &World) -> Vec<usize> {
+    let ends = world.patches.ends.iter().enumerate();
+    let gone = ends.filter(|(_, ends)| ends.iter().any(|b| !world.alive[*b as usize]));
+    gone.map(|(p, _)| p).collect()
 }

@@ -114,7 +114,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
         return Err(RefineError::TooMany.into());
     }
     let count = cuts.len();
-    transact(world, scratch, dt, |world, scratch, _| {
+    transact(world, scratch, dt, |world, scratch| {
         carry_out(world, scratch, cuts)?;
         if let Some(deform) = world.deform.as_deref_mut() {
             if let Some(cutting) = &mut deform.cutting {
@@ -170,7 +170,7 @@ pub fn one(
         return Ok(Vec::new());
     };
     let cut = select::cut(world, (deform, work), body, note, parts);
-    transact(world, scratch, dt, |world, scratch, _| carry_out(world, scratch, vec![cut]))?;
+    transact(world, scratch, dt, |world, scratch| carry_out(world, scratch, vec![cut]))?;
     Ok((blocks..world.alive.len() as u32).collect())
 }
 
@@ -179,10 +179,11 @@ fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result
     let Some(work) = scratch.deform.as_deref() else {
         return Ok(());
     };
-    let walls = charge::walls::state(world);
+    let (whole, walls) = (world.clone(), charge::walls::state(world));
     let made =
         deform::beside(world, |world, deform| edit(world, deform, (work, &scratch.exec), &cuts));
-    let made = made.transpose()?.unwrap_or(0);
+    // A cut that fails half-way leaves the run as it was, to be saved and resumed from there.
+    let made = made.transpose().inspect_err(|_| *world = whole)?.unwrap_or(0);
     charge::walls::renew(world, &walls);
     bolts::follow(world);
     let classes = cuts.iter().map(|cut| cut.classes.len()).sum();

@@ -8,13 +8,14 @@ use crate::laws::face_joint::{SIGNS, Traction};
 use crate::state::patches::flag;
 use crate::state::world::World;
 
-/// Hands the state of a patch before the split on to patch `p`, which is a part of it.
+/// Hands the state of patch `k` of a split block on to patch `p`, which is a part of it.
 ///
 /// While all points hold, tractions are those of the bilinear field through the old points: force and moment
 /// stay exactly; where the axes of the part are others, so are the components. Where a point is broken or open,
 /// each new point takes state and traction of the nearest old point, so that none exceeds its limit.
-pub(super) fn hand_on(world: &mut World, p: usize, old: &Reading) {
-    let (list, k, was) = (&old.world.patches, old.p, *old.class());
+pub(super) fn hand_on(world: &mut World, p: usize, k: usize) {
+    let old = Reading { world, p: k };
+    let (list, was) = (&world.patches, *old.class());
     let class = world.classes[world.patches.class[p] as usize];
     let (start, tractions, openings) = (old.start(), old.tractions(&old.points()), old.openings());
     let [i, i_was] =
@@ -57,8 +58,9 @@ pub(super) fn hand_on(world: &mut World, p: usize, old: &Reading) {
         let set = (0..4).filter(|q| is(group, from[*q]));
         flags |= set.map(|q| flag::of(group, q)).sum::<u16>();
     }
+    let origin = list.origin_of(k);
     new.put(world, p, flags);
-    world.patches.set_origin(p, list.origin_of(k));
+    world.patches.set_origin(p, origin);
 }
 
 /// The point whose quarter holds a place given in units of the half_spacing.

@@ -20,11 +20,11 @@ use crate::state::cavity::Wall;
 use crate::state::face::{Face, HalfBlock};
 use crate::state::interface::Origin;
 use crate::state::lineage;
-use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use crate::topology::audit;
 use crate::topology::error::EditError;
 use crate::topology::family::{self, Moving};
+use crate::topology::orphans;
 use crate::topology::patches;
 use crate::topology::refine;
 
@@ -39,37 +39,37 @@ const IN_PARALLELOGRAM: f64 = 2.5;
 pub(super) struct Plan<'a> {
     /// Parents in order; children may be named by their future number.
     splits: &'a [u32],
-    before: &'a World,
     /// Number of blocks before.
     pub(super) blocks: usize,
-    /// Patches of split blocks, by the lower and the higher block.
+    /// Patches of split blocks, by the lower and the higher block; they stay in the list until their parts have taken over.
     old: BTreeMap<[u32; 2], Vec<usize>>,
     /// Average stress of the split blocks in the frame of the start, Pa.
     stress: BTreeMap<u32, Mat3>,
 }
 
 impl<'a> Plan<'a> {
-    pub(super) fn new(before: &'a World, scratch: &Scratch, splits: &'a [u32]) -> Self {
-        let blocks = before.alive.len();
-        let stresses = View { world: before, scratch }.stresses();
+    pub(super) fn new(view: &View, splits: &'a [u32]) -> Self {
+        let world = view.world;
+        let blocks = world.alive.len();
+        let stresses = view.stresses();
         let stress = splits.iter().filter(|b| (**b as usize) < blocks).map(|&b| {
-            let turned = before.turned[b as usize].as_ref();
+            let turned = world.turned[b as usize].as_ref();
             let turn = turned.map_or(Mat3::IDENTITY, |t| Mat3::from_quat(t.attitude));
             (b, turn.transpose() * stresses[b as usize] * turn)
         });
         let stress: BTreeMap<u32, Mat3> = stress.collect();
         let mut old: BTreeMap<_, Vec<usize>> = BTreeMap::new();
-        for (p, &[i, j]) in before.patches.ends.iter().enumerate() {
+        for (p, &[i, j]) in world.patches.ends.iter().enumerate() {
             if stress.contains_key(&i) || stress.contains_key(&j) {
                 old.entry([i.min(j), i.max(j)]).or_default().push(p);
             }
         }
-        Self { splits, before, blocks, old, stress }
+        Self { splits, blocks, old, stress }
     }
 
     /// Blocks of the old patches.
-    fn old_ends(&self) -> impl Iterator<Item = u32> {
-        self.old.values().flatten().flat_map(|p| self.before.patches.ends[*p])
+    fn old_ends(&self, world: &World) -> impl Iterator<Item = u32> {
+        self.old.values().flatten().flat_map(|p| world.patches.ends[*p])
     }
 
     /// The block that existed before and holds block `b`.
@@ -82,18 +82,17 @@ impl<'a> Plan<'a> {
     }
 
     /// The patch that parts of the blocks `roots` share in an overlap, and whether its blocks stand the other way round there.
-    fn old_of(&self, roots: [u32; 2], overlap: &Overlap) -> Option<(Reading<'_>, bool)> {
+    fn old_of(&self, world: &World, roots: [u32; 2], overlap: &Overlap) -> Option<(usize, bool)> {
         let pair = [roots[0].min(roots[1]), roots[0].max(roots[1])];
-        let same = |old: &Reading, back: bool| {
+        let same = |p: usize, back: bool| {
             let sign = if back { -1.0 } else { 1.0 };
             let ends = if back { [roots[1], roots[0]] } else { roots };
-            old.world.patches.ends[old.p] == ends
-                && sign * old.class().frame[0].dot(overlap.frame[0]) > ALIKE
+            let normal = Reading { world, p }.class().frame[0];
+            world.patches.ends[p] == ends && sign * normal.dot(overlap.frame[0]) > ALIKE
         };
         let olds = self.old.get(&pair).into_iter().flatten();
-        let olds = olds.map(|&p| Reading { world: self.before, p });
         // Parts can share their face in the other order than the patch of their parents has it.
-        olds.flat_map(|old| [(old, false), (old, true)]).find(|(old, back)| same(old, *back))
+        olds.flat_map(|&p| [(p, false), (p, true)]).find(|(p, back)| same(*p, *back))
     }
 }
 
@@ -110,11 +109,12 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
     let (near, charges) = neighbourhood(world, plan);
     let (overlaps, free) = overlap::touching(world, &near, GAP * world.finest());
     let turned = turned_walls(world);
-    forget(world);
+    let World { cavities, alive, .. } = &mut *world;
+    cavities.iter_mut().for_each(|c| c.walls.retain(|wall| alive[wall.block as usize]));
     let parents: BTreeMap<u32, Vec<Face>> = take_faces(world);
     let mut table = ClassTable::new(world, world.finest());
     let mut counts: BTreeMap<u32, [u32; 2]> = BTreeMap::new();
-    plan.old_ends().for_each(|b| counts.entry(b).or_default()[0] += 1);
+    plan.old_ends(world).for_each(|b| counts.entry(b).or_default()[0] += 1);
     for overlap in overlaps.iter().filter(|o| o.blocks.iter().any(|b| plan.is_new(*b))) {
         let owner = |side: usize| charges.get(&overlap.blocks[1 - side]);
         if let Some((side, &cavity)) = [1, 0].into_iter().find_map(|k| Some((k, owner(k)?))) {
@@ -142,6 +142,7 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
         world.faces.push(face);
     }
     world.faces.sort_by_key(|f| f.block);
+    world.patches.drop_some(&orphans(world));
     world.patches.sort(&world.classes);
     for cavity in &mut world.cavities {
         cavity.walls.sort_by_key(|w| (w.block, w.behind));
@@ -167,11 +168,11 @@ fn join(
         let finite = world.turned[roots[0] as usize].is_some();
         patches::inside(world, p, &plan.stress[&roots[0]], finite);
         world.patches.set_origin(p, Origin::Cut);
-    } else if let Some((old, back)) = plan.old_of(roots, overlap) {
+    } else if let Some((old, back)) = plan.old_of(world, roots, overlap) {
         // What a patch remembers is along its own axes, from its own block i to its block j.
         let overlap = if back { &overlap.reversed() } else { overlap };
         world.add_patch(table, overlap)?;
-        patches::hand_on(world, p, &old);
+        patches::hand_on(world, p, old);
     } else {
         return Ok(false);
     }
@@ -228,7 +229,7 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
 /// New blocks, the blocks around them, and the removed blocks behind walls of cavities, with the number of the cavity.
 fn neighbourhood(world: &World, plan: &Plan) -> (Vec<u32>, BTreeMap<u32, usize>) {
     let mut near: BTreeSet<u32> = (plan.blocks..world.alive.len()).map(|b| b as u32).collect();
-    near.extend(plan.old_ends());
+    near.extend(plan.old_ends(world));
     near.retain(|&b| world.alive[b as usize]);
     let mut charges = BTreeMap::new();
     for (k, cavity) in world.cavities.iter().enumerate() {
@@ -247,18 +248,6 @@ fn turned_walls(world: &World) -> BTreeMap<(u32, u32), Wall> {
     let walls = world.cavities.iter().flat_map(|c| &c.walls);
     let gone = walls.filter(|w| w.turned.is_some() && !world.alive[w.block as usize]);
     gone.map(|w| ((w.block, w.behind), *w)).collect()
-}
-
-/// Drops patches and walls of dead blocks.
-fn forget(world: &mut World) {
-    let list = &world.patches;
-    let alive = |b: &u32| world.alive[*b as usize];
-    let keep: Vec<u32> =
-        (0..list.len() as u32).filter(|&p| list.ends[p as usize].iter().all(alive)).collect();
-    world.patches.keep(&keep);
-    for cavity in &mut world.cavities {
-        cavity.walls.retain(|w| world.alive[w.block as usize]);
-    }
 }
 
 /// Takes the faces of dead blocks out of the list, by block.

@@ -248,7 +248,7 @@ fn a_removed_block_bares_the_faces_around_it() {
     let mut run = moving(elastic(), Kinematics::Small, 0.5, 40);
     let faces = run.world.faces.len();
     let residual = run.balance().residual();
-    topology::transact(&mut run.world, &mut run.scratch, DT, |world, scratch, _| {
+    topology::transact(&mut run.world, &mut run.scratch, DT, |world, scratch| {
         topology::remove(world, &[17]);
         scratch.invalidate(world);
         Ok(())
