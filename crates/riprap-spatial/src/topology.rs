@@ -1,6 +1,6 @@
-//! Changes of topology between two steps: splitting blocks 1 to 8, taking blocks out.
+//! Changes of topology between two steps: splitting blocks 1 to 8, cutting deformable ones, breaking bonds, taking blocks out.
 //!
-//! One transaction, between `step::evaluate` and `step::advance`, when forces and positions belong to one instant:
+//! One transaction for all ([`transact`]), between `step::evaluate` and `step::advance`, when forces and positions belong to one instant:
 //!
 //! ```text
 //!            forces known at t                                             forces known at t, new blocks
