@@ -153,23 +153,20 @@ pub fn one(
     dt: f64,
 ) -> Result<Vec<u32>, EditError> {
     let blocks = world.alive.len() as u32;
-    let Some(deform) = world.deform.as_deref_mut() else {
+    if let Some(deform) = world.deform.as_deref_mut() {
+        deform.given.get_or_insert(blocks);
+    }
+    let planned = |view: &View<'_>| {
+        let (deform, work) = view.deformables()?;
+        let body = deform.body(block as usize)?;
+        let whole = (block, work.class(body).mesh.volume());
+        let parts = select::divide(view.world, whole, normal, planes, (0.03, 0.0), None).ok()?;
+        let note = Note { normal, mode: FractureMode::Tension, excess: 0.0 };
+        Some(select::cut(view.world, (deform, work), body, note, parts))
+    };
+    let Some(cut) = planned(&View { world, scratch }) else {
         return Ok(Vec::new());
     };
-    deform.given.get_or_insert(blocks);
-    let note = Note { normal, mode: FractureMode::Tension, excess: 0.0 };
-    let view = View { world, scratch };
-    let Some((deform, work)) = view.deformables() else {
-        return Ok(Vec::new());
-    };
-    let Some(body) = deform.body(block as usize) else {
-        return Ok(Vec::new());
-    };
-    let whole = (block, work.class(body).mesh.volume());
-    let Ok(parts) = select::divide(world, whole, normal, planes, (0.03, 0.0), None) else {
-        return Ok(Vec::new());
-    };
-    let cut = select::cut(world, (deform, work), body, note, parts);
     transact(world, scratch, dt, |world, scratch| carry_out(world, scratch, vec![cut]))?;
     Ok((blocks..world.alive.len() as u32).collect())
 }
