@@ -46,23 +46,23 @@ mod family;
 mod gradual;
 mod measure;
 mod patches;
+mod remove;
 mod split;
+mod transaction;
 
 pub use error::EditError;
 pub use gradual::take_out_gradually;
+pub use remove::remove;
+pub use transaction::transact;
 
-use crate::faces::overlap::bare;
 use crate::faces::region::Extent;
 use crate::joint::classes::stiffness;
-use crate::push::charge;
 use crate::query::view::View;
 use crate::setup::During;
 use crate::setup::error::{MAX_LEVELS, RefineError};
 pub use crate::state::event::{EditEvent, EditKind};
-use crate::state::patches::flag;
-use crate::state::scratch::{NonFinite, Scratch};
+use crate::state::scratch::Scratch;
 use crate::state::world::World;
-use crate::step;
 use crate::topology::refine::Forest;
 
 /// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
@@ -182,87 +182,8 @@ pub fn split(
         let plan = split::Plan::new(&View { world, scratch }, splits);
         split::apply(world, &plan)?;
         bolts::follow(world);
-        audit::splits(world, &plan)?;
+        audit::splits(world, plan.blocks)?;
         scratch.invalidate(world);
         Ok(())
     })
-}
-
-/// Carries out an edit between `evaluate` and `advance`: ends the motion, so that what comes new begins with half a kick of forces
-/// of its own, changes the world by `act`, which lays out the scratch data, and re-evaluates for a step of `dt` (s). The change of
-/// the ledger's residual is edit defect.
-///
-/// # Errors
-/// Those of `act`, forces that are not finite.
-pub fn transact<T>(
-    world: &mut World,
-    scratch: &mut Scratch,
-    dt: f64,
-    act: impl FnOnce(&mut World, &mut Scratch) -> Result<T, EditError>,
-) -> Result<T, EditError> {
-    step::end_motion(world, scratch, &scratch.damping.clone())?;
-    booked(world, scratch, dt, act)
-}
-
-/// Does `act` and re-evaluates; the change of the residual is edit defect, as nothing moves meanwhile.
-fn booked<T, E: From<NonFinite>>(
-    world: &mut World,
-    scratch: &mut Scratch,
-    dt: f64,
-    act: impl FnOnce(&mut World, &mut Scratch) -> Result<T, E>,
-) -> Result<T, E> {
-    let before = View { world, scratch }.balance().residual();
-    let done = act(world, scratch)?;
-    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
-    let after = View { world, scratch }.balance().residual();
-    world.works.edit_defect += after - before;
-    Ok(done)
-}
-
-/// Removes blocks, with what they share with others: joints, bonds, bolts, walls of cavities. Faces that they shared become free. Lay out
-/// and evaluate anew afterwards.
-pub fn remove(world: &mut World, blocks: &[u32]) {
-    for &b in blocks {
-        if std::mem::replace(&mut world.alive[b as usize], false) {
-            let event = world.event(EditKind::Removed, b);
-            world.events.push(event);
-        }
-    }
-    let gone = orphans(world);
-    let mut bared = Vec::new();
-    for &p in &gone {
-        let ends = world.patches.ends[p];
-        let broken = (world.patches.flags[p] & flag::BROKEN).count_ones();
-        world.failed.add(ends, u64::from(broken));
-        if let Some(side) = ends.iter().position(|b| world.alive[*b as usize]) {
-            bared.push(bare(world, p, side));
-        }
-    }
-    world.patches.drop_some(&gone);
-    let World { faces, alive, .. } = &mut *world;
-    faces.retain(|f| alive[f.block as usize]);
-    faces.extend(bared);
-    faces.sort_by_key(|f| f.block);
-    charge::drop_walls(world);
-    charge::renew_surfaces(world);
-    let walls = charge::walls::state(world);
-    if let Some(deform) = world.deform.as_deref_mut() {
-        for &block in blocks {
-            for facet in deform.facets.iter().filter(|f| f.blocks.contains(&block)) {
-                world.failed.add(facet.blocks, deform.failed_points(facet));
-            }
-            deform.retire(block);
-        }
-        if !blocks.is_empty() {
-            charge::walls::renew(world, &walls);
-        }
-    }
-    bolts::follow(world);
-}
-
-/// Patches of blocks that are gone.
-fn orphans(world: &World) -> Vec<usize> {
-    let ends = world.patches.ends.iter().enumerate();
-    let gone = ends.filter(|(_, ends)| ends.iter().any(|b| !world.alive[*b as usize]));
-    gone.map(|(p, _)| p).collect()
 }

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use crate::faces::divisible::Divisible;
 use crate::joint::patch::turned_inertia;
 use crate::laws::transfer::Motion;
+use crate::state::lineage::ancestor;
 use crate::state::world::World;
 use crate::topology::error::EditError;
-use crate::topology::split::Plan;
 
 /// What must stay the same may change by this share: a few roundings.
 const EXACT: f64 = 1e-12;
@@ -34,12 +34,13 @@ fn add(sum: &mut Motion, world: &World, b: usize, about: usize) {
     sum.kinetic += 0.5 * (solid.mass * v.length_squared() + own.dot(inverse * own));
 }
 
-/// Checks that the children of each block have its mass, momenta and energy of motion, and that their surface is covered.
-pub(super) fn splits(world: &World, plan: &Plan) -> Result<(), EditError> {
+/// Checks that the children of each block, appended to the `blocks` that there were, have its mass, momenta and energy of motion, and
+/// that their surface is covered.
+pub(super) fn splits(world: &World, blocks: usize) -> Result<(), EditError> {
     let mut parts: BTreeMap<u32, Motion> = BTreeMap::new();
-    for b in plan.blocks..world.alive.len() {
+    for b in blocks..world.alive.len() {
         if world.alive[b] {
-            let root = plan.root(world, b as u32);
+            let root = ancestor(&world.lineage, b as u32, blocks as u32);
             add(parts.entry(root).or_default(), world, b, root as usize);
         }
     }
@@ -54,7 +55,7 @@ pub(super) fn splits(world: &World, plan: &Plan) -> Result<(), EditError> {
         let kinetic = [before.kinetic, after.kinetic];
         unchanged(world, root, "the kinetic energy", kinetic, exact * before.kinetic)?;
     }
-    surfaces(world, plan)
+    surfaces(world, blocks)
 }
 
 /// Checks that the parts of a block, which reaches this far (m) from where moments are taken about, have its mass and momenta.
@@ -93,11 +94,11 @@ pub(crate) fn unchanged(
 }
 
 /// Every face of every new block is covered by patches, walls and free faces.
-fn surfaces(world: &World, plan: &Plan) -> Result<(), EditError> {
-    let mut covered = vec![0.0; world.alive.len() - plan.blocks];
+fn surfaces(world: &World, blocks: usize) -> Result<(), EditError> {
+    let mut covered = vec![0.0; world.alive.len() - blocks];
     let mut cover = |b: u32, area: f64| {
-        if plan.is_new(b) {
-            covered[b as usize - plan.blocks] += area;
+        if let Some(k) = (b as usize).checked_sub(blocks) {
+            covered[k] += area;
         }
     };
     for (ends, class) in world.patches.ends.iter().zip(&world.patches.class) {
@@ -112,7 +113,7 @@ fn surfaces(world: &World, plan: &Plan) -> Result<(), EditError> {
         cover(wall.block, wall.area);
     }
     for (k, &after) in covered.iter().enumerate() {
-        let b = plan.blocks + k;
+        let b = blocks + k;
         let whole = Divisible::of(&world.setup.blocks[b].shape);
         let before = whole.map_or(0.0, |whole| whole.surface());
         if world.alive[b] {

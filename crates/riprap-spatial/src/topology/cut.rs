@@ -19,17 +19,15 @@ pub mod tip;
 mod transfer;
 
 use crate::topology::family::{self, Family};
-use transfer::Handed;
+use transfer::{Cut, Handed};
 
 use riprap_geom::Vec3;
-use riprap_geom::polyhedron::cut::Part;
 
 use crate::deform;
 use crate::exec::Exec;
 use crate::laws::fracture::FractureMode;
 use crate::push::charge;
 use crate::query::view::View;
-use crate::setup::Shape;
 pub use crate::setup::deform::{CutAnchor as Anchor, CutRules as Rules};
 use crate::setup::error::RefineError;
 use crate::stable::deformable::alone;
@@ -37,32 +35,18 @@ pub use crate::state::cutting::{Cutting, Effort};
 use crate::state::deform::Deform;
 pub use crate::state::event::Note;
 use crate::state::scratch::Scratch;
-use crate::state::workspace::{BlockClass, Workspace};
+use crate::state::workspace::Workspace;
 use crate::state::world::World;
 use crate::topology::audit;
 use crate::topology::bolts;
 use crate::topology::error::EditError;
 use crate::topology::fracture::CHECK_INTERVAL;
-use crate::topology::transact;
+use crate::topology::transaction::transact;
 
 /// Most blocks that a model may have after a cut.
 const MAX_BLOCKS: usize = 4_000_000;
 /// Share by which sums may change.
 const EXACT: f64 = 1e-11;
-
-/// A block to be cut.
-struct Cut {
-    block: u32,
-    note: Note,
-    /// Parts, about the centroid of the block.
-    parts: Vec<Part>,
-    /// Their shapes in the frame of the model.
-    shapes: Vec<Shape>,
-    /// Their classes.
-    classes: Vec<BlockClass>,
-    /// What they take over.
-    handed: Handed,
-}
 
 /// Lets the present phase cut blocks, or not.
 pub fn allow(world: &mut World, rules: Option<&Rules>) {

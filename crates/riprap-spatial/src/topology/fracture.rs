@@ -22,8 +22,8 @@ use crate::state::relax::Relax;
 use crate::state::scratch::{NonFinite, Scratch};
 use crate::state::workspace::Workspace;
 use crate::state::world::World;
-use crate::topology::booked;
 use crate::topology::cut::tip;
+use crate::topology::transaction::booked;
 
 /// Facets used at least this share of the most used one break with it.
 pub const TOGETHER: f64 = 0.95;

@@ -11,7 +11,7 @@ use crate::state::scratch::{NonFinite, Scratch};
 use crate::state::world::World;
 use crate::step;
 use crate::step::Damping;
-use crate::topology::remove;
+use crate::topology::remove::remove;
 
 /// Share of the largest force that was lost up to which a difference is round-off.
 const ROUND_OFF: f64 = 1e-9;

@@ -24,9 +24,9 @@ use crate::state::world::World;
 use crate::topology::audit;
 use crate::topology::error::EditError;
 use crate::topology::family::{self, Moving};
-use crate::topology::orphans;
 use crate::topology::patches;
 use crate::topology::refine;
+use crate::topology::remove::orphans;
 
 /// Least cosine between the normals of a face and of its part.
 const ALIKE: f64 = 0.999;

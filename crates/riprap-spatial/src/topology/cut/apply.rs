@@ -6,7 +6,7 @@ use riprap_geom::polyhedron::cut::Part;
 use crate::state::bodies::SolidClass;
 use crate::state::deform::{Body, Deform, Start};
 use crate::state::world::World;
-use crate::topology::cut::Cut;
+use crate::topology::cut::transfer::Cut;
 use crate::topology::family::{self, Family, Moving};
 
 /// Appends the parts of all families to the lists of the world, their nodes to those of `deform`.

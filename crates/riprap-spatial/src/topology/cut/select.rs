@@ -15,10 +15,9 @@ use crate::state::deform::{Body, Deform};
 use crate::state::event::Note;
 use crate::state::workspace::{BODIES, BlockClass, Workspace};
 use crate::state::world::World;
-use crate::topology::cut::Cut;
 use crate::topology::cut::tip;
 use crate::topology::cut::tip::Tip;
-use crate::topology::cut::transfer;
+use crate::topology::cut::transfer::{self, Cut};
 
 /// The parts together must have the volume of the block up to this share.
 const SAME_VOLUME: f64 = 1e-11;
