@@ -64,7 +64,7 @@ pub(super) fn hand_on(world: &mut World, p: usize, k: usize) {
 }
 
 /// The point whose quarter holds a place given in units of the half_spacing.
-fn nearest(at: [f64; 2]) -> usize {
+pub(super) fn nearest(at: [f64; 2]) -> usize {
     let side = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
     (0..4).find(|&q| SIGNS[0][q] == side(at[0]) && SIGNS[1][q] == side(at[1])).unwrap_or(0)
 }

@@ -11,10 +11,10 @@ use crate::faces::overlap::Overlap;
 use crate::joint::classes::ClassTable;
 use crate::joint::patch::turned_inertia;
 use crate::joint::reading::Reading;
-use crate::laws::face_joint::SIGNS;
 use crate::push::charge;
 use crate::push::charge::walls;
 use crate::query::view::View;
+use crate::state::anchor::Anchor;
 use crate::state::bodies::Turned;
 use crate::state::cavity::Wall;
 use crate::state::face::{Face, HalfBlock};
@@ -204,13 +204,13 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
         world.solids.push(part);
         world.solids.len() - 1
     });
-    let (u, turn) = (world.bodies.displacement(parent), world.bodies.rotation(parent));
+    let there = Anchor::Block { block: parent as u32, arm: start };
+    let u = world.all_freedoms().displacement(&there);
     let (v, mut w) = (world.bodies.velocity(parent), world.bodies.spin(parent));
-    let (mut moved, mut arm, mut turned) = (turn.cross(start), start, None);
+    let (mut arm, mut turned) = (start, None);
     if let Some(state) = world.turned[parent].as_deref() {
         let q = state.attitude;
         arm = q * start;
-        moved = arm - start;
         w = turned_inertia(&whole.inverse, q) * state.momentum;
         turned =
             Some(Box::new(Turned { attitude: q, momentum: turned_inertia(&part.inertia, q) * w }));
@@ -219,7 +219,7 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
         solid: class,
         lever: start,
         centre,
-        displacement: [u + moved, turn],
+        displacement: [u, world.bodies.rotation(parent)],
         velocity: [v + w.cross(arm), w],
         turned,
     };
@@ -325,6 +325,8 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
     let Some(behind) = &parent.half_block else {
         return;
     };
+    let freedoms = world.all_freedoms();
+    let moved = |block: u32, arm: Vec3| freedoms.displacement(&Anchor::Block { block, arm });
     let mut half = HalfBlock {
         stiffness: behind.stiffness.map(|k| ratio * k),
         impedance: behind.impedance,
@@ -333,23 +335,11 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
     for p in 0..4 {
         let at = face.place(p);
         let from = reference(face.block) + at - (reference(root) + parent.arm);
-        let side = |k: usize| from.dot(parent.frame[k + 1]) >= 0.0;
-        let nearest = (0..4).find(|&q| (0..2).all(|k| (SIGNS[k][q] > 0.0) == side(k))).unwrap_or(0);
-        let own = moved(world, face.block, at);
-        let theirs = moved(world, root, parent.place(nearest));
-        let stretch = theirs - behind.anchor[nearest];
+        let nearest = patches::nearest([from.dot(parent.frame[1]), from.dot(parent.frame[2])]);
+        let own = moved(face.block, at);
+        let stretch = moved(root, parent.place(nearest)) - behind.anchor[nearest];
         // With the stretch divided by what the stiffness is multiplied with the stress goes on.
         half.anchor[p] = own - stretch / ratio;
     }
     face.half_block = Some(Box::new(half));
-}
-
-/// Displacement of a point of a block given from its centroid at the start, m.
-fn moved(world: &World, block: u32, arm: Vec3) -> Vec3 {
-    let b = block as usize;
-    let turned = match &world.turned[b] {
-        Some(turned) => turned.attitude * arm - arm,
-        None => world.bodies.rotation(b).cross(arm),
-    };
-    world.bodies.displacement(b) + turned
 }
