@@ -321,7 +321,6 @@ mod tests {
     use super::release_pairs;
     use crate::contact::tests::{Run, above_floor, brick};
     use crate::dynamics::TimeFunction;
-    use crate::dynamics::damping::Damping;
     use crate::exec::Exec;
     use crate::kernel::offset::{Carried, Offset};
     use crate::setup::{Load, LoadKind};
@@ -514,8 +513,7 @@ mod tests {
     #[test]
     fn blocks_whose_joint_has_given_way_can_be_split() {
         let mut run = parted();
-        let damping = Damping::default();
-        split(&mut run.world, &mut run.scratch, &[1, 2], &damping, run.dt).unwrap();
+        split(&mut run.world, &mut run.scratch, &[1, 2], run.dt).unwrap();
         // Twelve joints inside each, four to the floor, none between the two.
         assert_eq!(run.world.patches.len(), 2 * 12 + 4);
         let surface = run.view().surface();
@@ -546,8 +544,7 @@ mod tests {
         let whole = 0.5 * 1e9 * 0.25 * depth * depth;
         assert!((hidden / whole - 1.0).abs() < 0.2, "{hidden} {whole}");
         run.world.start_energy = Some(run.view().balance().total());
-        let damping = Damping::default();
-        split(&mut run.world, &mut run.scratch, &[1, 2], &damping, run.dt).unwrap();
+        split(&mut run.world, &mut run.scratch, &[1, 2], run.dt).unwrap();
         run.until(0.1);
         let hiding = run.world.found.pairs.iter().filter(|p| p.offset.is_some());
         assert!(hiding.count() >= 4);

@@ -8,7 +8,7 @@ use riprap_geom::Vec3;
 use crate::contact;
 use crate::dynamics::kick::past;
 use crate::joint::patch::{Points, Poses, Resultant};
-use crate::laws::face_joint::{Memory, Traction};
+use crate::laws::face_joint::Traction;
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
 use crate::push::boundary;
@@ -323,12 +323,6 @@ impl View<'_> {
     #[must_use]
     pub fn patch_tractions(&self, p: usize) -> [Traction; 4] {
         self.patch(p).tractions(&self.patch_points(p))
-    }
-
-    /// What the points of patch `p` remember.
-    #[must_use]
-    pub fn patch_memory(&self, p: usize) -> [Memory; 4] {
-        self.patch(p).memory()
     }
 
     /// Forces of patch `p` on its blocks, without dashpots.

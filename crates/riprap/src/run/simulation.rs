@@ -225,8 +225,7 @@ impl Simulation {
         };
         let revision = self.engine.revision();
         self.evaluate(&damping, self.dt)?;
-        self.refine(&damping)?;
-        self.cut()?;
+        self.divide()?;
         let sudden = self.engine.contact_step_limit(phase.time_step) < SUDDEN * self.dt;
         if self.engine.revision() != revision || sudden {
             // New neighbours can shorten the step.
@@ -307,9 +306,9 @@ impl Simulation {
         self.engine.evaluate(damping, dt).map_err(|block| self.no_force(block))
     }
 
-    fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {
-        let refined = self.engine.refine(damping, self.dt);
-        refined.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })
+    fn divide(&mut self) -> Result<(), RunError> {
+        let divided = self.engine.divide(self.dt);
+        divided.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })
     }
 
     /// Applies what the phase changes; the energy this adds is booked as an edit.
@@ -414,14 +413,6 @@ impl Simulation {
         let step = span / rules.load_steps.max(1) as f64;
         self.engine.load_step(step.min(span - self.elapsed()));
         true
-    }
-
-    fn cut(&mut self) -> Result<usize, RunError> {
-        self.engine.cut(self.dt).map_err(|reason| RunError::Edit {
-            reason,
-            step: self.steps(),
-            time: self.time(),
-        })
     }
 
     fn fracture(&mut self) -> Result<usize, RunError> {

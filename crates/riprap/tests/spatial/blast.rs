@@ -226,10 +226,8 @@ fn walls_follow_a_split() {
     let mut run = slab(push, 0.0);
     blast(&mut run, 2e-4, |_| {});
     let before = run.world.cavities[0].clone();
-    let damping = run.damping;
     let beside = before.walls[0].block;
-    topology::split(&mut run.world, &mut run.scratch, &[beside], &damping, 1e-9)
-        .expect("an exact edit");
+    topology::split(&mut run.world, &mut run.scratch, &[beside], 1e-9).expect("an exact edit");
     let after = &run.world.cavities[0];
     assert!(after.walls.len() >= before.walls.len() + 3);
     assert!((after.volume / before.volume - 1.0).abs() < 1e-12);
