@@ -245,6 +245,7 @@ impl Evaluation<'_> {
             faces,
             ties: candidate.ties,
             hint,
+            witnesses: candidate.witnesses(&self.candidates.witnesses),
         });
         let surface = match found {
             Found::Touching(surface) => surface,

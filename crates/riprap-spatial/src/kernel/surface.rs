@@ -9,6 +9,8 @@
 //! side on which the surface runs there is a matter of round-off. Their strips (f', g) and (f, g') then both count, with weights that
 //! add up to 1 and change continuously as one face passes through the other.
 
+use std::sync::atomic::{AtomicU8, Ordering};
+
 use riprap_geom::{Mat3, Vec3};
 
 use crate::kernel::ContactLaw;
@@ -59,7 +61,14 @@ pub struct Pair<'a> {
     pub ties: bool,
     /// Places in the lists of the faces of the piece to start from.
     pub hint: Option<[u16; 2]>,
+    /// For each listed face (those of A first) the plane of the other block that had all of it beyond itself in the last evaluation, by its
+    /// place in the list; tested first. No result depends on it. May be empty.
+    pub witnesses: &'a [Witness],
 }
+
+/// A place in a list of planes, kept from step to step as a guess.
+pub(crate) type Witness = AtomicU8;
+
 
 /// Faces of A and B in one plane, and where their offset lies in the band of ties, from -1 to 1.
 #[derive(Clone, Copy, Debug)]
@@ -445,11 +454,22 @@ impl Walker {
         let shift = body.position - origin(pair.bodies[0], pair.bodies[1]);
         let face = body.shape.outline(pair.faces[side][place] as usize);
         let (planes, clip, width) = (&self.planes, &mut self.clip, self.cutter.width());
-        let crosses = width.run(
+        let witness = pair.witnesses.get(k);
+        if let Some(witness) = witness {
+            let guess = others.start + usize::from(witness.load(Ordering::Relaxed));
+            if guess < others.end && is_beyond(planes, guess, body, shift, face) {
+                return false;
+            }
+        }
+        let first = others.start;
+        let beyond = width.run(
             #[inline(always)]
             || cut_face(planes, others, body, shift, face, clip),
         );
-        if !crosses {
+        if let Some(plane) = beyond {
+            if let (Some(witness), Ok(place)) = (witness, u8::try_from(plane - first)) {
+                witness.store(place, Ordering::Relaxed);
+            }
             return false;
         }
         // A face that is tied to one of the other block counts on either side of it.
@@ -458,8 +478,19 @@ impl Walker {
     }
 }
 
-/// Finds how far the corners of a face lie beyond planes of the other block, `shift` (m) being where its block is from their origin; whether no
-/// plane has all of them beyond it.
+/// Whether all corners of a face lie beyond plane `k` of the other block, by the operations of [`cut_face`].
+fn is_beyond(planes: &Planes, k: usize, body: &Body, shift: Vec3, face: &[u16]) -> bool {
+    let normal = planes.normal(k).to_array();
+    let back = body.turn.transpose();
+    let [x, y, z] = [back.x_axis, back.y_axis, back.z_axis].map(|axis| axis.to_array());
+    let own = plus(&plus(&scaled(normal[0], &x), &scaled(normal[1], &y)), &scaled(normal[2], &z));
+    let room = planes.d[k] - dot(&normal, &shift.to_array());
+    let mut corners = face.iter().map(|v| body.shape.vertices[*v as usize].to_array());
+    corners.all(|corner| dot(&own, &corner) - room >= 0.0)
+}
+
+/// Finds how far the corners of a face lie beyond planes of the other block, `shift` (m) being where its block is from their origin; a plane
+/// that has all of them beyond it, if any.
 #[inline(always)]
 fn cut_face(
     planes: &Planes,
@@ -468,7 +499,7 @@ fn cut_face(
     shift: Vec3,
     face: &[u16],
     clip: &mut FaceClip,
-) -> bool {
+) -> Option<usize> {
     // Planes are turned back into the body once, instead of every corner into space: eight at a time.
     let back = body.turn.transpose();
     let axes = [back.x_axis, back.y_axis, back.z_axis].map(|axis| same(&axis.to_array()));
@@ -492,9 +523,9 @@ fn cut_face(
                 *beyond &= height >= 0.0;
             }
         }
-        if beyond[..there].contains(&true) {
-            return false;
+        if let Some(lane) = beyond[..there].iter().position(|all| *all) {
+            return Some(from + lane);
         }
     }
-    true
+    None
 }
