@@ -5,6 +5,8 @@
 use riprap_geom::Vec3;
 
 use crate::kernel::frame::{Frame, Frames};
+#[cfg(target_arch = "x86_64")]
+use crate::kernel::octagon;
 use crate::kernel::piece::Polygon;
 use crate::lanes::{LANES, Lanes, Number, cross, dot, plus, scaled};
 
@@ -213,6 +215,18 @@ impl Sums {
     }
 }
 
+/// Corner by corner what polygons have lane by lane. `wide`: whether registers hold eight numbers.
+#[inline(always)]
+fn columns(wide: bool, rows: [&Lanes; LANES]) -> [Lanes; LANES] {
+    #[cfg(target_arch = "x86_64")]
+    if wide {
+        // Safety: `wide` is only where the machine has these instructions.
+        return unsafe { octagon::transpose(rows) };
+    }
+    let _ = wide;
+    std::array::from_fn(|i| Lanes(rows.map(|row| row.0[i])))
+}
+
 /// Pieces side by side, each in a lane.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Batch {
@@ -233,27 +247,20 @@ impl Batch {
 
     /// Finds what all pieces add.
     ///
-    /// Where a polygon has fewer corners than another, its last one is repeated: the triangles beyond it have the area 0 exactly.
+    /// Where a polygon has fewer corners than another, its last one is repeated: the triangles beyond it have the area 0 exactly. What lanes
+    /// without a piece hold goes nowhere. `wide`: whether registers hold eight numbers.
     #[inline(always)]
-    pub(super) fn integrate(&mut self) {
-        let mut corners = [[Lanes::default(); 3]; LANES];
-        let mut most = 0;
-        for (lane, polygon) in self.polygons.iter().enumerate() {
-            let n = polygon.len();
-            if n == 0 || n > LANES {
-                continue;
-            }
-            most = most.max(n);
-            let lists = [polygon.s(), polygon.t(), polygon.depth()];
-            for (i, corner) in corners.iter_mut().enumerate() {
-                for (to, list) in corner.iter_mut().zip(lists) {
-                    to.0[lane] = list[i.min(n - 1)];
-                }
-            }
-        }
+    pub(super) fn integrate(&mut self, wide: bool) {
+        let few = self.polygons.iter().filter(|polygon| polygon.len() <= LANES);
+        let most = few.map(Polygon::len).max().unwrap_or(0);
+        let corners = [0, 1, 2].map(
+            #[inline(always)]
+            |k| columns(wide, self.polygons.each_ref().map(|polygon| &polygon.few().lists[k])),
+        );
+        let corner = |i: usize| [corners[0][i], corners[1][i], corners[2][i]];
         let mut sum = Integrals::default();
         for i in 1..most.max(1) - 1 {
-            sum.add([corners[0], corners[i], corners[i + 1]]);
+            sum.add([corner(0), corner(i), corner(i + 1)]);
         }
         let Frames { foot, normal, axes, .. } = &self.frames;
         self.addends = Addend::new(&sum, Lanes(self.share), normal, [foot, &axes[0], &axes[1]]);

@@ -18,7 +18,7 @@ use crate::kernel::face_clip::FaceClip;
 use crate::kernel::frame::{Frame, Frames, PARALLEL};
 use crate::kernel::lateral;
 use crate::kernel::peak::{Peak, peak};
-use crate::kernel::piece::{BOUNDARY, Cutter, OPEN, Polygon};
+use crate::kernel::piece::{BOUNDARY, Cutter, OPEN, Polygon, UNTIED};
 use crate::kernel::planes::{Planes, origin};
 use crate::kernel::shape::Body;
 use crate::kernel::sums::{Batch, Sums};
@@ -68,7 +68,6 @@ pub struct Pair<'a> {
 
 /// A place in a list of planes, kept from step to step as a guess.
 pub(crate) type Witness = AtomicU8;
-
 
 /// Faces of A and B in one plane, and where their offset lies in the band of ties, from -1 to 1.
 #[derive(Clone, Copy, Debug)]
@@ -258,16 +257,19 @@ impl Walker {
     fn visit(&mut self, piece: [u16; 2]) {
         self.sums.tried += 1;
         let [f, g] = self.numbers(piece);
+        let mut batch = self.batch.take().unwrap_or_default();
+        let polygon = &mut batch.polygons[0];
         if let Some(frame) = Frame::between(&self.planes, f, g, self.radius)
-            && let Some(share) = self.make(&frame, piece)
+            && let Some(share) = self.make(&frame, piece, polygon)
         {
-            let weight = self.sums.add(&self.cutter.polygon, &frame, share);
+            let weight = self.sums.add(polygon, &frame, share);
             if self.takes_the_lead(weight, piece) {
-                self.largest.copy(&self.cutter.polygon);
+                self.largest.copy(polygon);
                 self.largest_frame = frame;
             }
-            self.queue_neighbours(piece);
+            self.queue_neighbours(piece, polygon);
         }
+        self.batch = Some(batch);
     }
 
     /// Tries `some` pieces of the queue from `first` on. What they add is found for all of them at once, and added one after the other.
@@ -284,24 +286,24 @@ impl Walker {
             #[inline(always)]
             || Frames::between(planes, &numbers[..some], reach),
         );
-        batch.share = [0.0; LANES];
-        // What lanes without a piece hold is of an earlier pair.
-        for polygon in &mut batch.polygons {
-            polygon.clear();
-        }
-        for lane in 0..some {
-            let piece = self.queue[first + lane];
-            if let Some(frame) = batch.frames.get(lane)
-                && let Some(share) = self.make(&frame, piece)
+        for lane in 0..LANES {
+            batch.share[lane] = 0.0;
+            // What the lane holds is of an earlier batch.
+            batch.polygons[lane].clear();
+            if lane < some
+                && let Some(frame) = batch.frames.get(lane)
             {
-                self.queue_neighbours(piece);
-                batch.share[lane] = share;
-                std::mem::swap(&mut batch.polygons[lane], &mut self.cutter.polygon);
+                let piece = self.queue[first + lane];
+                if let Some(share) = self.make(&frame, piece, &mut batch.polygons[lane]) {
+                    self.queue_neighbours(piece, &batch.polygons[lane]);
+                    batch.share[lane] = share;
+                }
             }
         }
+        let wide = width.is_eight();
         width.run(
             #[inline(always)]
-            || batch.integrate(),
+            || batch.integrate(wide),
         );
         // In the order of the queue, so that the sums are those of one piece after the other.
         for lane in 0..some {
@@ -328,21 +330,11 @@ impl Walker {
     }
 
     /// Makes the polygon of a piece; how much of it counts, `None` where nothing is left.
-    fn make(&mut self, frame: &Frame, piece: [u16; 2]) -> Option<f64> {
-        let [f, g] = piece;
-        let split = self.planes.split;
+    fn make(&mut self, frame: &Frame, piece: [u16; 2], to: &mut Polygon) -> Option<f64> {
         let numbers = self.numbers(piece);
-        // The strip of f beside its twin g', and that of g beside its twin f'.
-        let beside = |side: usize, face: u16| self.ties.iter().find(move |t| t.faces[side] == face);
-        let (of_a, of_b) = (beside(0, f), beside(1, g));
-        let twins = [
-            of_a.map_or(usize::MAX, |t| t.faces[1] as usize + split),
-            of_b.map_or(usize::MAX, |t| t.faces[0] as usize),
-        ];
-        let share = of_a.map_or(1.0, |t| 0.5 * (1.0 + t.offset))
-            * of_b.map_or(1.0, |t| 0.5 * (1.0 - t.offset));
-        let tied = |k: usize| twins.contains(&k);
-        let left = self.cutter.make(&self.planes, frame, numbers, self.radius, tied);
+        let (tied, share) =
+            if self.ties.is_empty() { (UNTIED, 1.0) } else { self.beside_twins(piece) };
+        let left = self.cutter.make(&self.planes, frame, numbers, self.radius, tied, to);
         if left {
             for number in numbers {
                 self.met[number] = true;
@@ -350,6 +342,20 @@ impl Walker {
             self.pieces.push(piece);
         }
         left.then_some(share)
+    }
+
+    /// Planes tied to those of a piece, which do not cut it, and how much of it counts: the strip of f beside its twin g', and that of g beside
+    /// its twin f'.
+    fn beside_twins(&self, [f, g]: [u16; 2]) -> ([usize; 2], f64) {
+        let beside = |side: usize, face: u16| self.ties.iter().find(move |t| t.faces[side] == face);
+        let (of_a, of_b) = (beside(0, f), beside(1, g));
+        let tied = [
+            of_a.map_or(usize::MAX, |t| t.faces[1] as usize + self.planes.split),
+            of_b.map_or(usize::MAX, |t| t.faces[0] as usize),
+        ];
+        let share = of_a.map_or(1.0, |t| 0.5 * (1.0 + t.offset))
+            * of_b.map_or(1.0, |t| 0.5 * (1.0 - t.offset));
+        (tied, share)
     }
 
     /// Whether a piece carries more than all before, which is noted.
@@ -389,25 +395,26 @@ impl Walker {
     pub(super) fn rate(&mut self) -> Mat3 {
         let mut rate = Mat3::ZERO;
         let count = self.pieces.len();
+        let mut batch = self.batch.take().unwrap_or_default();
+        let polygon = &mut batch.polygons[0];
         for k in 0..count {
             let piece = self.pieces[k];
             let numbers = self.numbers(piece);
             if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
-                && let Some(share) = self.make(&frame, piece)
+                && let Some(share) = self.make(&frame, piece, polygon)
             {
-                let polygon = &self.cutter.polygon;
                 rate += lateral::rate(&self.planes, &frame, polygon, numbers) * share;
             }
         }
+        self.batch = Some(batch);
         // Those that were made again.
         self.pieces.truncate(count);
         rate
     }
 
-    fn queue_neighbours(&mut self, [f, g]: [u16; 2]) {
+    fn queue_neighbours(&mut self, [f, g]: [u16; 2], polygon: &Polygon) {
         let split = self.planes.split as u16;
-        for edge in 0..self.cutter.polygon.len() {
-            let label = self.cutter.polygon.label()[edge];
+        for &label in polygon.label() {
             if label == OPEN {
                 self.sums.unlabelled += 1;
                 continue;
