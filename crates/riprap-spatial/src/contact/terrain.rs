@@ -8,7 +8,6 @@ use riprap_geom::Vec3;
 
 use crate::contact::constants::{inverse_mass, law};
 use crate::contact::{make_shapes, pose};
-use crate::exec::piece;
 use crate::kernel::frame::Frame;
 use crate::kernel::glued::Glued;
 use crate::kernel::piece::Polygon;
@@ -54,7 +53,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     let ContactScratch { shapes, glued, terrain: desk, .. } = &mut scratch.desk;
     world.found.terrain.resize_with(n, OnTerrain::default);
     desk.exerted.resize(n, Acting::default());
-    desk.workspaces.resize_with(n.div_ceil(piece(n)), TerrainWorkspace::default);
+    desk.workspaces.resize_with(scratch.exec.workspaces(n), TerrainWorkspace::default);
     for workspace in &mut desk.workspaces {
         workspace.left.clear();
     }
@@ -90,7 +89,10 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     );
     tree(&mut desk.sums, |sum, other| *sum += other);
     world.works.friction += desk.sums.first().copied().unwrap_or(0.0);
-    for &b in desk.workspaces.iter().flat_map(|workspace| &workspace.left) {
+    let mut left: Vec<u32> = desk.workspaces.iter().flat_map(|of| of.left.clone()).collect();
+    // Which thread has seen which of them is chance.
+    left.sort_unstable();
+    for b in left {
         let event = world.event(EditKind::LeftTerrain, b);
         world.events.push(event);
     }
