@@ -202,10 +202,11 @@ pub(super) fn make(
         }
     }
     let own = index(OWN[corners.len]);
-    let [s, t] = [corners.s, corners.t].map(|list| _mm512_permutexvar_pd(own, list));
+    let s = _mm512_permutexvar_pd(own, corners.s);
+    let t = _mm512_permutexvar_pd(own, corners.t);
     let slope = |x: f64, of: __m512d| _mm512_mul_pd(_mm512_set1_pd(x), of);
     let depth = _mm512_sub_pd(_mm512_sub_pd(_mm512_set1_pd(w), slope(u, s)), slope(v, t));
-    let lists = [s, t, depth].map(|list| Lanes(unpack(list)));
+    let lists = [Lanes(unpack(s)), Lanes(unpack(t)), Lanes(unpack(depth))];
     // Safety: both are eight numbers of 16 bits.
     let label =
         unsafe { std::mem::transmute::<__m128i, [u16; 8]>(_mm512_cvtepi64_epi16(corners.label)) };
@@ -216,8 +217,11 @@ pub(super) fn make(
 /// Exchanges rows and columns of eight lists of eight numbers.
 #[target_feature(enable = "avx512f,avx512dq")]
 #[inline]
-pub(super) fn transpose(rows: [&Lanes; LANES]) -> [Lanes; LANES] {
-    let row = rows.map(|row| pack(&row.0));
+pub(super) fn transpose(rows: &[Lanes; LANES]) -> [Lanes; LANES] {
+    let mut row = [_mm512_setzero_pd(); LANES];
+    for (register, lanes) in row.iter_mut().zip(rows) {
+        *register = pack(&lanes.0);
+    }
     // Pairs of numbers, then of pairs: each register ends up with one number of every row.
     let mut two = row;
     for k in [0, 2, 4, 6] {
