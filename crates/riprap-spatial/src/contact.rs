@@ -32,7 +32,6 @@ pub(crate) mod terrain;
 use std::collections::BTreeMap;
 
 use crate::broad::search::Blocks;
-use crate::exec::piece;
 use crate::joint::classes::stiffness;
 use crate::kernel::glued::Glued;
 use crate::kernel::offset::{Carried, Offset};
@@ -128,7 +127,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     let known = world.found.roles.len() == n;
     // Not without a move: what is found must not hang on how often an instant is evaluated.
     let look = world.pending > 0.0 && world.step.is_multiple_of(CHECK_INTERVAL);
-    let looked = !known || world.fresh || look;
+    let looked = !known || world.fresh || look && others_are_whole(world, &mut scratch.desk.who);
     let mut renew = false;
     // Lent by the desk, so that a look takes no memory.
     let mut were = Vec::new();
@@ -223,6 +222,28 @@ fn hidden_of_split(world: &World, pairs: &[FoundPair]) -> BTreeMap<[u32; 2], [f6
     pairs.iter().filter(split).filter_map(of).collect()
 }
 
+/// Whether other blocks have all of their joints than at the last look. Who is joined to whom changes with an edit alone.
+fn others_are_whole(world: &World, desk: &mut RoleScratch) -> bool {
+    let RoleScratch { whole, were_whole, .. } = desk;
+    std::mem::swap(whole, were_whole);
+    find_whole(world, whole);
+    whole != were_whole
+}
+
+/// Whether all joints of a block are whole, for each of them.
+fn find_whole(world: &World, whole: &mut Vec<bool>) {
+    whole.clear();
+    whole.resize(world.alive.len(), true);
+    let patches = &world.patches;
+    for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
+        if flags & flag::BROKEN != 0 {
+            for b in ends {
+                whole[*b as usize] = false;
+            }
+        }
+    }
+}
+
 /// Who can meet whom.
 pub(crate) fn roles(world: &World) -> Vec<Role> {
     let mut desk = RoleScratch::default();
@@ -232,7 +253,7 @@ pub(crate) fn roles(world: &World) -> Vec<Role> {
 
 /// As [`roles`], into a desk.
 fn find_roles(world: &World, desk: &mut RoleScratch) {
-    let RoleScratch { roles, whole, joined } = desk;
+    let RoleScratch { roles, whole, joined, .. } = desk;
     let n = world.alive.len();
     roles.clear();
     roles.extend((0..n).map(|b| {
@@ -242,17 +263,10 @@ fn find_roles(world: &World, desk: &mut RoleScratch) {
             Role::Active
         }
     }));
-    whole.clear();
-    whole.resize(n, true);
+    find_whole(world, whole);
     joined.renew(n);
-    let patches = &world.patches;
-    for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
+    for ends in &world.patches.ends {
         joined.join(*ends);
-        if flags & flag::BROKEN != 0 {
-            for b in ends {
-                whole[*b as usize] = false;
-            }
-        }
     }
     // The largest set that patches join, if it has at least two blocks.
     let Some((lattice, 2..)) = joined.largest(|b| world.alive[b]) else {
@@ -429,7 +443,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     let pairs = &world.found.pairs;
     desk.slots = vec![Slot::default(); pairs.len()];
     desk.groups = vec![PairGroup::default(); pairs.len().div_ceil(GROUP)];
-    desk.workspaces.resize_with(pairs.len().div_ceil(piece(pairs.len())), Workspace::default);
+    desk.workspaces.resize_with(scratch.exec.workspaces(pairs.len()), Workspace::default);
     incidence(world, desk);
     desk.ready = true;
     scratch.tiles.make_rows(world);

@@ -103,7 +103,11 @@ fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> Pa
 
 /// Notes the blocks that have gone over the rim of all terrain since the last evaluation.
 fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
-    for b in workspaces.iter_mut().flat_map(|workspace| workspace.beside.drain(..)) {
+    let left = workspaces.iter_mut().flat_map(|workspace| workspace.beside.drain(..));
+    let mut left: Vec<u32> = left.collect();
+    // Which thread has seen which of them is chance.
+    left.sort_unstable();
+    for b in left {
         // Each pair with a terrain finds it.
         if !std::mem::replace(&mut world.found.left_terrain[b as usize], true) {
             let event = world.event(EditKind::LeftTerrain, b);
@@ -290,7 +294,13 @@ impl Evaluation<'_> {
         let place =
             |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
         let hint = acting.pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
-        let pair = Pair { bodies: [&bodies[0], &bodies[1]], faces, ties: candidate.ties, hint };
+        let pair = Pair {
+            bodies: [&bodies[0], &bodies[1]],
+            faces,
+            ties: candidate.ties,
+            hint,
+            witnesses: candidate.witnesses(&self.candidates.witnesses),
+        };
         let law = acting.law;
         narrow::convex(&mut workspace.walker, &pair, &law, |patch| acting.patch(patch))
     }

@@ -84,6 +84,8 @@ pub struct RoleScratch {
     pub roles: Vec<Role>,
     /// Whether all joints of a block are whole.
     pub whole: Vec<bool>,
+    /// The same at the look before.
+    pub were_whole: Vec<bool>,
     /// Blocks that patches join.
     pub joined: Sets,
 }

@@ -12,7 +12,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use crate::broad::search::path_bound;
 use crate::deform::relax;
-use crate::exec::{CHUNK, Exec, piece};
+use crate::exec::{CHUNK, Exec};
 use crate::faces::deformable::centred;
 use crate::kernel::Terrain;
 use crate::kernel::cells::{
@@ -307,6 +307,8 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
     old.for_each(lost);
     world.found.deformable.pairs = pairs;
     lay_out(world, work, desk, terrain);
+    let count = world.found.deformable.pairs.len();
+    desk.workspaces.resize_with(scratch.exec.workspaces(count), PairWorkspace::default);
     if deform.relax.is_some() {
         let masses = relax::masses(deform, &work.classes);
         let before = std::mem::replace(&mut work.fictitious, masses);
@@ -389,7 +391,6 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrai
         };
         PairSlot { forces: c.members.map(room), ..PairSlot::default() }
     }));
-    desk.workspaces.resize_with(pairs.len().div_ceil(piece(pairs.len())), PairWorkspace::default);
 }
 
 /// Terrain under a block: it has no far side, and counts as deep as the block.
