@@ -27,6 +27,7 @@ pub mod numbers;
 pub mod profile;
 pub mod rhythm;
 pub mod sets;
+pub mod sparse;
 pub mod state_hash;
 pub mod sums;
 

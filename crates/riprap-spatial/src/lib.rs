@@ -78,6 +78,7 @@ mod state;
 
 mod contact;
 pub mod deform;
+mod implicit;
 mod query;
 mod rigid;
 pub mod stable;
