@@ -7,7 +7,7 @@ from pathlib import Path
 SOURCES = Path(__file__).parent / "python/riprap"
 HEAD = """# Python reference
 
-Made from the docstrings of the package; do not edit, run `RIPRAP_WRITE_DOCS=1 cargo test -p riprap-cli --test docs`. How to
+Made from the docstrings of the package; do not edit, run `RIPRAP_WRITE_DOCS=1 cargo test -p riprap-cli --test all docs`. How to
 use it: [Python](python.md).
 """
 

@@ -1,6 +1,7 @@
 //! The targets of `riprap-fuzz`, called by libFuzzer: which bytes come next is guided by the code that earlier ones reached.
 //!
-//! `cargo xtask fuzz` runs them with the toolchain of the repository and a C++ compiler, `cargo fuzz run TARGET` with what cargo-fuzz needs.
+//! `cargo fuzz run -s none TARGET` builds and runs them with the toolchain of the repository and a C++ compiler, without `-s none` with the
+//! sanitizers of a nightly one.
 //! Each file of `fuzz_targets` is the same line: what a target does, and what it starts from, stands in `riprap-fuzz` alone.
 
 use riprap_fuzz::damage::Chance;

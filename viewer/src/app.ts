@@ -168,7 +168,7 @@ export class App {
     });
     view.stage.canvas.addEventListener("webglcontextlost", (e) => {
       e.preventDefault();
-      this.banner(pane, { what: "The browser has lost its graphics.", hint: "Reload the page." });
+      this.banner(pane, { what: "The browser has lost its graphics context.", hint: "Reload the page." });
     });
     if (run.frames === 0) this.banner(pane, noFrames(run));
   }
@@ -358,10 +358,10 @@ export class App {
     return [
       { keys: [" "], label: "space", what: "play, pause", act: () => timeline.toggle() },
       { keys: ["ArrowLeft"], label: "←", what: "one frame back (shift: ten)", act: (shift: boolean) => timeline.step(shift ? -10 : -1) },
-      { keys: ["ArrowRight"], label: "→", what: "one frame on (shift: ten)", act: (shift: boolean) => timeline.step(shift ? 10 : 1) },
+      { keys: ["ArrowRight"], label: "→", what: "one frame forward (shift: ten)", act: (shift: boolean) => timeline.step(shift ? 10 : 1) },
       { keys: ["Home"], label: "Home", what: "first frame", act: () => void timeline.go(0) },
       { keys: ["End"], label: "End", what: "last frame", act: () => void timeline.go(timeline.moments.length - 1) },
-      { keys: ["g"], label: "g", what: "follow a run that goes on", act: () => this.follow() },
+      { keys: ["g"], label: "g", what: "follow a run in progress", act: () => this.follow() },
       { keys: ["f"], label: "f", what: "all in view", act: () => actions.fit() },
       ...(["x", "y", "z"] as const).map((side, i) => ({
         keys: [String(i + 1)],
@@ -380,20 +380,20 @@ export class App {
       { keys: ["r"], label: "r", what: "bolts: rods, red in tension, blue in compression", act: () => choices.set({ bolts: !choices.now.bolts }) },
       { keys: ["i"], label: "i", what: "charges: stars where they are (in space)", act: () => choices.set({ charges: !choices.now.charges }) },
       { keys: ["a"], label: "a", what: "principal stresses as crosses", act: () => choices.set({ stress: !choices.now.stress }) },
-      { keys: ["d"], label: "d", what: "distance, and the field along a line: click both ends (again: take it away)", act: () => this.toggleLine() },
+      { keys: ["d"], label: "d", what: "distance, and the field along a line: click both ends (again: remove it)", act: () => this.toggleLine() },
       { keys: ["v"], label: "v", what: "velocity arrows", act: () => choices.set({ vectors: choices.now.vectors ? "" : "velocity" }) },
       { keys: ["x"], label: "x", what: "cut away: along x, y, z, any plane, nothing", act: nextCut },
       { keys: ["b"], label: "b", what: "cut flat, or whole blocks", act: () => choices.set({ clipFlat: !choices.now.clipFlat }) },
       { keys: ["o"], label: "o", what: "cut away the other side", act: () => choices.set({ clipFlip: !choices.now.clipFlip }) },
       { keys: [",", ";", "<"], label: ",", what: "cut back (shift: ten times as far)", act: moveCut(-0.01) },
-      { keys: [".", ":", ">"], label: ".", what: "cut on (shift: ten times as far)", act: moveCut(0.01) },
+      { keys: [".", ":", ">"], label: ".", what: "cut forward (shift: ten times as far)", act: moveCut(0.01) },
       { keys: ["["], label: "[", what: "less exaggeration", act: times(0.5) },
       { keys: ["]"], label: "]", what: "more exaggeration", act: times(2) },
       { keys: ["p"], label: "p", what: "histories", act: () => this.toggle("with-plots") },
       { keys: ["m"], label: "m", what: "panel", act: () => this.toggle("no-panel") },
       { keys: ["s"], label: "s", what: "save a picture", act: () => void this.save("picture") },
       { keys: ["t"], label: "t", what: "light, dark", act: () => this.flipTheme() },
-      { keys: ["Escape"], label: "Esc", what: "let the block go", act: () => actions.unpick() },
+      { keys: ["Escape"], label: "Esc", what: "deselect the block", act: () => actions.unpick() },
       { keys: ["?"], label: "?", what: "this sheet", act: () => document.querySelector<HTMLDialogElement>("dialog.sheet")?.showModal() },
     ];
   }
@@ -471,8 +471,8 @@ export class App {
       : live
         ? `step ${manifest.steps.toLocaleString("en")}; g follows the newest frame`
         : died
-          ? "The program that wrote this run died. What it had written is shown; riprap resume goes on from the last checkpoint."
-          : `${manifest.message || "all phases reached their ends"}; ${short(manifest.wall_time, 3)} s`;
+          ? "The program that wrote this run has died. Its results so far are shown; riprap resume continues from the last checkpoint."
+          : `${manifest.message || "all phases are complete"}; ${short(manifest.wall_time, 3)} s`;
   }
 
   private flipTheme(): void {
@@ -512,10 +512,10 @@ function unread(run: Run): { what: string; hint: string } | null {
 
 function noFrames(run: Run): { what: string; hint: string } {
   return run.summary.live
-    ? { what: "No frame yet.", hint: "The run has begun; the first frame will be shown when it is written." }
+    ? { what: "No frame yet.", hint: "The run has started; the first frame will be shown when it is written." }
     : {
         what: "This run has no frames.",
-        hint: "Ask for some in the scene and run it again: [[outputs]] frames = { every = \"10 ms\" }. Its histories are there (p).",
+        hint: "Request them in the scene and run it again: [[outputs]] frames = { every = \"10 ms\" }. Its histories are available (p).",
       };
 }
 

@@ -27,7 +27,7 @@ async function placeOf(run: Run, k: number, id: number): Promise<number> {
 /** As the answer `block` of the server. */
 export async function heldBlock(run: Run, k: number, id: number): Promise<BlockNumbers> {
   const at = await placeOf(run, k, id);
-  if (at < 0) throw new Problem(`there is no block ${id} in this frame`, "It was split, cut or taken out.");
+  if (at < 0) throw new Problem(`there is no block ${id} in this frame`, "It was split, cut or removed.");
   const { held, names: fields, fields: known } = run.summary;
   const columns = await Promise.all(
     (fields ?? []).map(async (name) => {

@@ -37,9 +37,9 @@ export function sheet(shortcuts: Shortcut[]): HTMLDialogElement {
   const dialog = el("dialog.sheet", { "aria-label": "keyboard shortcuts" });
   const rows = shortcuts.map((s) => el("tr", {}, el("td", {}, el("kbd", {}, s.label)), el("td", {}, s.what)));
   const mouse: [string, string][] = [
-    ["drag", "turn (in the plane: move)"],
+    ["drag", "rotate (in the plane: move)"],
     ["right drag", "move"],
-    ["wheel, pinch", "nearer, farther"],
+    ["wheel, pinch", "zoom"],
     ["click", "pick a block; after d an end of the line"],
     ["click in a plot", "go to that time"],
   ];

@@ -177,7 +177,7 @@ export class Panel {
         ...(this.dimension === 3
           ? (["x", "y", "z"] as const).map((side) => small(side, `Look along ${side}`, () => actions.fit(side)))
           : []),
-        small("line", "Distance, and the field along a line: click both ends; again: take it away (d)", actions.line),
+        small("line", "Distance, and the field along a line: click both ends; again: remove it (d)", actions.line),
       ),
       el("div.checks", {}, check("edges", now.edges, (edges) => choices.set({ edges }), "Draw the edges of the blocks (e)"),
         this.runs.some((r) => r.hasField("held"))
@@ -259,7 +259,7 @@ export class Panel {
         );
       }
     }
-    rows.push(el("div.checks", {}, check("flip", now.clipFlip, (clipFlip) => choices.set({ clipFlip }), "Take away the other side (o)")));
+    rows.push(el("div.checks", {}, check("flip", now.clipFlip, (clipFlip) => choices.set({ clipFlip }), "Remove the other side (o)")));
     return rows;
   }
 
@@ -273,7 +273,7 @@ export class Panel {
     const vectors = kinds.filter((v) => held.every((h) => h.vectors.includes(v)));
     const contacts = held.every((h) => h.contacts);
     const missing = kinds.length > vectors.length || !contacts;
-    const hint = missing ? [el("p.hint", {}, "Of arrows and contacts this report has what it had room for; riprap view shows all.")] : [];
+    const hint = missing ? [el("p.hint", {}, "This report holds only part of the arrows and contacts; riprap view shows all.")] : [];
     const stress = this.runs.some((r) => r.hasStress);
     if (vectors.length === 0 && !contacts && !stress) return hint;
     const seeps = this.runs.some((r) => r.conditions?.water.some((table) => table.seeps));
@@ -378,7 +378,7 @@ export class Panel {
         {},
         el("b", {}, numbers.name || `block ${numbers.block}`),
         el("button", { type: "button", onclick: this.actions.history }, "history"),
-        el("button", { type: "button", onclick: this.actions.unpick, title: "Let it go (Esc)" }, "clear"),
+        el("button", { type: "button", onclick: this.actions.unpick, title: "Deselect (Esc)" }, "clear"),
       ),
       el("table", {}, ...(numbers.name ? [named("number", String(numbers.block))] : []), ...groups, ...rows),
     );

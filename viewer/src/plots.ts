@@ -86,7 +86,7 @@ export class Plots {
     this.curves = tables.flatMap((table, i) => (table ? curvesOf(table, i > 0) : []));
     const none =
       tab === "histories"
-        ? "This run recorded no histories. Ask for some in the scene: [[outputs]] history = { field = \"...\" }"
+        ? "This run recorded no histories. Request them in the scene: [[outputs]] history = { field = \"...\" }"
         : "This run has no energy.csv.";
     this.draw(none);
   }
@@ -141,7 +141,7 @@ export class Plots {
       );
     }
     this.curves = lines.filter((l) => l.parts.length > 0).map(curveAlong);
-    this.draw("Press d and click two places of the picture to see the field along the line between them.");
+    this.draw("Press d and click two points of the picture to see the field along the line between them.");
   }
 
   /** Moves the line. */

@@ -40,7 +40,7 @@ export class Stage {
   ) {
     if (!document.createElement("canvas").getContext("webgl2")) {
       throw new Problem(
-        "This browser draws no WebGL 2.",
+        "This browser does not support WebGL 2.",
         "Switch on its hardware acceleration or try another browser. Without it: riprap plot RUN draws pictures.",
       );
     }

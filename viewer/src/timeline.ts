@@ -43,7 +43,7 @@ export class Timeline {
       iconButton("first", "First frame (Home)", () => void this.go(0)),
       iconButton("back", "One frame back (←)", () => this.step(-1)),
       this.playButton,
-      iconButton("next", "One frame on (→)", () => this.step(1)),
+      iconButton("next", "One frame forward (→)", () => this.step(1)),
       iconButton("last", "Last frame (End)", () => void this.go(this.moments.length - 1)),
       this.slider,
       this.label,

@@ -114,7 +114,7 @@ test("warnings of a scene are marked at their blocks and lead there, also when i
   await expect(warnings.locator("summary")).toHaveText("Warnings (2)");
   await expect(page.locator(".legend")).toContainText("1 block with warnings");
   // What names no block is told, too, and leads nowhere.
-  await expect(warnings.locator("p.warning")).toContainText("nothing is held or supported");
+  await expect(warnings.locator("p.warning")).toContainText("no block is held or supported");
   const far = await settled(page);
   await shoot(page, "warned");
   await warnings.getByRole("button", { name: /chip.*sliver/ }).click();

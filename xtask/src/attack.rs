@@ -9,19 +9,23 @@ mod disks;
 mod faults;
 mod files;
 mod laws;
-mod process;
+pub mod process;
 mod rock;
+mod soak;
 
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
+use crate::shell::{self, Counts};
+use crate::steps::Outcome;
 use crate::verify;
-use process::Program;
+use process::{Ended, Program};
 use riprap_fuzz::damage::Chance;
 
 /// Tries of each attack on files, when nothing else is asked for: about ten minutes in all.
 const TRIES: usize = 1500;
+/// Longest that a run of an attack on runs may take: more than that is a failure.
+const LONG: Duration = Duration::from_secs(300);
 const PAGE: &str = "docs/src/reliability.md";
 
 /// What an attack has found.
@@ -45,6 +49,58 @@ pub struct Field<'a> {
     pub tries: usize,
 }
 
+impl Field<'_> {
+    /// Whether this is the short form of CI.
+    fn few(&self) -> bool {
+        self.tries < 100
+    }
+
+    fn write(&self, name: &str, bytes: impl AsRef<[u8]>) -> Result<(), String> {
+        write(&self.folder.join(name), bytes)
+    }
+
+    /// Runs a scene into `a.run` on one thread; how it ended.
+    fn ran(&self, scene: &str) -> Result<Ended, String> {
+        self.write("t.toml", scene)?;
+        let words = ["run", "t.toml", "--out", "a.run", "--force", "--threads", "1", "--quiet"];
+        self.program.run_within(&self.folder, &words, LONG)
+    }
+
+    /// The last value of the history of that run.
+    fn last(&self) -> Result<f64, String> {
+        let path = self.folder.join("a.run/histories.csv");
+        let table = read_text(&path)?;
+        let cell = table.lines().last().and_then(|l| l.rsplit(',').next());
+        cell.and_then(|cell| cell.parse().ok())
+            .ok_or_else(|| format!("{}: no number at its end", path.display()))
+    }
+
+    /// Keeps the scene that ran last, which failed.
+    fn keep(&self, name: &str) {
+        let _ = std::fs::copy(self.folder.join("t.toml"), self.folder.join(format!("{name}.toml")));
+    }
+
+    /// Lists of two runs that differ, and whether their states do.
+    fn differ(&self, runs: [&str; 2]) -> Result<Vec<&'static str>, String> {
+        let hash = |run: &str| self.program.answer(&self.folder, &["hash", run]);
+        let mut differ = if hash(runs[0])? == hash(runs[1])? { vec![] } else { vec!["state"] };
+        let lists = ["histories.csv", "energy.csv", "events.jsonl", "run.pvd"];
+        differ.extend(lists.iter().filter(|list| {
+            let [a, b] = runs.map(|run| std::fs::read(self.folder.join(run).join(list)).ok());
+            a != b
+        }));
+        Ok(differ)
+    }
+}
+
+fn write(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
+    std::fs::write(path, bytes).map_err(|e| format!("{}: {e}", path.display()))
+}
+
+fn read_text(path: &Path) -> Result<String, String> {
+    std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))
+}
+
 struct Attack {
     name: &'static str,
     /// What is done, and what counts as a failure.
@@ -52,31 +108,17 @@ struct Attack {
     run: fn(&Field<'_>, &mut Chance) -> Result<Found, String>,
 }
 
-const ATTACKS: [Attack; 16] = [
+const ATTACKS: [Attack; 14] = [
     Attack {
         name: "scenes",
-        about: "scene files of this repository with bytes, numbers, lines and words changed; `riprap check`",
+        about: "scene files of this repository with a number in place of which stands nan, inf, 1e308, -1, 0, 1e-320, 10^18 or their kin, or with bytes, lines and words changed; \
+                `riprap check`, and what it takes for three steps in `riprap run`. Also a failure: exit 0 with energies that are not numbers",
         run: files::scenes,
-    },
-    Attack {
-        name: "numbers",
-        about: "one number of a scene in place of which stands nan, inf, 1e308, -1, 0, 1e-320, 10^18 and their kin; `riprap check`",
-        run: files::numbers,
-    },
-    Attack {
-        name: "first steps",
-        about: "scenes with one number changed, run for three steps; `riprap run`. Also a failure: exit 0 with energies that are not numbers",
-        run: files::first_steps,
     },
     Attack {
         name: "inputs",
         about: "damaged meshes, surfaces, grids, tables and drawings that a scene reads (msh, tess, stl, dxf, asc, csv); `riprap check`",
         run: files::inputs,
-    },
-    Attack {
-        name: "checkpoints",
-        about: "every checkpoint of a run damaged; `riprap resume`. Also a failure: it goes on",
-        run: files::checkpoints,
     },
     Attack {
         name: "run folders",
@@ -142,56 +184,43 @@ const ATTACKS: [Attack; 16] = [
         about: "a block that gravity begins to pull on in a second phase, or that is released in one, in the plane and in space. Failure: another fall than g t^2/2",
         run: rock::forces,
     },
+    Attack {
+        name: "long run",
+        about: "a run that never ends beside a viewer that is asked every ten seconds what a browser asks; a try is ten seconds. Failure: the run ends, a \
+                question is not answered, memory grows by 5 % or descriptors by one over the last quarter",
+        run: soak::soak,
+    },
 ];
 
-/// `cargo xtask attack [--tries N] [--binary FILE] [--page] [ATTACK]...`.
-pub fn run(root: &Path, words: &[&str]) -> ExitCode {
-    match all(root, words) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
-        Err(why) => {
-            eprintln!("{why}");
-            ExitCode::FAILURE
-        }
-    }
-}
+/// Attacks that CI leaves out: tests of the command line kill runs too, and a long run takes long.
+const NOT_IN_CI: [&str; 2] = ["kills", "long run"];
 
-fn all(root: &Path, words: &[&str]) -> Result<bool, String> {
-    let (mut tries, mut binary, mut page, mut chosen) = (TRIES, None, false, Vec::new());
-    let mut words = words.iter();
-    while let Some(word) = words.next() {
-        match *word {
-            "--tries" => {
-                let given = words.next().and_then(|n| n.parse().ok());
-                tries = given.ok_or("--tries needs a number")?;
-            }
-            "--binary" => {
-                binary = Some(PathBuf::from(words.next().ok_or("--binary needs a file")?));
-            }
-            "--page" => page = true,
-            name => chosen.push(name),
-        }
-    }
+/// `cargo xtask attack [--tries N] [--binary FILE] [--page] [ATTACK]...`: whether nothing failed.
+pub fn run(root: &Path, words: &[&str]) -> Result<bool, String> {
+    let mut chosen = words.to_vec();
+    let tries = shell::number(&mut chosen, "--tries")?.map_or(TRIES, |n| n as usize);
+    let program = Program::new(&verify::chosen_binary(root, &mut chosen)?);
+    let page = chosen.iter().position(|w| *w == "--page").map(|at| chosen.remove(at)).is_some();
     if let Some(wrong) = chosen.iter().find(|c| ATTACKS.iter().all(|a| a.name != **c)) {
         let names: Vec<&str> = ATTACKS.iter().map(|a| a.name).collect();
         return Err(format!("there is no attack {wrong:?}; there are: {}", names.join(", ")));
     }
-    let binary = match binary {
-        Some(binary) => root.join(binary),
-        None => verify::ci_binary(root)?,
-    };
-    let program = Program::new(&binary);
     let rows = attack(root, &program, tries, &chosen)?;
-    let failures: usize = rows.iter().map(|(_, found, _)| found.failures.len()).sum();
     if page {
         let version = program.answer(root, &["--version"])?;
         std::fs::write(root.join(PAGE), text(root, &rows, tries, &version))
             .map_err(|e| format!("{PAGE}: {e}"))?;
         println!("wrote {PAGE}");
     }
-    let done: usize = rows.iter().map(|(_, found, _)| found.tries).sum();
-    println!("{done} tries: {} passed, {failures} failed, 0 skipped", done - failures.min(done));
-    Ok(failures == 0)
+    let Counts { passed, failed, .. } = counts(&rows);
+    println!("{passed} passed, {failed} failed, 0 skipped");
+    Ok(failed == 0)
+}
+
+fn counts(rows: &[Row]) -> Counts {
+    let failed: usize = rows.iter().map(|(_, found, _)| found.failures.len()).sum();
+    let tries: usize = rows.iter().map(|(_, found, _)| found.tries).sum();
+    Counts { passed: tries.saturating_sub(failed) as u64, failed: failed as u64, skipped: 0 }
 }
 
 type Row = (&'static Attack, Found, f64);
@@ -259,19 +288,12 @@ fn text(root: &Path, rows: &[Row], tries: usize, version: &str) -> String {
             package, and forged checkpoints whose checksum is right: they belong to whoever wrote them.\n"
 }
 
-/// The step `attack` of CI: a few tries of each attack but the kills, which tests of the command line do. Under two laws every scene is begun, for a hundred
+/// The step `attack` of CI: a few tries of each attack but those of [`NOT_IN_CI`]. Under two laws every scene is begun, for a hundred
 /// steps of each phase.
-pub fn step(root: &Path) -> Result<crate::steps::Outcome, String> {
+pub fn step(root: &Path) -> Result<Outcome, String> {
     const SMOKE: usize = 25;
     let program = Program::new(&verify::ci_binary(root)?);
     let names = ATTACKS.iter().map(|a| a.name);
-    let chosen: Vec<&str> = names.filter(|name| *name != "kills").collect();
-    let rows = attack(root, &program, SMOKE, &chosen)?;
-    let failed: usize = rows.iter().map(|(_, found, _)| found.failures.len()).sum();
-    let tries: usize = rows.iter().map(|(_, found, _)| found.tries).sum();
-    Ok(crate::steps::Outcome::Counted(crate::shell::Counts {
-        passed: (tries - failed.min(tries)) as u64,
-        failed: failed as u64,
-        skipped: 0,
-    }))
+    let chosen: Vec<&str> = names.filter(|name| !NOT_IN_CI.contains(name)).collect();
+    Ok(Outcome::Counted(counts(&attack(root, &program, SMOKE, &chosen)?)))
 }

@@ -2,7 +2,7 @@
 
 use std::ffi::OsStr;
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::Command;
 use std::time::Instant;
 
 use crate::shell::cargo;
@@ -13,18 +13,8 @@ const SIZES: [&str; 3] = ["default", "medium", "large"];
 
 /// Builds the benchmark of the library and runs it on every scene under `scenes/bench` in three sizes, each
 /// in its own process; the CSV is printed and kept in `target/bench.csv`.
-pub fn run(root: &Path) -> ExitCode {
-    match measure(root) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(why) => {
-            eprintln!("{why}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn measure(root: &Path) -> Result<(), String> {
-    let mut kept: Vec<String> = Vec::new();
+pub fn run(root: &Path) -> Result<bool, String> {
+    let mut known: Vec<String> = Vec::new();
     for scene in files(&root.join("scenes").join("bench"), &["toml"]) {
         let text = std::fs::read_to_string(&scene)
             .map_err(|error| format!("{} could not be read: {error}", scene.display()))?;
@@ -33,32 +23,31 @@ fn measure(root: &Path) -> Result<(), String> {
             continue;
         }
         for size in SIZES {
-            for line in timed(root, &scene, size)?.lines() {
-                // The machine and the head of the table stand in every output, and once in the whole.
-                if kept.iter().all(|known| known != line) {
+            // The machine and the head of the table stand in every output, and once in the whole.
+            for line in example(root, "bench_scene", &[scene.as_os_str(), size.as_ref()])?.lines() {
+                if known.iter().all(|known| known != line) {
                     println!("{line}");
-                    kept.push(line.to_owned());
+                    known.push(line.to_owned());
                 }
             }
         }
     }
-    let path = root.join("target").join("bench.csv");
-    std::fs::write(&path, kept.join("\n") + "\n")
-        .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
-    println!("kept in {}", path.display());
+    keep(root, "bench.csv", &(known.join("\n") + "\n"))?;
     for (name, file) in
         [("bench_spatial", "bench-spatial.csv"), ("bench_deform", "bench-deform.csv")]
     {
         let table = example(root, name, &[])?;
         print!("{table}");
-        let path = root.join("target").join(file);
-        std::fs::write(&path, table)
-            .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
-        println!("kept in {}", path.display());
+        keep(root, file, &table)?;
     }
     let table = commands(root)?;
     print!("{table}");
-    let path = root.join("target").join("bench-run.csv");
+    keep(root, "bench-run.csv", &table)?;
+    Ok(true)
+}
+
+fn keep(root: &Path, file: &str, table: &str) -> Result<(), String> {
+    let path = root.join("target").join(file);
     std::fs::write(&path, table)
         .map_err(|error| format!("{} could not be written: {error}", path.display()))?;
     println!("kept in {}", path.display());
@@ -136,12 +125,6 @@ fn command(root: &Path, scene: &str, case: &str, steps: u64) -> Result<String, S
     ))
 }
 
-/// What the benchmark prints about one size of one scene.
-fn timed(root: &Path, scene: &Path, size: &str) -> Result<String, String> {
-    example(root, "bench_scene", &[scene.as_os_str(), size.as_ref()])
-        .map_err(|why| format!("{} ({size}): {why}", scene.display()))
-}
-
 /// What an example of the library prints.
 fn example(root: &Path, name: &str, words: &[&OsStr]) -> Result<String, String> {
     let output = Command::new(cargo())
@@ -152,7 +135,8 @@ fn example(root: &Path, name: &str, words: &[&OsStr]) -> Result<String, String> 
         .output()
         .map_err(|error| format!("cargo could not be started: {error}"))?;
     if !output.status.success() {
-        return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+        let why = String::from_utf8_lossy(&output.stderr);
+        return Err(format!("{name} {words:?}: {why}"));
     }
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }

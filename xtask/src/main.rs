@@ -8,13 +8,11 @@ mod bench;
 mod book;
 mod browser;
 mod cut;
-mod fuzz;
 mod licences;
 mod modules;
 mod mutate;
 mod python;
 mod shell;
-mod soak;
 mod source_tree;
 mod steps;
 mod tidy;
@@ -40,13 +38,9 @@ Tasks:
   attack [ATTACK]...
                    damage, kill, crowd and hurry the program: attack / tries / failures; --tries N (1500), --page writes
                    docs/src/reliability.md, --binary FILE takes a program that is there
-  fuzz [TARGET]... readers, scenes and kernels under bytes that are guided by the code that they reach: target / inputs / edges / failures;
-                   needs a C++ compiler; --seconds N (600) for each, --seed K; --keep: what reached new code goes into crates/riprap-fuzz/found
   mutate [SCENE]...
                    break scenes on purpose (gravity, stiffness, friction, strength, loads, time ...) and list the checks that never fail;
                    --seconds S (3): only scenes as quick as that; --binary FILE
-  soak             an hour of a run that never ends beside a viewer: memory, descriptors, speed; writes docs/src/soak.md;
-                   --minutes N (60), --binary FILE; --table: run nothing, write the page from docs/src/soak.csv
   arrows CRATE [rooms]
                    print each module of a crate, or each room, with those that it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
@@ -62,46 +56,34 @@ fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let root = source_tree::root();
-    match words.as_slice() {
+    let done = match words.as_slice() {
         ["test", only @ ..] => steps::run(&root, only),
         ["steps"] => {
             for step in steps::STEPS {
                 println!("{:<10} {}", step.name, step.about);
             }
-            ExitCode::SUCCESS
+            Ok(true)
         }
-        ["verify-all", scenes @ ..] => verify::all(&root, scenes),
+        ["verify-all", words @ ..] => verify::all(&root, words),
         ["attack", words @ ..] => attack::run(&root, words),
-        ["fuzz", words @ ..] => fuzz::run(&root, words),
-        ["mutate", words @ ..] => mutate::run(&root, words),
-        ["soak", words @ ..] => soak::run(&root, words),
-        ["arrows", name] | ["arrows", name, "rooms"] => {
-            match modules::print_arrows(&root, name, words.len() == 3) {
-                Ok(()) => ExitCode::SUCCESS,
-                Err(why) => {
-                    eprintln!("{why}");
-                    ExitCode::FAILURE
-                }
-            }
-        }
+        ["mutate", words @ ..] => mutate::run(&root, words).map(|()| true),
+        ["arrows", name] => modules::print_arrows(&root, name, false).map(|()| true),
+        ["arrows", name, "rooms"] => modules::print_arrows(&root, name, true).map(|()| true),
         ["bench"] => bench::run(&root),
-        ["wheel"] | ["wheel", "portable"] => match python::wheel(&root, words.len() == 2) {
-            Ok(path) => {
-                println!("pip install {}", path.display());
-                ExitCode::SUCCESS
-            }
-            Err(why) => {
-                eprintln!("{why}");
-                ExitCode::FAILURE
-            }
-        },
+        ["wheel"] => python::wheel(&root, false),
+        ["wheel", "portable"] => python::wheel(&root, true),
         ["docs"] => steps::docs_only(&root),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");
-            ExitCode::SUCCESS
+            Ok(true)
         }
-        [other, ..] => {
-            eprintln!("there is no task {other:?}\n\n{HELP}");
+        [other, ..] => Err(format!("there is no task {other:?}\n\n{HELP}")),
+    };
+    match done {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(why) => {
+            eprintln!("{why}");
             ExitCode::from(2)
         }
     }

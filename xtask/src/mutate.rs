@@ -7,85 +7,56 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
-use std::time::Instant;
+use std::time::Duration;
 
 use serde_json::Value;
 
-use crate::verify;
+use crate::attack::process::Program;
+use crate::{shell, verify};
 use riprap_fuzz::damage::numbers;
 
-/// What is changed: a name, the keys, and the factor on the numbers behind them.
-const CHANGES: [(&str, &[&str], f64); 15] = [
-    ("gravity", &["gravity", "acceleration"], 1.1),
-    ("stiffness", &["normal_stiffness", "shear_stiffness", "young"], 2.0),
-    ("friction", &["friction_angle", "friction_coefficient", "residual_friction_angle"], 0.8),
-    ("hardly any friction", &["friction_angle", "friction_coefficient"], 0.05),
-    (
-        "strength",
-        &["cohesion", "tension", "tensile_strength", "fracture_energy", "yield_force"],
-        0.5,
-    ),
-    ("density", &["density"], 1.2),
-    ("loads", &["force", "pressure", "traction", "moment", "mass"], 1.2),
-    ("speed", &["velocity", "spin"], 1.1),
-    ("damping", &["damping_ratio", "restitution", "local", "mass_damping"], 0.5),
-    ("half the time", &["time", "steps"], 0.5),
-    ("stress at the start", &["vertical", "in_situ.x", "in_situ.y", "k0", "stress"], 1.2),
-    ("bolts", &["diameter", "bolts.stiffness", "bolts.strength", "pretension"], 0.5),
-    ("water", &["level", "points", "head"], 0.8),
+/// What is changed: keys, and the factor on the numbers behind them.
+const CHANGES: [(&[&str], f64); 15] = [
+    (&["gravity", "acceleration"], 1.1),
+    (&["normal_stiffness", "shear_stiffness", "young"], 2.0),
+    (&["friction_angle", "friction_coefficient", "residual_friction_angle"], 0.8),
+    (&["friction_angle", "friction_coefficient"], 0.05),
+    (&["cohesion", "tension", "tensile_strength", "fracture_energy", "yield_force"], 0.5),
+    (&["density"], 1.2),
+    (&["force", "pressure", "traction", "moment", "mass"], 1.2),
+    (&["velocity", "spin"], 1.1),
+    (&["damping_ratio", "restitution", "local", "mass_damping"], 0.5),
+    (&["time", "steps"], 0.5),
+    (&["vertical", "in_situ.x", "in_situ.y", "k0", "stress"], 1.2),
+    (&["diameter", "bolts.stiffness", "bolts.strength", "pretension"], 0.5),
+    (&["level", "points", "head"], 0.8),
     // What drives over time: motions and loads in tables of their own.
-    ("what drives", &["value", "constant", "to", "formula"], 1.2),
-    ("sizes", &["size", "cell", "radius", "thickness", "spacing"], 1.1),
+    (&["value", "constant", "to", "formula"], 1.2),
+    (&["size", "cell", "radius", "thickness", "spacing"], 1.1),
 ];
 
 /// Slowest scene that is broken, s, when nothing else is asked for.
 const SECONDS: f64 = 3.0;
 
 /// `cargo xtask mutate [--seconds S] [--binary FILE] [SCENE]...`.
-pub fn run(root: &Path, words: &[&str]) -> ExitCode {
-    match all(root, words) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(why) => {
-            eprintln!("{why}");
-            ExitCode::FAILURE
-        }
-    }
-}
-
-fn all(root: &Path, words: &[&str]) -> Result<(), String> {
-    let (mut seconds, mut binary, mut chosen) = (SECONDS, None, Vec::new());
-    let mut words = words.iter();
-    while let Some(word) = words.next() {
-        match *word {
-            "--seconds" => {
-                let given = words.next().and_then(|n| n.parse().ok());
-                seconds = given.ok_or("--seconds needs a number")?;
-            }
-            "--binary" => binary = Some(root.join(words.next().ok_or("--binary needs a file")?)),
-            scene => chosen.push(scene.to_owned()),
-        }
-    }
-    let binary = match binary {
-        Some(binary) => binary,
-        None => verify::ci_binary(root)?,
-    };
+pub fn run(root: &Path, words: &[&str]) -> Result<(), String> {
+    let mut words = words.to_vec();
+    let seconds = shell::number(&mut words, "--seconds")?.unwrap_or(SECONDS);
+    let program = Program::new(&verify::chosen_binary(root, &mut words)?);
+    let mut chosen: Vec<String> = words.into_iter().map(str::to_owned).collect();
     if chosen.is_empty() {
         chosen = verify::fast_scenes(root);
     }
     let (mut checks, mut blind, mut slow) = (0, 0, 0);
     for scene in &chosen {
-        match broken(root, &binary, scene, seconds)? {
-            None => slow += 1,
-            Some(result) => {
-                checks += result.len();
-                for (check, noticed) in result {
-                    if noticed.is_empty() {
-                        blind += 1;
-                        println!("{scene}: nothing makes {check:?} fail");
-                    }
-                }
-            }
+        let Some(result) = broken(root, &program, scene, seconds)? else {
+            slow += 1;
+            continue;
+        };
+        checks += result.len();
+        for (check, _) in result.iter().filter(|(_, noticed)| !**noticed) {
+            blind += 1;
+            println!("{scene}: nothing makes {check:?} fail");
         }
     }
     println!(
@@ -95,44 +66,46 @@ fn all(root: &Path, words: &[&str]) -> Result<(), String> {
     Ok(())
 }
 
-/// The changes that make each check fail.
-type Noticed = BTreeMap<String, Vec<&'static str>>;
-
-/// `None` for a scene that is too slow.
+/// Whether a change makes each check fail; `None` for a scene that is too slow.
 fn broken(
     root: &Path,
-    binary: &Path,
+    program: &Program,
     scene: &str,
     seconds: f64,
-) -> Result<Option<Noticed>, String> {
+) -> Result<Option<BTreeMap<String, bool>>, String> {
     let text = std::fs::read_to_string(root.join(scene)).map_err(|e| format!("{scene}: {e}"))?;
-    let copy = Copy::new(root, scene)?;
-    let begun = Instant::now();
-    let sound = copy.checks(binary, &text, seconds)?;
-    if sound.is_empty() || begun.elapsed().as_secs_f64() > seconds {
+    let copy = copied(root, scene)?;
+    // A scene that cannot be run, or takes longer, has no checks.
+    let checks = |text: &str, seconds: f64| -> Result<Vec<Value>, String> {
+        std::fs::write(&copy, text).map_err(|e| format!("{}: {e}", copy.display()))?;
+        let file = copy.to_string_lossy();
+        let words = ["verify", "--json", "--jobs", "1", &file];
+        let folder = copy.parent().unwrap_or(root);
+        let ended = program.run_within(folder, &words, Duration::from_secs_f64(seconds))?;
+        let lines = ended.printed.lines().filter(|_| !ended.slow);
+        Ok(lines.filter_map(|line| serde_json::from_str(line).ok()).collect())
+    };
+    let sound = checks(&text, seconds)?;
+    if sound.is_empty() {
         return Ok(None);
     }
-    let mut noticed: Noticed = BTreeMap::new();
-    let mut expected = BTreeMap::new();
-    for check in sound.iter().filter(|c| c["status"] == "passed") {
-        noticed.insert(name(check), Vec::new());
-        expected.insert(name(check), check["expected"].clone());
-    }
-    for (what, keys, factor) in CHANGES {
+    let sound: BTreeMap<String, Value> = (sound.iter().filter(|c| c["status"] == "passed"))
+        .map(|c| (name(c), c["expected"].clone()))
+        .collect();
+    let mut noticed: BTreeMap<String, bool> =
+        sound.keys().map(|name| (name.clone(), false)).collect();
+    for (keys, factor) in CHANGES {
         let changed = scaled(&text, keys, factor);
         if changed == text {
             continue;
         }
-        // A scene that cannot be run any more, or takes ten times as long, has noticed nothing.
-        for check in copy.checks(binary, &changed, 10.0 * seconds)? {
+        for check in checks(&changed, 10.0 * seconds)? {
             let name = name(&check);
             // A formula that followed the change, and was met again, has held the scene to its law.
             let follows = check["status"] == "passed"
-                && expected.get(&name).is_some_and(|e| *e != check["expected"]);
-            if (check["status"] == "failed" || follows)
-                && let Some(by) = noticed.get_mut(&name)
-            {
-                by.push(what);
+                && sound.get(&name).is_some_and(|e| *e != check["expected"]);
+            if let Some(noticed) = noticed.get_mut(&name) {
+                *noticed |= check["status"] == "failed" || follows;
             }
         }
     }
@@ -140,57 +113,23 @@ fn broken(
 }
 
 fn name(check: &Value) -> String {
-    let word = |key: &str| check[key].as_str().unwrap_or_default();
-    let (case, name) = (word("case"), word("check"));
-    if case.is_empty() || case == "default" { name.to_owned() } else { format!("{case}: {name}") }
+    let words = ["case", "check"].map(|key| check[key].as_str().unwrap_or_default());
+    words.join(": ").trim_start_matches(": ").to_owned()
 }
 
-/// A scene in a folder of its own, with the data beside it.
-struct Copy {
-    path: PathBuf,
-}
-
-impl Copy {
-    fn new(root: &Path, scene: &str) -> Result<Self, String> {
-        let folder = root.join("target/mutate");
-        let _ = std::fs::remove_dir_all(&folder);
-        let data = folder.join("data");
-        std::fs::create_dir_all(&data).map_err(|e| format!("{}: {e}", data.display()))?;
-        let original = root.join(scene);
-        let beside = original.parent().unwrap_or(root).join("data");
-        for file in crate::source_tree::files(&beside, &[]) {
-            let to = data.join(file.file_name().unwrap_or_default());
-            std::fs::copy(&file, to).map_err(|e| format!("{}: {e}", file.display()))?;
-        }
-        let file = original.file_name().unwrap_or_default();
-        Ok(Self { path: folder.join(file) })
+/// Where a scene is copied to, in a folder of its own with the data beside it.
+fn copied(root: &Path, scene: &str) -> Result<PathBuf, String> {
+    let folder = root.join("target/mutate");
+    let _ = std::fs::remove_dir_all(&folder);
+    let data = folder.join("data");
+    std::fs::create_dir_all(&data).map_err(|e| format!("{}: {e}", data.display()))?;
+    let original = root.join(scene);
+    let beside = original.parent().unwrap_or(root).join("data");
+    for file in crate::source_tree::files(&beside, &[]) {
+        let to = data.join(file.file_name().unwrap_or_default());
+        std::fs::copy(&file, to).map_err(|e| format!("{}: {e}", file.display()))?;
     }
-
-    /// Its checks with that text; none where it cannot be run, or not in that time.
-    fn checks(&self, binary: &Path, text: &str, seconds: f64) -> Result<Vec<Value>, String> {
-        std::fs::write(&self.path, text).map_err(|e| format!("{}: {e}", self.path.display()))?;
-        let said = self.path.with_extension("jsonl");
-        let out = std::fs::File::create(&said).map_err(|e| e.to_string())?;
-        let mut child = Command::new(binary)
-            .args(["verify", "--json", "--jobs", "1"])
-            .arg(&self.path)
-            .stdin(Stdio::null())
-            .stdout(out)
-            .stderr(Stdio::null())
-            .spawn()
-            .map_err(|e| format!("{}: {e}", binary.display()))?;
-        let begun = Instant::now();
-        while child.try_wait().map_err(|e| e.to_string())?.is_none() {
-            if begun.elapsed().as_secs_f64() > seconds {
-                child.kill().map_err(|e| e.to_string())?;
-                child.wait().map_err(|e| e.to_string())?;
-                return Ok(Vec::new());
-            }
-            std::thread::sleep(std::time::Duration::from_millis(5));
-        }
-        let text = std::fs::read_to_string(&said).map_err(|e| e.to_string())?;
-        Ok(text.lines().filter_map(|line| serde_json::from_str(line).ok()).collect())
-    }
+    Ok(folder.join(original.file_name().unwrap_or_default()))
 }
 
 /// The text with the numbers behind these keys multiplied, checks apart. A key with a dot is looked for in tables of that name alone.

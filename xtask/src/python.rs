@@ -31,7 +31,7 @@ pub fn step(root: &Path) -> Result<Outcome, String> {
 }
 
 /// `cargo xtask wheel`: a release wheel in `target/wheels`; a portable one runs on Linux with an old C library too.
-pub fn wheel(root: &Path, portable: bool) -> Result<PathBuf, String> {
+pub fn wheel(root: &Path, portable: bool) -> Result<bool, String> {
     if portable && !cfg!(target_os = "linux") {
         return Err("a portable wheel is one for Linux: build it there".to_owned());
     }
@@ -42,7 +42,9 @@ pub fn wheel(root: &Path, portable: bool) -> Result<PathBuf, String> {
     } else {
         How::Release
     };
-    build(root, &python, &root.join("target/wheels"), how).map_err(Failed::text)
+    let wheel = build(root, &python, &root.join("target/wheels"), how).map_err(Failed::text)?;
+    println!("pip install {}", wheel.display());
+    Ok(true)
 }
 
 /// How a wheel is built.

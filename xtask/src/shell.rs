@@ -48,6 +48,22 @@ fn mark() -> String {
     }
 }
 
+/// Takes `name VALUE` out of `words`.
+pub fn option<'a>(words: &mut Vec<&'a str>, name: &str) -> Result<Option<&'a str>, String> {
+    let Some(at) = words.iter().position(|word| *word == name) else {
+        return Ok(None);
+    };
+    let value = *words.get(at + 1).ok_or_else(|| format!("{name} needs a value"))?;
+    words.drain(at..at + 2);
+    Ok(Some(value))
+}
+
+/// The same for a number.
+pub fn number(words: &mut Vec<&str>, name: &str) -> Result<Option<f64>, String> {
+    let value = option(words, name)?;
+    value.map(|v| v.parse().map_err(|_| format!("{name} needs a number, not {v}"))).transpose()
+}
+
 /// The cargo that started this program.
 pub fn cargo() -> String {
     std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
@@ -115,6 +131,16 @@ fn read_counts(line: &str) -> Option<Counts> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn options_are_taken_out_of_the_words() {
+        let mut words = vec!["a", "--tries", "7", "b"];
+        assert_eq!(number(&mut words, "--tries"), Ok(Some(7.0)));
+        assert_eq!(words, ["a", "b"]);
+        assert_eq!(option(&mut words, "--binary"), Ok(None));
+        assert!(number(&mut vec!["--tries"], "--tries").is_err());
+        assert!(number(&mut vec!["--tries", "x"], "--tries").is_err());
+    }
 
     #[test]
     fn counts_are_read_from_cargo_and_from_riprap() {

@@ -1,7 +1,7 @@
 //! The steps of `cargo xtask test`, in the order in which they are worth knowing.
 
 use std::path::Path;
-use std::process::{Command, ExitCode};
+use std::process::Command;
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Instant;
 
@@ -83,11 +83,10 @@ pub const STEPS: &[Step] = &[
 
 /// Runs the steps named in `only` (all when empty), two at a time where cores allow. All run even if one fails, but for
 /// those that need its result.
-pub fn run(root: &Path, only: &[&str]) -> ExitCode {
+pub fn run(root: &Path, only: &[&str]) -> Result<bool, String> {
     if let Some(unknown) = only.iter().find(|name| STEPS.iter().all(|s| s.name != **name)) {
         let names: Vec<&str> = STEPS.iter().map(|s| s.name).collect();
-        eprintln!("there is no step {unknown:?}; the steps are {}", names.join(", "));
-        return ExitCode::from(2);
+        return Err(format!("there is no step {unknown:?}; the steps are {}", names.join(", ")));
     }
     let begun = Instant::now();
     let chosen: Vec<&Step> =
@@ -102,7 +101,7 @@ pub fn run(root: &Path, only: &[&str]) -> ExitCode {
         println!("{:<9} {:>9.1}  {}", step.name, report.seconds, report.said);
     }
     println!("{} passed, {} failed, {} skipped", total.passed, total.failed, total.skipped);
-    if total.failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    Ok(total.failed == 0)
 }
 
 /// How a step ended.
@@ -215,18 +214,12 @@ fn perform(root: &Path, step: &Step) -> Report {
 }
 
 /// `cargo xtask docs`.
-pub fn docs_only(root: &Path) -> ExitCode {
-    match docs_step(root) {
-        Ok(Outcome::Counted(counts)) if counts.failed == 0 => {
-            println!("open target/doc/riprap/index.html");
-            ExitCode::SUCCESS
-        }
-        Ok(Outcome::Counted(_) | Outcome::Skipped(_)) => ExitCode::FAILURE,
-        Err(why) => {
-            eprintln!("{why}");
-            ExitCode::FAILURE
-        }
+pub fn docs_only(root: &Path) -> Result<bool, String> {
+    let good = matches!(docs_step(root)?, Outcome::Counted(Counts { failed: 0, .. }));
+    if good {
+        println!("open target/doc/riprap/index.html");
     }
+    Ok(good)
 }
 
 /// One check, or as many failures as were found.

@@ -4,7 +4,7 @@
 //! its folders is called `long`, *fast* otherwise. Only scenes with `[[checks]]` are run.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode, Stdio};
+use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use serde_json::Value;
@@ -33,6 +33,12 @@ pub fn ci_binary(root: &Path) -> Result<PathBuf, String> {
     command.args(["test", "--workspace", "--locked", "--profile", "ci"]);
     command.args(["--no-run", "--quiet"]);
     binary(root, &mut command, "ci")
+}
+
+/// The binary that `--binary FILE` names among `words`, or that of the tests.
+pub fn chosen_binary(root: &Path, words: &mut Vec<&str>) -> Result<PathBuf, String> {
+    let given = shell::option(words, "--binary")?;
+    given.map_or_else(|| ci_binary(root), |file| Ok(root.join(file)))
 }
 
 fn binary(root: &Path, build: &mut Command, profile: &str) -> Result<PathBuf, String> {
@@ -158,23 +164,18 @@ pub fn table_step(root: &Path) -> Result<Outcome, String> {
 
 /// `cargo xtask verify-all [SCENE]...`: runs every scene, or those named, and writes the table; `--from FILE`: takes what has been
 /// run already; `--table`: runs nothing, and shows what is stale; `--probes`: makes the probes that are missing.
-pub fn all(root: &Path, words: &[&str]) -> ExitCode {
-    let done = match words {
-        ["--table"] => rewrite(root, &[], None).map(|()| 0),
-        ["--probes"] => {
-            ci_binary(root).and_then(|binary| rewrite(root, &[], Some(&binary)).map(|()| 0))
-        }
+pub fn all(root: &Path, words: &[&str]) -> Result<bool, String> {
+    match words {
+        ["--table"] => rewrite(root, &[], None).map(|()| true),
+        ["--probes"] => rewrite(root, &[], Some(&ci_binary(root)?)).map(|()| true),
         ["--from", file] => taken(root, file),
         chosen => run_all(root, chosen),
-    };
-    match done {
-        Ok(0) => ExitCode::SUCCESS,
-        Ok(_) => ExitCode::FAILURE,
-        Err(why) => {
-            eprintln!("{why}");
-            ExitCode::FAILURE
-        }
     }
+}
+
+/// Whether no check failed.
+fn none_failed(checks: &[Value]) -> bool {
+    checks.iter().all(|c| c["status"] != "failed")
 }
 
 /// A check that stands in the list twice, as where two files were joined: it would be counted twice.
@@ -217,38 +218,26 @@ fn rewrite(root: &Path, checks: &[Value], binary: Option<&Path>) -> Result<(), S
     Ok(())
 }
 
-fn taken(root: &Path, file: &str) -> Result<u64, String> {
+fn taken(root: &Path, file: &str) -> Result<bool, String> {
     let text = std::fs::read_to_string(root.join(file)).map_err(|e| format!("{file}: {e}"))?;
     let checks = parse(&text)?;
-    let long = |check: &Value| check["scene"].as_str().is_some_and(table::is_long);
-    let binary = match checks.iter().any(long) {
-        true => Some(ci_binary(root)?),
-        false => None,
-    };
+    let long = checks.iter().any(|check| check["scene"].as_str().is_some_and(table::is_long));
+    let binary = if long { Some(ci_binary(root)?) } else { None };
     rewrite(root, &checks, binary.as_deref())?;
-    Ok(checks.iter().filter(|c| c["status"] == "failed").count() as u64)
+    Ok(none_failed(&checks))
 }
 
-fn run_all(root: &Path, chosen: &[&str]) -> Result<u64, String> {
+fn run_all(root: &Path, chosen: &[&str]) -> Result<bool, String> {
     let (fast, long) = table::scenes(root);
-    let known: Vec<String> = fast.into_iter().chain(long).collect();
-    if known.is_empty() {
-        return Err("there are no scenes with checks under scenes/".to_owned());
-    }
-    if let Some(wrong) = chosen.iter().find(|c| known.iter().all(|k| k != *c)) {
+    let known: Vec<&str> = fast.iter().chain(&long).map(String::as_str).collect();
+    let first = known.first().ok_or("there are no scenes with checks under scenes/")?;
+    if let Some(wrong) = chosen.iter().find(|c| !known.contains(c)) {
         return Err(format!(
-            "`{wrong}` is no scene with checks; name it as the table does, e.g. `{}`",
-            known[0]
+            "`{wrong}` is no scene with checks; name it as the table does, e.g. `{first}`"
         ));
     }
-    let chosen: Vec<&str> = if chosen.is_empty() {
-        known.iter().map(String::as_str).collect()
-    } else {
-        chosen.to_vec()
-    };
     let binary = release_binary(root)?;
-    let (checks, success) = run(root, &binary, &chosen)?;
+    let (checks, success) = run(root, &binary, if chosen.is_empty() { &known } else { chosen })?;
     rewrite(root, &checks, Some(&binary))?;
-    let failed = checks.iter().filter(|r| r["status"] == "failed").count() as u64;
-    Ok(failed + u64::from(!success && failed == 0))
+    Ok(success && none_failed(&checks))
 }

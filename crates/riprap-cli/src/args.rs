@@ -27,7 +27,7 @@ pub const VERSION: &str = concat!(
 const FIRST_STEPS: &str = "\
 First steps:
   riprap new hill --template slope       write a scene to start from
-  riprap check hill.toml                 look at it without running it
+  riprap check hill.toml                 check it without running it
   riprap run hill.toml                   run it; results go to hill.run/
   riprap view hill.run                   watch it in the browser
   riprap plot hill.run                   draw what happened
@@ -41,7 +41,7 @@ Exit codes:
 
 /// Discrete-element simulation of blocky rock.
 ///
-/// A scene is a TOML file: blocks, how they touch, what pushes them, what to record. Every
+/// A scene is a TOML file: blocks, interfaces, loads and what to record. Every
 /// quantity has its unit, and a scene can check its own results.
 #[derive(Debug, Parser)]
 #[command(name = "riprap", version = VERSION, after_help = FIRST_STEPS, arg_required_else_help = true)]
@@ -102,22 +102,22 @@ pub struct Scene {
 /// What is changed in a scene before it is read.
 #[derive(Clone, Debug, Default, Args)]
 pub struct Change {
-    /// Change a key of the scene; repeatable. Quantities keep their units
+    /// Set a key of the scene; repeatable. Quantities need their units
     ///
-    /// Keys are written with dots; entries of lists by number or by their name.
+    /// Keys are paths with dots; entries of lists are given by number or name.
     /// Examples:
     ///   --set 'interfaces.default.friction_angle=20 deg'
     ///   --set blocks.slope.shift.0='1 m'
     #[arg(long = "set", value_name = "KEY=VALUE", verbatim_doc_comment, value_parser = key_value)]
     pub set: Vec<(String, String)>,
-    /// Take one case of the scene: a variant, or values of its sweep; a wrong name lists them
+    /// Select one case of the scene: a variant, or values of its sweep; an unknown name lists them
     #[arg(long, value_name = "NAME")]
     pub case: Option<String>,
 }
 
 /// Write a scene to start from.
 ///
-/// The templates are scenes of the library that run as they stand.
+/// The templates are complete scenes of the library, ready to run.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -133,16 +133,16 @@ pub struct New {
     /// List the templates
     #[arg(short, long)]
     pub list: bool,
-    /// Replace a file that is already there
+    /// Replace an existing file
     #[arg(long)]
     pub force: bool,
 }
 
-/// Look at a scene without running it.
+/// Check a scene without running it.
 ///
-/// Checks words, units, names and geometry, and tells what to expect: blocks, contacts,
-/// slivers, overlaps, the stable time step and which block sets it, steps and time of the run.
-/// Ends with code 2 when the scene cannot run.
+/// Checks syntax, units, names and geometry, and reports what to expect: blocks, contacts,
+/// slivers, overlaps, the stable time step and the block that governs it, steps and time of the run.
+/// Exits with code 2 when the scene cannot run.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -160,7 +160,7 @@ pub struct Check {
 /// Run a scene.
 ///
 /// Results go to a run folder: histories and energies as CSV, frames for ParaView, checkpoints,
-/// and a manifest that says how it ended. Ctrl-C stops at the next step and leaves a checkpoint;
+/// and a manifest that records how it ended. Ctrl-C stops at the next step and writes a checkpoint;
 /// Ctrl-C again quits at once.
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -176,7 +176,7 @@ pub struct Run {
     /// Folder for the results [default: the scene's name with .run, in the working folder]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Replace results that are already there
+    /// Replace existing results
     #[arg(long)]
     pub force: bool,
 }
@@ -184,18 +184,18 @@ pub struct Run {
 /// How to compute; never what.
 #[derive(Debug, Args)]
 pub struct How {
-    /// Threads; the result is the same bit for bit [default: all cores]
+    /// Threads; the results are bitwise identical for any number [default: all cores]
     #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
-    /// No progress, only warnings and errors
+    /// No progress output, only warnings and errors
     #[arg(short, long)]
     pub quiet: bool,
 }
 
-/// Go on with a run that was stopped.
+/// Resume a stopped run.
 ///
-/// Continues from the last good checkpoint in the run folder. The result equals, bit for bit,
-/// that of a run that was never stopped. A run that has already ended is left alone.
+/// Continues from the last valid checkpoint in the run folder. The result is bitwise identical
+/// to that of an uninterrupted run. A run that has already ended is not changed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -210,7 +210,7 @@ pub struct Resume {
 
 /// Run a scene over the values of its [sweep].
 ///
-/// Each combination gets its own sub-folder; `sweep.csv` has one row for each.
+/// Each combination has its own subfolder; `sweep.csv` has one row per combination.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -227,14 +227,14 @@ pub struct Sweep {
     /// Folder for the results [default: the scene's name with .sweep, in the working folder]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Replace results that are already there
+    /// Replace existing results
     #[arg(long)]
     pub force: bool,
 }
 
-/// Find the value of a key at which the scene begins to fail.
+/// Find the limit value of a key at which the scene starts to fail.
 ///
-/// Runs the scene again and again, halving the interval of its [bisect] table each time.
+/// Runs the scene repeatedly, halving the interval of its [bisect] table each time.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -257,12 +257,12 @@ pub struct Bisect {
     pub json: bool,
 }
 
-/// Find the factor of safety of a scene, or the limit of any number of it.
+/// Find the factor of safety of a scene, or the limit value of one of its keys.
 ///
-/// Cohesion, tension and tan(friction angle) of the interfaces are divided by a factor F, which is searched for by doubling
-/// and halving: at the largest F with which the model comes to rest it is safe. The phases of the scene are run
-/// first; every trial then goes on from the last stable state, as a static phase. With --quantity a key takes the place of F: a load, a
-/// water level, an angle, a thickness; every trial then begins anew. Writes a table of the trials and a run of the mechanism into a folder.
+/// Strength reduction: cohesion, tension and tan(friction angle) of the interfaces are divided by a factor F, found by doubling
+/// and bisection; the factor of safety is the largest F with which the model reaches equilibrium. The phases of the scene are run
+/// first; each trial continues from the last stable state, as a static phase. With --quantity a key takes the place of F: a load, a
+/// water level, an angle, a thickness; each trial then starts from the beginning. Writes a table of the trials and a run of the mechanism into a folder.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -271,17 +271,17 @@ Examples:
   riprap safety slope.toml --groups wedge
   riprap safety arch.toml --quantity blocks.arch.arch.thickness --range '1 m..1.15 m' --width '2 mm'
 
-A trial is stable when the unbalanced forces have died down, failing when a block has moved more than --moved
-and the kinetic energy goes on growing, undecided otherwise; the answer is then a wider range.")]
+A trial is stable when the unbalanced-force ratio falls below --balance, failing when a block has moved more than --moved
+and the kinetic energy keeps growing, and undecided otherwise; the answer is then a wider range.")]
 pub struct Safety {
     #[command(flatten)]
     pub scene: Scene,
     #[command(flatten)]
     pub how: How,
-    /// Width of the answer, of a quantity with its unit [default: 0.01; a hundredth of the range]
+    /// Width of the final range; of a quantity with its unit [default: 0.01; a hundredth of the range]
     #[arg(long, value_name = "F")]
     pub width: Option<String>,
-    /// Interfaces whose strength is reduced, with commas between [default: all]
+    /// Interfaces whose strength is reduced, separated by commas [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "quantity")]
     pub interfaces: Vec<String>,
     /// Materials: only strengths between a block of one of them and any other are reduced [default: all]
@@ -290,28 +290,28 @@ pub struct Safety {
     /// Groups of blocks: only strengths between a block of one of them and any other are reduced [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "quantity")]
     pub groups: Vec<String>,
-    /// Search for the limit of this key, in place of the factor of safety
+    /// Search for the limit value of this key instead of the factor of safety
     #[arg(long, value_name = "KEY", requires = "range")]
     pub quantity: Option<String>,
-    /// Values of the key between which the limit lies, either end of which may stand
+    /// Values of the key that bracket the limit; either end may be the stable one
     #[arg(long, value_name = "A..B", requires = "quantity")]
     pub range: Option<String>,
-    /// Displacement from which on a trial may count as failing, with its unit [default: a thousandth of a block]
+    /// Displacement above which a trial may count as failing, with its unit [default: a thousandth of a block]
     #[arg(long, value_name = "LENGTH")]
     pub moved: Option<String>,
-    /// Unbalanced forces over all forces at which a trial is stable
+    /// Unbalanced-force ratio below which a trial is stable
     #[arg(long, value_name = "RATIO", default_value_t = 1e-5)]
     pub balance: f64,
-    /// Steps after which a trial is undecided
+    /// Steps after which a trial counts as undecided
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     pub steps: u64,
-    /// Run the scene from its start with reduced strengths in every trial: slower, and another stress path
+    /// Run the scene from its start with reduced strengths in every trial: slower, and with another stress path
     #[arg(long, conflicts_with = "quantity")]
     pub from_start: bool,
     /// Folder for the results [default: the scene's name with .safety, in the working folder]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Replace results that are already there
+    /// Replace existing results
     #[arg(long)]
     pub force: bool,
     /// Print each trial and the answer as JSON lines
@@ -319,10 +319,10 @@ pub struct Safety {
     pub json: bool,
 }
 
-/// Run a scene under both normal laws and show the difference.
+/// Run a scene with both normal laws and show the difference.
 ///
-/// Two independent laws on one model are a cross-check: where they agree, the law does not
-/// matter; where they differ, look closer.
+/// Two independent contact laws on one model are a cross-check: where they agree, the law does not
+/// matter; where they differ, examine the contact.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -335,16 +335,16 @@ pub struct Compare {
     /// Folder for the results [default: the scene's name with .compare, in the working folder]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Replace results that are already there
+    /// Replace existing results
     #[arg(long)]
     pub force: bool,
 }
 
-/// Show the contact forces of a scene at its start, without a step.
+/// Show the contact forces of a scene at its start, without any step.
 ///
-/// One row a contact: overlap, length, centre, force on the first block, moments about each block's
-/// own centroid, and the contact types of the source law. Blocks that do not touch and are nearer
-/// than the threshold follow with their gap.
+/// One row per contact: overlap, length, centre, force on the first block, moments about each block's
+/// own centroid, and the contact types of the source law. Blocks closer than the threshold that do not
+/// touch follow with their gap.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -365,32 +365,32 @@ pub struct ProbeContact {
     pub json: bool,
 }
 
-/// Run scenes and test their checks.
+/// Run scenes and evaluate their checks.
 ///
-/// Prints a line a check and closes with `N passed, N failed, N skipped`. Skipped are checks
-/// that the scene marks as known failures: they are run and shown with their reason. Ends with
-/// code 1 when a check failed, 2 when there was none.
+/// Prints one line per check and a summary `N passed, N failed, N skipped`. Skipped are checks
+/// that the scene marks as known failures: they are run and shown with their reason. Exits with
+/// code 1 when a check failed, 2 when no scene has checks.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   riprap verify scenes/verify/planar
   riprap verify slide.toml --strict")]
 pub struct Verify {
-    /// Scenes, or folders whose scenes are all run
+    /// Scenes, or folders with scenes
     #[arg(value_name = "PATH", required = true)]
     pub paths: Vec<PathBuf>,
     /// Count known failures as failed
     #[arg(long)]
     pub strict: bool,
-    /// Scenes run side by side [default: all cores]
+    /// Scenes to run in parallel [default: all cores]
     #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub jobs: Option<u16>,
-    /// Print one JSON object a check
+    /// Print one JSON object per check
     #[arg(long)]
     pub json: bool,
 }
 
-/// List the fields that histories, checks and frames can name.
+/// List the fields available in histories, checks and frames.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Example:
@@ -403,9 +403,9 @@ pub struct Fields {
 
 /// Explain a scene, a key of the scenario language or a concept.
 ///
-/// For a file: the resolved scene, every default filled in, with where each value came from.
-/// For a key: what it means, its unit, its default and its range. For a field: its unit and meaning. For any other word:
-/// the verbs, keys, fields, pages and scenes that speak of it.
+/// For a file: the resolved scene with all defaults, and the origin of each value.
+/// For a key: its meaning, unit, default and range. For a field: its meaning and unit. For any other word:
+/// the commands, keys, fields, pages and scenes that mention it.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -422,7 +422,7 @@ pub struct Explain {
 
 /// Print the JSON schema of the scenario language, for editors.
 ///
-/// Put `#:schema ./riprap.schema.json` at the top of a scene and an editor with TOML support
+/// With `#:schema ./riprap.schema.json` at the top of a scene, an editor with TOML support
 /// completes and explains keys.
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -434,9 +434,9 @@ pub struct Schema {
     pub markdown: bool,
 }
 
-/// Print the fingerprint of a scene, or of the final state of a run.
+/// Print the hash of a scene, or of the final state of a run.
 ///
-/// Equal fingerprints of two runs mean bitwise equal final states.
+/// Equal hashes of two runs mean bitwise identical final states.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -450,7 +450,7 @@ pub struct Hash {
     pub change: Change,
 }
 
-/// Show what riprap sees of this machine.
+/// Show what riprap detects on this machine.
 #[derive(Debug, Args)]
 pub struct Doctor {}
 

@@ -56,7 +56,7 @@ pub fn find(query: &str) -> Option<String> {
         return None;
     }
     let mut text = String::new();
-    section(&mut text, "verbs (riprap VERB --help)", verbs(&wanted));
+    section(&mut text, "commands (riprap COMMAND --help)", verbs(&wanted));
     section(&mut text, "keys (riprap explain KEY)", keys(&wanted));
     section(&mut text, "fields (riprap fields)", fields(&wanted));
     section(&mut text, "pages", texts(PAGES, &wanted));
@@ -139,7 +139,7 @@ pub fn field(name: &str) -> Option<String> {
             continue;
         };
         let parts = match info.shape {
-            Shape::Scalar => "a number",
+            Shape::Scalar => "a scalar",
             Shape::Vector => "a vector: .x, .y, .magnitude",
             Shape::Vector3 => "a vector: .x, .y, .z, .magnitude",
         };
@@ -151,7 +151,9 @@ pub fn field(name: &str) -> Option<String> {
     if text.is_empty() {
         return None;
     }
-    text.push_str("\nFields are recorded by outputs.*.history and expected by checks; riprap fields lists all.\n");
+    text.push_str(
+        "\nFields are read by outputs.*.history and by checks; riprap fields lists all.\n",
+    );
     Some(text)
 }
 

@@ -17,7 +17,9 @@ pub fn let_full_files_be_errors() {
         if let Err(error) = signals.thread_block() {
             diagnostics::print_line(
                 "note",
-                &format!("files that are too large will end riprap by a signal: {error}"),
+                &format!(
+                    "could not block SIGXFSZ, so riprap will be terminated when a file exceeds the size limit: {error}"
+                ),
             );
         }
     }
@@ -53,7 +55,7 @@ impl Interrupt {
                 quit();
             }
             diagnostics::say(
-                "\nstopping at the next step with a checkpoint; Ctrl-C again quits at once",
+                "\nstopping at the next step and writing a checkpoint; press Ctrl-C again to quit at once",
             );
         })
         .map_err(|e| Failure::Input(format!("could not listen for Ctrl-C: {e}")))?;

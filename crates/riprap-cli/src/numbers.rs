@@ -83,13 +83,14 @@ pub fn grouped(number: u64) -> String {
     text
 }
 
-/// A wall time: `0.4 s`, `42 s`, `6 min 40 s`, `3 h 05 min`.
+/// A wall time: `under 0.1 s`, `0.4 s`, `42 s`, `6 min 40 s`, `3 h 05 min`.
 pub fn duration(seconds: f64) -> String {
     if !seconds.is_finite() {
         return "?".to_owned();
     }
     let whole = seconds.max(0.0).round() as u64;
     match whole {
+        0 if seconds < 0.05 => "under 0.1 s".to_owned(),
         0..10 => format!("{seconds:.1} s"),
         10..60 => format!("{whole} s"),
         60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
@@ -140,6 +141,7 @@ mod tests {
         assert_eq!(ratio(3.14e-4), "3.1e-4");
         assert_eq!(ratio(0.25), "0.25");
         assert_eq!(ratio(0.0), "0");
+        assert_eq!(duration(0.04), "under 0.1 s");
         assert_eq!(duration(0.44), "0.4 s");
         assert_eq!(duration(42.2), "42 s");
         assert_eq!(duration(400.0), "6 min 40 s");

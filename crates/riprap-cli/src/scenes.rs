@@ -15,6 +15,13 @@ pub fn prepare(scene: &args::Scene, style: Style, quiet: bool) -> Result<Prepare
     prepare_file(&scene.file, &scene.change, style, quiet)
 }
 
+/// Reads the scene and finds the case the user asked for.
+pub fn chosen(scene: &args::Scene) -> Result<(Scene, Case), Failure> {
+    let read = load(&scene.file, &scene.change)?;
+    let case = case(&read, &scene.change)?;
+    Ok((read, case))
+}
+
 /// Reads a scene. A file that is not there is answered with the one beside it that was meant, if there is one.
 pub fn load(file: &Path, change: &Change) -> Result<Scene, Failure> {
     Scene::load(file, &change.set).map_err(|error| match meant(file) {
@@ -58,8 +65,18 @@ pub fn prepare_file(
     quiet: bool,
 ) -> Result<Prepared, Failure> {
     let scene = load(file, change)?;
-    let case = case(&scene, change)?;
-    let prepared = scene.prepare(&case)?;
+    prepare_case(&scene, &case(&scene, change)?, change, style, quiet)
+}
+
+/// As [`prepare`], for a scene that has been read.
+pub fn prepare_case(
+    scene: &Scene,
+    case: &Case,
+    change: &Change,
+    style: Style,
+    quiet: bool,
+) -> Result<Prepared, Failure> {
+    let prepared = scene.prepare(case)?;
     if !quiet {
         warn(&prepared, style);
         if change.case.is_none() && scene.cases.len() > 1 {
@@ -70,7 +87,7 @@ pub fn prepare_file(
             diagnostics::print_line(
                 "note",
                 &format!(
-                    "this scene has {count} cases; `riprap sweep` runs them all, `--case` one of them: {names}{more}"
+                    "this scene has {count} cases; `riprap sweep` runs all, `--case` runs one: {names}{more}"
                 ),
             );
         }
@@ -94,7 +111,7 @@ pub fn case(scene: &Scene, change: &Change) -> Result<Case, Failure> {
     scene.case(wanted).ok_or_else(|| {
         let names: Vec<&str> = scene.cases.iter().map(|case| case.name.as_str()).collect();
         Failure::Input(format!(
-            "{} has no case {wanted:?}; its cases are {}",
+            "{} has no case {wanted:?}; valid cases: {}",
             scene.path.display(),
             names.join(", ")
         ))

@@ -59,13 +59,13 @@ fn unknown(word: &str) -> String {
         .or_else(|| turned(&lower, &verbs))
         .or_else(|| nearest(&lower, verbs.iter().copied()));
     if word.ends_with(".toml") {
-        return format!("{word:?} is no verb; to run a scene write: riprap run {word}");
+        return format!("{word:?} is not a command; to run a scene write: riprap run {word}");
     }
     match meant {
         Some(verb) => format!(
-            "there is no verb {word:?}; did you mean `riprap {verb}`? `riprap --help` lists all"
+            "unknown command {word:?}; did you mean `riprap {verb}`? `riprap --help` lists all commands"
         ),
-        None => format!("there is no verb {word:?}; the verbs are {}", verbs.join(", ")),
+        None => format!("unknown command {word:?}; valid commands: {}", verbs.join(", ")),
     }
 }
 

@@ -236,7 +236,7 @@ pub enum FieldError {
         known: Vec<String>,
     },
     /// `.x` and so on asked of a number.
-    #[error("`{name}` asks for a component, but `{field}` is a single number: write `{field}`")]
+    #[error("`{name}` names a component, but `{field}` is a scalar; write `{field}`")]
     NoComponents {
         /// What was asked for.
         name: String,
@@ -245,7 +245,7 @@ pub enum FieldError {
     },
     /// `.z` asked of a vector in the plane.
     #[error(
-        "`{name}` asks for a third component, but `{field}` lies in the plane: write `{field}.x`, `.y` or `.magnitude`"
+        "`{name}` names a third component, but `{field}` is a vector in the plane; write `{field}.x`, `.y` or `.magnitude`"
     )]
     NoSuchComponent {
         /// What was asked for.

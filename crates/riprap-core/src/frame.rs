@@ -143,18 +143,18 @@ impl Solids {
             || !covers(&self.faces, self.ends.len().saturating_sub(1))
             || !covers(&self.ends, self.corners.len())
         {
-            return Some("the lists of faces do not fit together");
+            return Some("the lists of faces are inconsistent");
         }
         for (i, range) in blocks.windows(2).enumerate() {
             let points = range[1] - range[0];
             if self.faces[i] == self.faces[i + 1] && points != 8 {
-                return Some("a brick has not eight corners");
+                return Some("a brick does not have eight corners");
             }
             let faces = self.faces[i] as usize..self.faces[i + 1] as usize;
             for f in faces {
                 let corners = &self.corners[self.ends[f] as usize..self.ends[f + 1] as usize];
                 if corners.iter().any(|&c| c >= points) {
-                    return Some("a face names a corner that its block has not");
+                    return Some("a face names a corner that its block does not have");
                 }
             }
         }

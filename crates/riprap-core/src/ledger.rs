@@ -314,8 +314,8 @@ impl std::fmt::Display for Unexplained {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Residual => "the energy residual",
-            Self::LawDefect => "the energy that contacts and joints made or lost (`law_defect`)",
-            Self::Steps => "the energy that changes of the time step made (`step_change`)",
+            Self::LawDefect => "the energy created or lost by contacts and joints (`law_defect`)",
+            Self::Steps => "the energy created by changes of the time step (`step_change`)",
         })
     }
 }

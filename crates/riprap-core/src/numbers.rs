@@ -10,7 +10,7 @@ pub fn below(
     count: usize,
 ) -> Result<(), String> {
     match numbers.into_iter().find(|k| *k as usize >= count) {
-        Some(k) => Err(format!("{what} {k} of {count} is not there")),
+        Some(k) => Err(format!("{what} {k} is out of range ({count})")),
         None => Ok(()),
     }
 }
@@ -20,5 +20,9 @@ pub fn below(
 /// # Errors
 /// A list of another length.
 pub fn one_each(what: &str, length: usize, count: usize) -> Result<(), String> {
-    if length == count { Ok(()) } else { Err(format!("there are {length} {what} of {count}")) }
+    if length == count {
+        Ok(())
+    } else {
+        Err(format!("there are {length} {what} instead of {count}"))
+    }
 }

@@ -5,8 +5,8 @@ use std::{fs, io};
 
 /// Written by hand, or an input that was once a fault: a folder for each target.
 const BY_HAND: &str = "corpus";
-/// What `cargo xtask fuzz --keep` found: the fewest inputs that reach all the code that it reached.
-pub const FOUND: &str = "found";
+/// What guided runs found: few inputs that reach much of the code that they reached.
+const FOUND: &str = "found";
 /// Files that the tests of the readers have: those with the name of a target as their extension belong to its corpus too.
 const DATA: [&str; 2] =
     ["../riprap-scenario/tests/data/msh", "../riprap-scenario/tests/data/shapes"];
@@ -17,11 +17,11 @@ pub fn folder() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The files of a target that somebody wrote, sorted.
+/// All files of a target: those that somebody wrote, sorted, then what was found.
 ///
 /// # Errors
 /// A folder cannot be read.
-pub fn by_hand(target: &str) -> io::Result<Vec<PathBuf>> {
+pub fn all(target: &str) -> io::Result<Vec<PathBuf>> {
     let mut paths = listed(&folder().join(BY_HAND).join(target))?;
     for data in DATA {
         let all = listed(&folder().join(data))?;
@@ -29,15 +29,6 @@ pub fn by_hand(target: &str) -> io::Result<Vec<PathBuf>> {
         paths.extend(all.into_iter().filter(own));
     }
     paths.sort();
-    Ok(paths)
-}
-
-/// All files of a target: those that somebody wrote, then what was found.
-///
-/// # Errors
-/// A folder cannot be read.
-pub fn all(target: &str) -> io::Result<Vec<PathBuf>> {
-    let mut paths = by_hand(target)?;
     paths.extend(listed(&folder().join(FOUND).join(target))?);
     Ok(paths)
 }

@@ -198,18 +198,6 @@ pub fn numbers(text: &str) -> Vec<(usize, usize)> {
     found
 }
 
-/// A scene without its checks.
-pub fn without_checks(text: &str) -> String {
-    let mut check = false;
-    let kept = text.split_inclusive('\n').filter(|line| {
-        if line.starts_with('[') {
-            check = line.starts_with("[[checks]]") || line.starts_with("[checks");
-        }
-        !check
-    });
-    kept.collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

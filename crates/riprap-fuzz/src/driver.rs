@@ -1,7 +1,7 @@
 //! Runs a target over its corpus and over damaged copies of it.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use std::{fs, io};
@@ -99,20 +99,21 @@ pub fn attempt(target: &Target, input: &[u8]) -> Outcome {
 }
 
 /// Tries the corpus as it is, then damaged copies of it, and what was taken of these again; the same tries for the same seed. What fails
-/// is kept in `target/fuzz/failures/TARGET`.
+/// is kept in `target/fuzz/failures/TARGET`. Each input is written to the file `last` before it is tried: one that ends the process is
+/// there afterwards.
 #[must_use]
-pub fn campaign(target: &Target, seeds: &Seeds, seed: u64, tries: u64) -> Tally {
-    campaign_after(target, seeds, seed, tries, |_| {})
-}
-
-/// As [`campaign`], with something done with each input before it is tried: one that ends the process is kept by it.
-pub fn campaign_after(
+pub fn campaign(
     target: &Target,
     seeds: &Seeds,
     seed: u64,
     tries: u64,
-    mut before: impl FnMut(&[u8]),
+    last: Option<&Path>,
 ) -> Tally {
+    let before = |input: &[u8]| {
+        if let Some(error) = last.and_then(|last| fs::write(last, input).err()) {
+            eprintln!("the last input cannot be written: {error}");
+        }
+    };
     let mut chance = Chance::new(seed);
     let mut pool: Vec<Vec<u8>> = seeds.files.iter().map(|(_, bytes)| bytes.clone()).collect();
     let own = pool.len();

@@ -1,8 +1,8 @@
 //! Fuzz targets: functions of bytes that must never panic, hang or give a wrong answer, whatever the bytes are.
 //!
-//! Two drivers call them: the test of this crate (a short run, the same in every run of CI) and `cargo run -p riprap-fuzz` (as long as one
-//! likes). Both start from the files of `corpus/TARGET` and from those with which the readers are tested, damage them by chance, and go on
-//! from what was taken. An input that was once a fault stays in the corpus.
+//! Two drivers call them: the test of this crate (a short run, the same in every run of CI, or as long as one likes) and libFuzzer, through
+//! the package `fuzz/` and cargo-fuzz. The test starts from the files of `corpus/TARGET` and from those with which the readers are tested,
+//! damages them by chance, and goes on from what was taken. An input that was once a fault stays in the corpus.
 
 pub mod corpus;
 pub mod damage;
@@ -16,9 +16,7 @@ mod readers;
 mod scenes;
 
 #[cfg(feature = "targets")]
-pub use driver::{
-    Outcome, Seeds, Tally, altered, attempt, bound_memory, campaign, campaign_after, seeds,
-};
+pub use driver::{Outcome, Seeds, Tally, altered, attempt, bound_memory, campaign, seeds};
 
 /// One way into the program.
 #[cfg(feature = "targets")]
@@ -121,14 +119,22 @@ pub fn target(name: &str) -> Option<&'static Target> {
 mod tests {
     use super::*;
 
-    /// The same damage in every run: a failure comes again with `cargo run -p riprap-fuzz -- --target NAME FILE`.
+    /// The same damage in every run, unless the environment asks for another seed (`RIPRAP_FUZZ_SEED`), so many tries of each target
+    /// (`RIPRAP_FUZZ_TRIES`), one target (`RIPRAP_FUZZ_TARGET`), or the last input in a file (`RIPRAP_FUZZ_LAST`).
     #[test]
     fn no_target_fails_in_a_short_run() {
         bound_memory().unwrap();
-        for target in TARGETS {
+        let asked = |what: &str| std::env::var(format!("RIPRAP_FUZZ_{what}")).ok();
+        let number = |what: &str| asked(what).map(|text| text.parse::<u64>().expect(what));
+        let last = asked("LAST").map(std::path::PathBuf::from);
+        let only = asked("TARGET").map(|name| target(&name).expect("a target of that name").name);
+        for target in TARGETS.iter().filter(|t| only.is_none_or(|name| name == t.name)) {
             let seeds = seeds(target).unwrap();
             assert!(!seeds.files.is_empty(), "{}: no corpus", target.name);
-            let tally = campaign(target, &seeds, 1, target.short);
+            let (seed, tries) =
+                (number("SEED").unwrap_or(1), number("TRIES").unwrap_or(target.short));
+            let tally = campaign(target, &seeds, seed, tries, last.as_deref());
+            println!("{}: {} tries, {} taken", target.name, tally.tries, tally.taken);
             assert!(tally.failures.is_empty(), "{}: {:#?}", target.name, tally.failures);
             assert!(tally.sound > 0, "{}: no file of its corpus is taken", target.name);
             // Damage that is always refused tests the first line of a reader alone.
@@ -148,6 +154,29 @@ mod tests {
             let program = format!("name = \"{name}\"\npath = \"fuzz_targets/{name}.rs\"");
             assert!(manifest.contains(&program), "fuzz/Cargo.toml: no {name}");
             assert!(folder.join(format!("fuzz_targets/{name}.rs")).exists());
+        }
+    }
+
+    /// Lines `name = ...` of a lock file, each with its `version = ...`.
+    fn locked(file: &std::path::Path) -> Vec<String> {
+        let text = std::fs::read_to_string(file).unwrap();
+        let lines: Vec<&str> = text.lines().collect();
+        let named = lines.windows(2).filter(|w| w[0].starts_with("name = "));
+        named.map(|w| w.join(", ")).collect()
+    }
+
+    #[test]
+    fn the_guided_targets_are_built_of_the_same_versions() {
+        // What only libFuzzer brings.
+        const OWN: [&str; 4] = ["riprap-fuzz-guided", "libfuzzer-sys", "arbitrary", "jobserver"];
+        let root = corpus::folder().join("../..");
+        let all = locked(&root.join("Cargo.lock"));
+        for package in locked(&root.join("fuzz/Cargo.lock")) {
+            let own = OWN.iter().any(|name| package.contains(&format!("\"{name}\"")));
+            assert!(
+                own || all.contains(&package),
+                "fuzz/Cargo.lock has {package}, Cargo.lock another: copy Cargo.lock over it, `cargo metadata --manifest-path fuzz/Cargo.toml` does the rest"
+            );
         }
     }
 

@@ -6,7 +6,7 @@ use crate::Vec2;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GeomError {
     /// An outline needs three different vertices.
-    #[error("the outline has {count} different vertices; it needs at least 3")]
+    #[error("the outline has {count} distinct vertices; it needs at least 3")]
     TooFewVertices {
         /// Different vertices found.
         count: usize,
@@ -20,7 +20,7 @@ pub enum GeomError {
         cap: usize,
     },
     /// A coordinate is NaN or infinite, or too large to be squared.
-    #[error("vertex {vertex} is ({x}, {y}), which is not a place")]
+    #[error("vertex {vertex} has non-finite coordinates ({x}, {y})")]
     NonFinite {
         /// Vertex number.
         vertex: usize,
@@ -78,8 +78,7 @@ pub enum GeomError {
     },
     /// Sites could not be moved so that all edges of their cells are long enough.
     #[error(
-        "{count} edges of the cells are still shorter than {wanted} m after their sites were moved {rounds} times; the shortest is \
-         {shortest:.3e} m long"
+        "{count} cell edges are still shorter than {wanted} m after {rounds} rounds of moving the sites; the shortest is {shortest:.3e} m long"
     )]
     ShortEdges {
         /// Edges that are too short.
@@ -93,7 +92,7 @@ pub enum GeomError {
     },
     /// A packing does not fit.
     #[error(
-        "{wanted} blocks of up to {size} m do not fit: the region takes {capacity} without overlap"
+        "{wanted} blocks of up to {size} m do not fit: the region holds {capacity} without overlap"
     )]
     DoesNotFit {
         /// Blocks asked for.
@@ -105,8 +104,7 @@ pub enum GeomError {
     },
     /// The cutting segments could not be turned into blocks.
     #[error(
-        "the cuts near ({:.6}, {:.6}) are too close together to tell apart; \
-         change the seed or the spacing a little", .at.x, .at.y
+        "the cuts near ({:.6}, {:.6}) are too close together; change the seed or the spacing slightly", .at.x, .at.y
     )]
     Arrangement {
         /// Where, about.

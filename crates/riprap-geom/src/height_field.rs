@@ -32,28 +32,28 @@ pub struct HeightField {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum HeightFieldError {
     /// Nothing is there.
-    #[error("it has no triangle")]
+    #[error("it has no triangles")]
     Empty,
     /// A corner without a number.
-    #[error("corner {corner} has a coordinate that is no finite number")]
+    #[error("corner {corner} has a non-finite coordinate")]
     NonFinite {
         /// Corner, counted from 0.
         corner: usize,
     },
     /// A triangle names a corner that is not there.
-    #[error("triangle {triangle} names a corner that is not there")]
+    #[error("triangle {triangle} names a corner that does not exist")]
     NoSuchCorner {
         /// Triangle, counted from 0.
         triangle: usize,
     },
     /// A triangle that stands upright or is a line.
-    #[error("the triangle near ({}, {}) stands upright or has no area: a surface has one height per place", .at[0], .at[1])]
+    #[error("the triangle near ({}, {}) is vertical or has no area: a surface needs one height per point", .at[0], .at[1])]
     Upright {
         /// Its middle.
         at: [f64; 2],
     },
     /// Two heights at one place.
-    #[error("it is folded near ({}, {}): two of its triangles lie above each other", .at[0], .at[1])]
+    #[error("it is folded near ({}, {}): two triangles lie above each other", .at[0], .at[1])]
     Folded {
         /// Middle of one of them.
         at: [f64; 2],
@@ -65,7 +65,7 @@ pub enum HeightFieldError {
         at: [f64; 2],
     },
     /// A hole.
-    #[error("it has a hole around ({}, {}), about {width} wide", .at[0], .at[1])]
+    #[error("it has a hole near ({}, {}), about {width} wide", .at[0], .at[1])]
     Hole {
         /// Middle of the hole.
         at: [f64; 2],
@@ -73,7 +73,7 @@ pub enum HeightFieldError {
         width: f64,
     },
     /// Parts that do not hang together.
-    #[error("it falls into {parts} parts, with a gap near ({}, {})", .at[0], .at[1])]
+    #[error("it consists of {parts} separate parts, with a gap near ({}, {})", .at[0], .at[1])]
     Parts {
         /// How many.
         parts: usize,

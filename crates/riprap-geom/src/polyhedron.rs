@@ -56,7 +56,7 @@ pub struct Polyhedron {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SolidError {
     /// Four corners at least.
-    #[error("the solid has {count} different vertices; it needs at least 4")]
+    #[error("the solid has {count} distinct vertices; it needs at least 4")]
     TooFewVertices {
         /// Vertices found.
         count: usize,
@@ -68,7 +68,7 @@ pub enum SolidError {
         count: usize,
     },
     /// NaN, infinite or too large to be squared.
-    #[error("vertex {vertex} is ({}, {}, {}), which is not a place", .at.x, .at.y, .at.z)]
+    #[error("vertex {vertex} has non-finite coordinates ({}, {}, {})", .at.x, .at.y, .at.z)]
     NonFinite {
         /// Vertex number.
         vertex: usize,
@@ -86,15 +86,13 @@ pub enum SolidError {
         count: usize,
     },
     /// A face needs three different corners.
-    #[error("face {face} has fewer than 3 different corners, or no area")]
+    #[error("face {face} has fewer than 3 distinct corners, or no area")]
     FlatFace {
         /// Face number.
         face: usize,
     },
     /// A face is not plane.
-    #[error(
-        "face {face} is not flat: its vertex {vertex} lies {distance:.3e} m off the plane of the face"
-    )]
+    #[error("face {face} is not flat: vertex {vertex} lies {distance:.3e} m off its plane")]
     CrookedFace {
         /// Face number.
         face: usize,
@@ -117,8 +115,7 @@ pub enum SolidError {
     },
     /// Two faces run along an edge in the same direction.
     #[error(
-        "faces {face} and {other} both run from vertex {from} to vertex {to}: one of them is turned the wrong way \
-         round, or three faces meet at this edge"
+        "faces {face} and {other} both run from vertex {from} to vertex {to}: one of them has the wrong orientation, or three faces share this edge"
     )]
     WrongWay {
         /// First vertex.
@@ -155,13 +152,13 @@ pub enum SolidError {
         vertex: usize,
     },
     /// Half spaces that enclose nothing finite.
-    #[error("the planes do not enclose a solid: it reaches farther than {reach:e} m")]
+    #[error("the planes do not enclose a solid: it extends beyond {reach:e} m")]
     Unbounded {
         /// Limit, m.
         reach: f64,
     },
     /// Half spaces without a common point.
-    #[error("the planes leave nothing: plane {plane} cuts away all that was left")]
+    #[error("the planes enclose no volume: plane {plane} removes the remaining solid")]
     Nothing {
         /// Number of the plane.
         plane: usize,

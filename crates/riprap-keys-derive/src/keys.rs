@@ -10,6 +10,7 @@ use syn::{
 };
 
 use crate::docs::paragraphs;
+use crate::rules::Rule;
 
 /// What a key is when the file does not have it.
 enum Default {
@@ -46,6 +47,7 @@ struct Key<'a> {
     schema_of: Option<Type>,
     /// Whether the file may leave it out.
     optional: bool,
+    rules: Vec<Rule>,
     serde: Vec<&'a Attribute>,
 }
 
@@ -57,35 +59,46 @@ pub fn derive(input: &DeriveInput) -> Result<TokenStream> {
         return Err(Error::new_spanned(&input.ident, "keys are fields with names"));
     };
     let keys: Vec<Key<'_>> = fields.named.iter().map(Key::new).collect::<Result<_>>()?;
-    let (change, change_of) = table_attributes(input)?;
-    let schema = schema(input, &keys, change_of.as_deref())?;
+    let table = TableAttributes::new(input, &keys)?;
+    let schema = schema(input, &keys, &table)?;
     let read = read(input, &keys)?;
-    let change = change.map(|(name, of)| changed_form(&name, &of, &keys));
+    let change = table.change.map(|(name, of)| changed_form(&name, &of, &keys, &table.rules));
     Ok(quote! { #schema #read #change })
 }
 
-/// What [`table_attributes`] finds: the changed form with the place of its table, and the table that a changed form is of.
-type TableAttributes = (Option<(Ident, String)>, Option<String>);
+/// What `#[keys(...)]` at the table says.
+struct TableAttributes {
+    /// `change = Name, path = "..."`: the form of the table in which a phase changes it, and where the table itself stands.
+    change: Option<(Ident, String)>,
+    /// `change_of = "..."` on that form: the table that it changes.
+    change_of: Option<String>,
+    /// Rules of the table, then those of its keys.
+    rules: Vec<Rule>,
+}
 
-/// `#[keys(change = Name, path = "...")]`: the form of the table in which a phase changes it, and where the table itself
-/// stands; `#[keys(change_of = "...")]` on that form.
-fn table_attributes(input: &DeriveInput) -> Result<TableAttributes> {
-    let (mut name, mut path, mut of) = (None, None, None);
-    for attribute in input.attrs.iter().filter(|a| a.path().is_ident("keys")) {
-        attribute.parse_nested_meta(|meta| {
-            if meta.path.is_ident("change") {
-                name = Some(meta.value()?.parse::<Ident>()?);
-            } else if meta.path.is_ident("path") {
-                path = Some(meta.value()?.parse::<LitStr>()?.value());
-            } else if meta.path.is_ident("change_of") {
-                of = Some(meta.value()?.parse::<LitStr>()?.value());
-            } else {
-                return Err(meta.error("`change`, `path` or `change_of` is expected"));
-            }
-            Ok(())
-        })?;
+impl TableAttributes {
+    fn new(input: &DeriveInput, keys: &[Key<'_>]) -> Result<Self> {
+        let (mut name, mut path, mut change_of, mut rules) = (None, None, None, Vec::new());
+        for attribute in input.attrs.iter().filter(|a| a.path().is_ident("keys")) {
+            attribute.parse_nested_meta(|meta| {
+                if meta.path.is_ident("change") {
+                    name = Some(meta.value()?.parse::<Ident>()?);
+                } else if meta.path.is_ident("path") {
+                    path = Some(meta.value()?.parse::<LitStr>()?.value());
+                } else if meta.path.is_ident("change_of") {
+                    change_of = Some(meta.value()?.parse::<LitStr>()?.value());
+                } else if let Some(rule) = Rule::parse(&meta, None)? {
+                    let readers = keys.iter().map(|k| (k.word.as_str(), k.readers.as_slice()));
+                    rules.push(rule.with_readers(readers));
+                } else {
+                    return Err(meta.error("`change`, `path`, `change_of` or a rule is expected"));
+                }
+                Ok(())
+            })?;
+        }
+        rules.extend(keys.iter().flat_map(|key| key.rules.iter().cloned()));
+        Ok(Self { change: name.zip(path), change_of, rules })
     }
-    Ok((name.zip(path), of))
 }
 
 impl<'a> Key<'a> {
@@ -105,6 +118,7 @@ impl<'a> Key<'a> {
             range: [None, None],
             schema_of: None,
             optional: inner(&field.ty, "Option").is_some(),
+            rules: Vec::new(),
             serde: field.attrs.iter().filter(|a| a.path().is_ident("serde")).collect(),
         };
         for attribute in &field.attrs {
@@ -175,9 +189,11 @@ impl<'a> Key<'a> {
                 self.range[0] = Some(meta.value()?.parse::<Expr>()?);
             } else if path.is_ident("max") {
                 self.range[1] = Some(meta.value()?.parse::<Expr>()?);
+            } else if let Some(rule) = Rule::parse(&meta, Some(&self.word))? {
+                self.rules.push(rule);
             } else {
                 return Err(meta.error(
-                    "`default`, `planar`, `spatial`, `space`, `instead`, `min`, `max`, `told`, `read_by` or `changes` is expected",
+                    "`default`, `planar`, `spatial`, `space`, `instead`, `min`, `max`, `told`, `read_by`, `changes` or a rule is expected",
                 ));
             }
             Ok(())
@@ -221,7 +237,7 @@ impl<'a> Key<'a> {
 }
 
 /// The JSON schema of the table.
-fn schema(input: &DeriveInput, keys: &[Key<'_>], change_of: Option<&str>) -> Result<TokenStream> {
+fn schema(input: &DeriveInput, keys: &[Key<'_>], table: &TableAttributes) -> Result<TokenStream> {
     let name = &input.ident;
     let about = paragraphs(&input.attrs);
     if about.is_empty() {
@@ -230,7 +246,8 @@ fn schema(input: &DeriveInput, keys: &[Key<'_>], change_of: Option<&str>) -> Res
             "the documentation is what users read: say what this means",
         ));
     }
-    let change_of = option(change_of);
+    let change_of = option(table.change_of.as_deref());
+    let rules = table.rules.iter().map(Rule::tokens);
     let each = keys.iter().map(|key| {
         let ty = key.schema_of.as_ref().unwrap_or(key.ty);
         let (word, meaning, sentence) = (&key.word, &key.meaning, key.sentence());
@@ -276,7 +293,7 @@ fn schema(input: &DeriveInput, keys: &[Key<'_>], change_of: Option<&str>) -> Res
             fn json_schema(generator: &mut ::schemars::SchemaGenerator) -> ::schemars::Schema {
                 let mut table = crate::read::TableSchema::new(#about, #change_of);
                 #(#each)*
-                table.finish()
+                table.finish(vec![#(#rules),*])
             }
         }
     })
@@ -460,7 +477,9 @@ fn other(key: &Key<'_>) -> TokenStream {
 }
 
 /// The keys that a phase may change, all optional.
-fn changed_form(name: &Ident, of: &str, keys: &[Key<'_>]) -> TokenStream {
+fn changed_form(name: &Ident, of: &str, keys: &[Key<'_>], rules: &[Rule]) -> TokenStream {
+    let changes = |word: &str| keys.iter().any(|key| key.changes && key.word == word);
+    let rules = rules.iter().filter_map(|rule| rule.of_change(&changes));
     let about = format!("Keys of `{of}` that change when a phase begins; all others stay.");
     let fields = keys.iter().filter(|key| key.changes).map(|key| {
         let (ident, meaning, serde) = (key.ident, &key.meaning, &key.serde);
@@ -483,6 +502,7 @@ fn changed_form(name: &Ident, of: &str, keys: &[Key<'_>]) -> TokenStream {
         #[derive(Debug, Clone, PartialEq, ::serde::Deserialize, ::riprap_keys::Keys)]
         #[serde(deny_unknown_fields)]
         #[keys(change_of = #of)]
+        #(#rules)*
         pub struct #name {
             #(#fields)*
         }

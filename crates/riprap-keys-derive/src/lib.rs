@@ -2,6 +2,7 @@
 
 mod docs;
 mod keys;
+mod rules;
 mod words;
 
 use proc_macro::TokenStream;
@@ -29,7 +30,12 @@ pub fn words(input: TokenStream) -> TokenStream {
 /// - `space = "planar"`: the only space that has the key, `instead = "..."`: what to do in the other one;
 /// - `min = 3`, `max = 1000`: the range of a whole number;
 /// - `told`: it is written down as it stands, for values with components;
-/// - `changes`: phases may change it.
+/// - `changes`: phases may change it;
+/// - `needs("plate")`, `excludes("csv")`, `only_with("kind = static")` (else it has no effect), `required("!csv")`: rules, read
+///   by the validation and by the documentation of the key. A condition joins keys, `!key` and `key = word, word` by
+///   `&` and `|`; `space = "..."` limits the rule to one space, `help = "..."` is the remedy of its message.
+///
+/// `#[keys(one_of("a", "b"))]`, `at_most_one`, `any_of` and the rules above with `when = "..."` stand at the table.
 ///
 /// The sentence about the default is added to the documentation. Implements `schemars::JsonSchema` and, for
 /// `read::Read` of the table, a method for each key that gives its SI value, default included, and writes down where it

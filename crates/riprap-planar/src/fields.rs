@@ -31,7 +31,7 @@ fn largest(blocks: impl Iterator<Item = usize>, get: impl Fn(usize) -> f64) -> [
     one(blocks.map(get).fold(0.0, f64::max))
 }
 
-/// What joints and found contacts between two blocks carry together, dashpots included.
+/// What joints and contacts between two blocks carry together, dashpots included.
 #[derive(Default)]
 struct Borne {
     /// Normal force, compression positive, N/m.
@@ -40,11 +40,11 @@ struct Borne {
     shear: f64,
     /// Whether there is something that presses, and all of it slides.
     slides: bool,
-    /// Length of the found contacts, m.
+    /// Length of the contacts, m.
     length: f64,
-    /// Largest depth of the found contacts, m.
+    /// Largest depth of the contacts, m.
     depth: f64,
-    /// Number of found contacts.
+    /// Number of contacts.
     contacts: f64,
 }
 
@@ -210,88 +210,88 @@ riprap_core::fields! {
     "block.angular_acceleration" "rad/s2" Block Scalar false "Angular acceleration, anticlockwise." |v, of| one(v.acceleration(first(of)).1);
     "block.force" "N/m" Block Vector false "Sum of all forces on the block, weight included, supports and damping excluded." |v, of| v.scratch.net[first(of)].force.into();
     "block.moment" "N" Block Scalar false "Sum of all moments about the centroid (N m per m)." |v, of| one(v.scratch.net[first(of)].moment);
-    "block.water_force" "N/m" Block Vector false "Push of the water on all faces of the block." |v, of| v.water_force(first(of)).into();
+    "block.water_force" "N/m" Block Vector false "Force of the water on all faces of the block." |v, of| v.water_force(first(of)).into();
     "block.kinetic" "J/m" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
     "block.area" "m2" Block Scalar false "Area: volume per metre of thickness." |v, of| one(area(v, first(of)));
     "block.mass" "kg/m" Block Scalar false "Mass." |v, of| one(v.scratch.shapes.mass[first(of)]);
     "block.momentum" "N s/m" Block Vector false "Momentum." |v, of| momentum(v, first(of)).into();
-    "block.stress_normal" "Pa" Block Vector true "Average stress of the block by what acts on its outline, normal components xx, yy as x, y; tension positive, the effective one in water." |v, of| { let [xx, yy, _] = v.stress(first(of)); [xx, yy] };
+    "block.stress_normal" "Pa" Block Vector true "Average stress of the block from the forces on its outline, normal components xx, yy as x, y; tension positive; in water the effective stress." |v, of| { let [xx, yy, _] = v.stress(first(of)); [xx, yy] };
     "block.stress_shear" "Pa" Block Scalar true "Average stress of the block, shear component xy." |v, of| one(v.stress(first(of))[2]);
     "block.sigma1_compressive" "Pa" Block Scalar true "Largest principal compression in the plane of the block's average stress." |v, of| one(-principal(v, of).values[1]);
     "block.sigma3_compressive" "Pa" Block Scalar true "Smallest principal compression in the plane of the block's average stress (negative in tension)." |v, of| one(-principal(v, of).values[0]);
-    "block.contacts" "-" Block Scalar true "Number of contacts the block takes part in." |v, of| one(blocks(v, &of[..of.len().min(1)]));
+    "block.contacts" "-" Block Scalar true "Number of contacts of the block." |v, of| one(blocks(v, &of[..of.len().min(1)]));
     "block.removed" "-" Block Scalar false "1 once the block has been removed." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "pair.force" "N/m" Pair Vector true "Sum of all contact and joint forces of the second block on the first." |v, of| { let (a, b) = pair(of); v.pair_wrench(a, b).force.into() };
-    "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
-    "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid less that of the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
-    "pair.moment" "N" Pair Scalar true "Moment of the same about the first block's centroid." |v, of| { let (a, b) = pair(of); one(v.pair_wrench(a, b).moment_i) };
-    "pair.normal_force" "N/m" Pair Scalar true "Normal force of joints and found contacts between the two, dashpots included, compression positive (a joint that pulls counts as negative)." |v, of| one(borne(v, of).normal);
-    "pair.shear_force" "N/m" Pair Scalar true "Shear force of joints and found contacts between the two on the first block, dashpots included." |v, of| one(borne(v, of).shear);
-    "pair.shear_ratio" "-" Pair Scalar true "Magnitude of this shear force over this normal force; 0 where nothing presses." |v, of| { let k = borne(v, of); one(if k.normal > 0.0 { k.shear.abs() / k.normal } else { 0.0 }) };
-    "pair.sliding" "-" Pair Scalar true "1 where something presses between the two and all of it slides: found contacts, and joints whose failed points bear all the shear that friction allows; else 0." |v, of| one(f64::from(u8::from(borne(v, of).slides)));
-    "pair.length" "m" Pair Scalar true "Length of the found contacts." |v, of| one(borne(v, of).length);
+    "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
+    "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
+    "pair.moment" "N" Pair Scalar true "Moment of this force about the first block's centroid." |v, of| { let (a, b) = pair(of); one(v.pair_wrench(a, b).moment_i) };
+    "pair.normal_force" "N/m" Pair Scalar true "Normal force of joints and contacts between the two, dashpots included, compression positive (negative for a joint in tension)." |v, of| one(borne(v, of).normal);
+    "pair.shear_force" "N/m" Pair Scalar true "Shear force of joints and contacts between the two on the first block, dashpots included." |v, of| one(borne(v, of).shear);
+    "pair.shear_ratio" "-" Pair Scalar true "Ratio of this shear force to this normal force; 0 without normal force." |v, of| { let k = borne(v, of); one(if k.normal > 0.0 { k.shear.abs() / k.normal } else { 0.0 }) };
+    "pair.sliding" "-" Pair Scalar true "1 where the two are in compression and all of it slides: contacts, and joints whose failed points carry the full frictional resistance; otherwise 0." |v, of| one(f64::from(u8::from(borne(v, of).slides)));
+    "pair.length" "m" Pair Scalar true "Length of the contacts." |v, of| one(borne(v, of).length);
     "pair.overlap" "m" Pair Scalar true "Largest depth of a boundary point inside the other block." |v, of| one(borne(v, of).depth);
-    "pair.contacts" "-" Pair Scalar true "Number of found contacts between the two." |v, of| one(borne(v, of).contacts);
-    "pair.broken" "-" Pair Scalar true "Share of the points of the joints between the two that have failed, those that found contact has taken over included; 0 without joints." |v, of| one(broken_share(v, of));
-    "pair.broken_points" "-" Pair Scalar true "Number of joint points between the two that have failed so far: it never falls, not where found contact takes over or a block is removed." |v, of| { let key = key(of); one(broken_points(v, |ends| ends == key)) };
-    "pair.opening" "m" Pair Scalar true "Largest opening of the joints between the two (negative when pressed)." |v, of| one(joint(v, of, |p| p.opening));
+    "pair.contacts" "-" Pair Scalar true "Number of contacts between the two." |v, of| one(borne(v, of).contacts);
+    "pair.broken" "-" Pair Scalar true "Share of the points of the joints between the two that have failed, including those released to contact; 0 without joints." |v, of| one(broken_share(v, of));
+    "pair.broken_points" "-" Pair Scalar true "Number of joint points between the two that have failed so far: it never decreases, not even when a joint is released to contact or a block is removed." |v, of| { let key = key(of); one(broken_points(v, |ends| ends == key)) };
+    "pair.opening" "m" Pair Scalar true "Largest opening of the joints between the two (negative in compression)." |v, of| one(joint(v, of, |p| p.opening));
     "pair.joint_normal_stress" "Pa" Pair Scalar true "Largest normal stress of the joints between the two, tension positive." |v, of| one(joint(v, of, |p| p.sigma));
     "pair.joint_shear_stress" "Pa" Pair Scalar true "Largest magnitude of the joints' shear stress." |v, of| one(joint(v, of, |p| p.tau.abs()));
-    "pair.seepage_rate" "m2/s" Pair Scalar true "Largest rate of flow in the joints between the two, for each metre of thickness." |v, of| one(v.world.seepage_between(pair(of)));
+    "pair.seepage_rate" "m2/s" Pair Scalar true "Largest flow rate in the joints between the two, per metre of thickness." |v, of| one(v.world.seepage_between(pair(of)));
     "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the water at the centres of contacts and at the joint points between the two; of two fixed blocks at the middles of the edges that they share." |v, of| one(pore_pressure(v, of));
     "group.displacement" "m" Group Vector false "Mean displacement of the group's blocks." |v, of| mean(of, |b| v.displacement(b));
     "group.velocity" "m/s" Group Vector false "Mean velocity of the group's blocks." |v, of| mean(of, |b| v.velocity(b));
     "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
-    "group.area" "m2" Group Scalar false "Area of the group's blocks that are there: volume per metre of thickness." |v, of| one(there(v, of).map(|b| area(v, b)).sum());
-    "group.mass" "kg/m" Group Scalar false "Mass of the group's blocks that are there." |v, of| one(there(v, of).map(|b| v.scratch.shapes.mass[b]).sum());
-    "group.momentum" "N s/m" Group Vector false "Momentum of the group's blocks that are there." |v, of| there(v, of).map(|b| momentum(v, b)).sum::<Vec2>().into();
-    "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap; of heaps that stand apart the mean by mass." |v, of| one(heap::repose_angle(v, of));
+    "group.area" "m2" Group Scalar false "Area of the group's existing blocks: volume per metre of thickness." |v, of| one(there(v, of).map(|b| area(v, b)).sum());
+    "group.mass" "kg/m" Group Scalar false "Mass of the group's existing blocks." |v, of| one(there(v, of).map(|b| v.scratch.shapes.mass[b]).sum());
+    "group.momentum" "N s/m" Group Vector false "Momentum of the group's existing blocks." |v, of| there(v, of).map(|b| momentum(v, b)).sum::<Vec2>().into();
+    "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap; for separate heaps the mass-weighted mean." |v, of| one(heap::repose_angle(v, of));
     "group.force" "N/m" Group Vector false "Sum of the net forces on the group's blocks." |v, of| of.iter().map(|&b| v.scratch.net[b as usize].force).sum::<Vec2>().into();
-    "group.water_force" "N/m" Group Vector false "Sum of the pushes of the standing water on the group's blocks." |v, of| of.iter().map(|&b| v.water_force(b as usize)).sum::<Vec2>().into();
+    "group.water_force" "N/m" Group Vector false "Sum of the forces of the standing water on the group's blocks." |v, of| of.iter().map(|&b| v.water_force(b as usize)).sum::<Vec2>().into();
     "group.fragments" "-" Group Scalar true "Number of fragments with a block of the group (see `model.fragments`)." |v, of| one(v.fragments().loose_with(there(v, of)).len() as f64);
     "group.largest_fragment" "m2" Group Scalar true "Area of the largest fragment with a block of the group; 0 without fragments." |v, of| one(v.fragments().loose_with(there(v, of)).first().map_or(0.0, |f| f.size));
     "group.max_displacement" "m" Group Scalar false "Largest displacement in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.displacement(b).length());
     "group.max_rotation" "rad" Group Scalar false "Largest magnitude of rotation in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.rotation(b).abs());
     "group.max_speed" "m/s" Group Scalar false "Largest speed in the group." |v, of| largest(of.iter().map(|&b| b as usize), |b| v.velocity(b).length());
     "model.time" "s" Model Scalar false "Model time." |v, _| one(v.world.time);
-    "model.steps" "-" Model Scalar false "Steps done." |v, _| one(v.world.step as f64);
-    "model.time_step" "s" Model Scalar false "Length of the last step." |v, _| one(v.world.last_dt);
+    "model.steps" "-" Model Scalar false "Number of steps done." |v, _| one(v.world.step as f64);
+    "model.time_step" "s" Model Scalar false "Size of the last time step." |v, _| one(v.world.last_dt);
     "model.kinetic" "J/m" Model Scalar true "Kinetic energy of all blocks." |v, _| one(v.living().map(|b| v.kinetic(b)).sum());
-    "model.seepage_inflow" "m2/s" Model Scalar true "Rate at which water comes in through open faces, for each metre of thickness." |v, _| one(v.world.seepage_inflow());
+    "model.seepage_inflow" "m2/s" Model Scalar true "Inflow of water through open faces, per metre of thickness." |v, _| one(v.world.seepage_inflow());
     "model.unbalanced" "-" Model Scalar true "Unbalanced-force ratio: sum of net forces on free blocks over the sum of the forces acting on them." |v, _| one(v.unbalanced());
-    "model.contacts" "-" Model Scalar true "Number of found contacts." |v, _| one(v.contacts().count() as f64);
-    "model.slipping" "-" Model Scalar true "Number of found contacts that slid in the last step." |v, _| one(v.contacts().filter(|(_, _, c)| c.slipping).count() as f64);
+    "model.contacts" "-" Model Scalar true "Number of contacts." |v, _| one(v.contacts().count() as f64);
+    "model.slipping" "-" Model Scalar true "Number of contacts that slid in the last step." |v, _| one(v.contacts().filter(|(_, _, c)| c.slipping).count() as f64);
     "model.max_overlap" "m" Model Scalar true "Largest depth of a boundary point inside another block." |v, _| one(v.contacts().map(|(_, _, c)| c.depth).fold(0.0, f64::max));
-    "model.max_overlap_ratio" "-" Model Scalar true "Largest depth of a contact, or closing of a joint, over the smaller inscribed radius of the pair." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
+    "model.max_overlap_ratio" "-" Model Scalar true "Largest overlap of a contact, or closing of a joint, over the smaller inscribed radius of the pair." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
     "model.max_displacement" "m" Model Scalar true "Largest displacement of a free block." |v, _| largest(free(v), |b| v.displacement(b).length());
     "model.max_rotation" "rad" Model Scalar true "Largest magnitude of rotation of a free block." |v, _| largest(free(v), |b| v.rotation(b).abs());
     "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
     "model.momentum" "N s/m" Model Vector true "Momentum of all blocks." |v, _| v.living().map(|b| v.scratch.shapes.mass[b] * v.velocity(b)).sum::<Vec2>().into();
     "model.angular_momentum" "N s" Model Scalar true "Angular momentum of all blocks about the origin (N m s per m)." |v, _| one(v.angular_momentum());
-    "model.blocks" "-" Model Scalar true "Number of blocks left." |v, _| one(v.living().count() as f64);
+    "model.blocks" "-" Model Scalar true "Number of existing blocks." |v, _| one(v.living().count() as f64);
     "model.broken" "-" Model Scalar true "Number of joints whose points have all failed." |v, _| one(v.world.bonds.iter().filter(|b| b.broken()).count() as f64);
-    "model.broken_points" "-" Model Scalar true "Number of joint points that have failed so far: it never falls, also where blocks are removed." |v, _| one(broken_points(v, |_| true));
+    "model.broken_points" "-" Model Scalar true "Number of joint points that have failed so far: it never decreases, not even when blocks are removed." |v, _| one(broken_points(v, |_| true));
     "model.joints" "-" Model Scalar true "Number of joints built." |v, _| one(v.world.bonds.len() as f64);
-    "model.fragments" "-" Model Scalar true "Number of fragments: blocks held together by joints that have not failed. Blocks all of whose freedoms are prescribed, and what is joined to them, are no fragments." |v, _| one(v.fragments().loose().count() as f64);
+    "model.fragments" "-" Model Scalar true "Number of fragments: blocks connected by intact joints. Blocks with all freedoms prescribed, and blocks joined to them, are not fragments." |v, _| one(v.fragments().loose().count() as f64);
     "model.largest_fragment" "m2" Model Scalar true "Area of the largest fragment; 0 without fragments." |v, _| one(v.fragments().loose().next().map_or(0.0, |f| f.size));
     "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
     "bolt.head_force" "N" Bolt Scalar false "Largest force of the plates on the bolts." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::plate));
     "bolt.shear_force" "N" Bolt Scalar false "Largest shear force of the bolts across a joint." |v, of| one(bolts::largest(v, of, 0.0, bolts::shear));
     "bolt.slip" "m" Bolt Scalar false "Largest slip of the grout." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_slip()));
-    "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of the bars at one place." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_yield()));
-    "bolt.utilisation" "-" Bolt Scalar false "Largest axial force over that at which the bar yields; 0 for bars that do not." |v, of| one(bolts::largest(v, of, 0.0, |s, b| b.chain.utilisation(&s.design)));
-    "bolt.broken" "-" Bolt Scalar false "Number of places at which the bars have broken." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.toll.breaks)).sum());
-    "model.bolts" "-" Model Scalar false "Number of bolts that are installed." |v, _| one(v.world.bolts.len() as f64);
-    "model.bolt_imbalance" "-" Model Scalar true "Largest share of a bolt's force by which its equilibrium was missed so far; 0 as long as every search came to its end." |v, _| one(v.world.bolts.iter().map(|b| b.toll.left).fold(0.0, f64::max));
-    "boundary.work" "J/m" Boundary Scalar false "Work of the stress of the rock outside on a side of the model." |v, of| one(v.world.work_of_boundary(first(of)));
-    "support.force" "N/m" Support Vector false "Force of a support on the blocks that it holds or drives: its reaction, inertia of a driven motion included, without damping." |v, of| v.on_support(first(of)).0.into();
-    "support.moment" "N" Support Scalar false "Moment of the same about the centre of mass of its blocks (N m per m)." |v, of| one(v.on_support(first(of)).1);
-    "support.work" "J/m" Support Scalar false "Work of a support on its blocks; what holds still does none." |v, of| one(v.world.work(first(of)));
+    "bolt.elongation" "m" Bolt Scalar false "Largest plastic elongation of a bar at one point." |v, of| one(bolts::largest(v, of, 0.0, |_, b| b.chain.largest_yield()));
+    "bolt.utilisation" "-" Bolt Scalar false "Largest ratio of axial force to yield force; 0 for bars without yield." |v, of| one(bolts::largest(v, of, 0.0, |s, b| b.chain.utilisation(&s.design)));
+    "bolt.broken" "-" Bolt Scalar false "Number of points at which bars have ruptured." |v, of| one(bolts::of(v, of).map(|b| f64::from(b.toll.breaks)).sum());
+    "model.bolts" "-" Model Scalar false "Number of installed bolts." |v, _| one(v.world.bolts.len() as f64);
+    "model.bolt_imbalance" "-" Model Scalar true "Largest unbalanced share of a bolt's force so far; 0 if every iteration converged." |v, _| one(v.world.bolts.iter().map(|b| b.toll.left).fold(0.0, f64::max));
+    "boundary.work" "J/m" Boundary Scalar false "Work of the stress of the surrounding rock on a side of the model." |v, of| one(v.world.work_of_boundary(first(of)));
+    "support.force" "N/m" Support Vector false "Force of a support on the blocks that it holds or drives: its reaction, including the inertia of a driven motion, without damping." |v, of| v.on_support(first(of)).0.into();
+    "support.moment" "N" Support Scalar false "Moment of this force about the centre of mass of its blocks (N m per m)." |v, of| one(v.on_support(first(of)).1);
+    "support.work" "J/m" Support Scalar false "Work of a support on its blocks; fixed supports do none." |v, of| one(v.world.work(first(of)));
     "load.work" "J/m" Load Scalar false "Work of a load on its blocks." |v, of| one(v.world.work(first(of)));
     "energy.kinetic" "J/m" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
     "energy.gravity" "J/m" Energy Scalar true "Potential energy of gravity, relative to the start." |v, _| one(v.balance().gravity);
-    "energy.contact_normal" "J/m" Energy Scalar true "Elastic energy in the normal direction of found contacts (exact for the distance potential, by path else)." |v, _| one(v.balance().contact_normal);
-    "energy.contact_shear" "J/m" Energy Scalar true "Elastic energy of the shear springs of found contacts." |v, _| one(v.balance().contact_shear);
+    "energy.contact_normal" "J/m" Energy Scalar true "Elastic energy in the normal direction of contacts (exact for the distance potential, otherwise integrated along the path)." |v, _| one(v.balance().contact_normal);
+    "energy.contact_shear" "J/m" Energy Scalar true "Elastic energy of the shear springs of contacts." |v, _| one(v.balance().contact_shear);
     "energy.joints" "J/m" Energy Scalar true "Elastic energy of joints." |v, _| one(v.balance().bond);
     "energy.bolts" "J/m" Energy Scalar true "Elastic energy of bolts: bars, grout, plates and dowels." |v, _| one(v.world.bolt_energy());
     "energy.loads" "J/m" Energy Scalar true "Work of external loads." |v, _| one(v.world.works.loads);
@@ -300,11 +300,11 @@ riprap_core::fields! {
     "energy.damping" "J/m" Energy Scalar true "Dissipated by contact, joint, mass and local damping." |v, _| one(v.world.works.damping);
     "energy.fracture" "J/m" Energy Scalar true "Released by the failure of joints." |v, _| one(v.world.works.fracture);
     "energy.bolt_loss" "J/m" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
-    "energy.law_defect" "J/m" Energy Scalar true "Made (+) or lost (-) by a contact law without potential, or by steps too long." |v, _| one(v.world.works.law_defect);
-    "energy.edit_defect" "J/m" Energy Scalar true "Added by edits: removed blocks, zeroed velocities, changed laws, joints handed over." |v, _| one(v.world.works.edit_defect);
-    "energy.step_change" "J/m" Energy Scalar true "Added by changes of the step, the first one included, and by forces that jump: the kinetic energy at half steps less that of the instant." |v, _| one(v.world.works.step_change);
-    "energy.residual" "J/m" Energy Scalar true "What the ledger does not explain." |v, _| one(v.balance().residual());
-    "energy.residual_relative" "-" Energy Scalar true "The residual over the largest energy that moved." |v, _| one(v.balance().residual_relative());
+    "energy.law_defect" "J/m" Energy Scalar true "Created (+) or lost (-) by a contact law without potential, or by too long steps." |v, _| one(v.world.works.law_defect);
+    "energy.edit_defect" "J/m" Energy Scalar true "Added by edits: removed blocks, zeroed velocities, changed laws, joints released to contact." |v, _| one(v.world.works.edit_defect);
+    "energy.step_change" "J/m" Energy Scalar true "Added by changes of the time step, including the first, and by jumps of forces: the difference between the kinetic energies at half steps and at whole steps." |v, _| one(v.world.works.step_change);
+    "energy.residual" "J/m" Energy Scalar true "Energy that the ledger does not explain." |v, _| one(v.balance().residual());
+    "energy.residual_relative" "-" Energy Scalar true "The residual relative to the largest energy exchanged." |v, _| one(v.balance().residual_relative());
 }
 
 /// A field with everything needed to read one number.

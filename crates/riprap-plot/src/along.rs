@@ -53,13 +53,13 @@ pub fn along(
         let [a, b] = [within(&frame, &line.from)?, within(&frame, &line.to)?];
         let length = a.distance(b);
         if length.is_nan() || length <= 0.0 {
-            let what = "the line has no length; give two places".to_owned();
+            let what = "the line has zero length; give two different points".to_owned();
             return Err(PlotError::NothingToDraw { what });
         }
         let pieces = pieces(&frame, a, b);
         if pieces.is_empty() {
             let what = format!(
-                "the line from {} to {} meets no block where it was before it moved",
+                "the line from {} to {} meets no block of the undeformed model",
                 place(&line.from),
                 place(&line.to)
             );
@@ -107,7 +107,7 @@ fn within(frame: &Frame, at: &[f64]) -> Result<Vec3, PlotError> {
             let given = at.len();
             let place = place(at);
             let what = format!(
-                "the run is {space}, where a place has {wanted}; {place} has {given} coordinates"
+                "the run is {space}, where a point has {wanted}; {place} has {given} coordinates"
             );
             Err(PlotError::NothingToDraw { what })
         }
@@ -167,7 +167,7 @@ fn in_space(frame: &Frame, i: usize, body: &Body, [a, b]: [Vec3; 2]) -> Vec<f64>
     for face in frame.solids.iter().flat_map(|s| s.of(i)) {
         for pair in face.windows(2).skip(1) {
             let [p, q, r] = [face[0], pair[0], pair[1]].map(|c| corners[c as usize]);
-            // On which side of each edge the line passes; edges that two triangles share are told the same by both.
+            // On which side of each edge the line passes; edges that two triangles share are judged alike by both.
             let sides = [q.cross(r), r.cross(p), p.cross(q)].map(|n| n.dot(way));
             let inside = |sign: f64| sides.iter().all(|s| sign * s >= 0.0);
             let normal = (q - p).cross(r - p);

@@ -117,19 +117,20 @@ pub(super) fn draw(
     options: BlockOptions,
 ) -> Result<Page, PlotError> {
     let Some(first) = fields.first() else {
-        return Err(PlotError::NothingToDraw { what: "no frames were chosen".to_owned() });
+        return Err(PlotError::NothingToDraw { what: "no frames were selected".to_owned() });
     };
     let flows = options.vectors == Some(Vectors::Flow);
     if flows && !frames.iter().any(|f| arrows::column(f, Vectors::Flow).is_some()) {
         return Err(PlotError::NothingToDraw {
-            what: "no water seeps through joints in these frames; `water.*.seepage` of a scene lets it"
-                .to_owned(),
+            what:
+                "these frames have no seepage through joints; give `water.*.seepage` in the scene"
+                    .to_owned(),
         });
     }
     if options.isolines > 0 && words.kinds.is_some() {
         return Err(PlotError::Unsuitable {
-            picture: "a picture with lines of equal value",
-            reason: "materials are kinds, not amounts; take another field or leave the lines out"
+            picture: "isolines",
+            reason: "materials are categories, not quantities; choose another field or leave the isolines out"
                 .to_owned(),
         });
     }

@@ -102,7 +102,7 @@ impl BlockOptions {
                 return wrong(
                     "window",
                     given,
-                    "give left, bottom, right and top: the first less than the third, the second less than the fourth",
+                    "give left, bottom, right and top: left less than right, bottom less than top",
                 );
             }
         }
@@ -118,7 +118,7 @@ impl BlockOptions {
         }
         match self.at {
             Some(at) if !at.is_finite() => {
-                return wrong("at", short(at), "give a place along the normal in m");
+                return wrong("at", short(at), "give a position along the normal in m");
             }
             Some(_) | None => {}
         }

@@ -17,7 +17,7 @@ pub use spectrum::{Spectrum, amplitude_spectrum};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum FitError {
     /// Not enough usable samples.
-    #[error("{found} usable samples, {needed} are needed")]
+    #[error("only {found} usable samples, but {needed} are needed")]
     TooFew {
         /// Usable samples.
         found: usize,
@@ -31,7 +31,7 @@ pub enum FitError {
         what: &'static str,
     },
     /// Times must ascend.
-    #[error("the times do not ascend")]
+    #[error("the times do not increase")]
     NotAscending,
 }
 

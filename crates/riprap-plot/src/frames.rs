@@ -100,9 +100,9 @@ fn whole_tensor(frame: &Frame, field: &str) -> Result<(), PlotError> {
     let parts: Vec<String> =
         parts.iter().map(|(part, means)| format!("`{bare}.{part}` ({means})")).collect();
     Err(PlotError::Unsuitable {
-        picture: "components of stress together",
+        picture: "several stress components in one picture",
         reason: format!(
-            "ask for one of {}{principal}; --stress draws principal stresses as crosses",
+            "choose one of {}{principal}; --stress draws principal stresses as crosses",
             parts.join(", ")
         ),
     })

@@ -21,7 +21,7 @@ impl Lettering {
     /// Reads the font.
     ///
     /// # Errors
-    /// A font that cannot be read: our mistake, told as text.
+    /// A font that cannot be read: our fault, reported as text.
     pub(super) fn new() -> Result<Self, String> {
         let face = Face::parse(FONT, 0).map_err(|e| format!("the font: {e}"))?;
         Ok(Self { face })

@@ -97,7 +97,7 @@ pub enum PlotError {
     #[error(transparent)]
     Output(#[from] OutputError),
     /// The run has no frames.
-    #[error("{} has no frames; ask for some in the scene: [[outputs]] with frames = {{ every = \"50 ms\" }}", folder.display())]
+    #[error("{} has no frames; request them in the scene: [[outputs]] with frames = {{ every = \"50 ms\" }}", folder.display())]
     NoFrames {
         /// The run folder.
         folder: PathBuf,
@@ -112,7 +112,7 @@ pub enum PlotError {
     },
     /// No frame at that time.
     #[error(
-        "there is no frame at t = {time} s; the frames of the run are from t = {first} s to {last} s"
+        "there is no frame at t = {time} s; the frames of the run span t = {first} s to {last} s"
     )]
     OutsideTheRun {
         /// What was asked for in s.
@@ -155,13 +155,13 @@ pub enum PlotError {
         reason: FitError,
     },
     /// Neither SVG nor PNG.
-    #[error("{}: plots are written as .svg or .png (or both: give a name without an ending)", path.display())]
+    #[error("{}: plots are written as .svg or .png (or both: give a name without extension)", path.display())]
     Ending {
         /// What was asked for.
         path: PathBuf,
     },
-    /// The SVG could not be turned into a PNG: a mistake of ours.
-    #[error("could not draw the PNG: {reason}; the SVG can be had with an .svg ending")]
+    /// The SVG could not be turned into a PNG: a fault of ours.
+    #[error("could not draw the PNG: {reason}; use the extension .svg to get the SVG")]
     Render {
         /// What the renderer said.
         reason: String,
@@ -192,7 +192,7 @@ impl PlotError {
 /// The sources of a run, or why the picture cannot be drawn without.
 fn sources<'a>(manifest: &'a Manifest, picture: &'static str) -> Result<&'a [Source], PlotError> {
     if manifest.sources.is_empty() {
-        let reason = "the manifest of the run lists no sources; it is for blasts".to_owned();
+        let reason = "the run has no sources; this picture needs a blast".to_owned();
         return Err(PlotError::Unsuitable { picture, reason });
     }
     Ok(&manifest.sources)
@@ -210,7 +210,7 @@ fn source<'a>(
     };
     all.iter().find(|s| s.name == name).ok_or_else(|| {
         let known: Vec<&str> = all.iter().map(|s| s.name.as_str()).collect();
-        let reason = format!("there is no source `{name}`; sources are: {}", known.join(", "));
+        let reason = format!("unknown source `{name}`; valid sources: {}", known.join(", "));
         PlotError::Unsuitable { picture, reason }
     })
 }

@@ -89,7 +89,7 @@ pub fn stereonet(
     let joints = planes::shared(&first);
     let cracks = planes::cracks(&last, Some(&crack_surfaces(folder, frame)?))?;
     if joints.is_empty() && cracks.is_empty() {
-        let what = "no two blocks share a face, and nothing is broken".to_owned();
+        let what = "no two blocks share a face, and no face is broken".to_owned();
         return Err(PlotError::NothingToDraw { what });
     }
     let modes = cracks.iter().any(|c| c.sheared.is_some());

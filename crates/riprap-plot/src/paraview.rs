@@ -35,7 +35,7 @@ pub fn write(folder: &Path, view: View<'_>) -> Result<PathBuf, PlotError> {
     if frame.column(view.by).is_none() {
         let known: Vec<&str> = frame.block_columns.iter().map(|c| c.name.as_str()).collect();
         let reason =
-            format!("the frames have no column `{}`; they have {}", view.by, known.join(", "));
+            format!("the frames have no column `{}`; valid columns: {}", view.by, known.join(", "));
         return Err(PlotError::Unsuitable { picture: "ParaView's view", reason });
     }
     let text = STATE.replace("#SETTINGS#", settings(folder, &frame, view)?.trim_end());

@@ -51,7 +51,7 @@ pub fn ppv(
     let charges: Vec<&Source> =
         sources(&manifest, PICTURE)?.iter().filter(|s| s.mass.is_some_and(|m| m > 0.0)).collect();
     if charges.is_empty() {
-        let reason = "no source of the run has a mass, which scaled distance needs".to_owned();
+        let reason = "scaled distance needs a source with a mass, and the run has none".to_owned();
         return Err(PlotError::Unsuitable { picture: PICTURE, reason });
     }
     let samples = samples(&frame, &charges, surface)?;

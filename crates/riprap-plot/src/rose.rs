@@ -93,7 +93,7 @@ pub fn rose(folder: &Path, frame: Which, out: &Path) -> Result<Vec<PathBuf>, Plo
         let what = if flat {
             "no two blocks share an edge, and no joint is broken"
         } else {
-            "no two blocks share a face that has a strike, and nothing is broken"
+            "no two blocks share a face that has a strike, and no face is broken"
         };
         let what = what.to_owned();
         return Err(PlotError::NothingToDraw { what });
@@ -243,7 +243,7 @@ mod tests {
         assert!(broken_pairs(dir.path(), 1.0).unwrap().is_empty());
         std::os::unix::fs::symlink("/dev/null", dir.path().join("events.jsonl")).unwrap();
         let refused = broken_pairs(dir.path(), 1.0).unwrap_err().to_string();
-        assert!(refused.contains("not a plain file"), "{refused}");
+        assert!(refused.contains("not a regular file"), "{refused}");
     }
 
     #[test]

@@ -18,7 +18,7 @@ pub(super) fn need_space(frame: &Frame, picture: &'static str) -> Result<(), Plo
     if frame.solids.is_some() {
         return Ok(());
     }
-    let reason = "the run is in the plane; `blocks` draws its blocks".to_owned();
+    let reason = "the run is in the plane; use `blocks`".to_owned();
     Err(PlotError::Unsuitable { picture, reason })
 }
 
@@ -47,7 +47,8 @@ pub(super) fn flattened(
         if options.cracks {
             return Err(PlotError::Unsuitable {
                 picture: "traces of broken faces",
-                reason: "the run is in the plane, where blocks are drawn and no cuts; leave the traces out".to_owned(),
+                reason: "the run is in the plane, which has no sections; leave the traces out"
+                    .to_owned(),
             });
         }
         let frames = frames
@@ -78,7 +79,7 @@ pub(super) fn flattened(
     }
     if cuts.iter().any(|c| c.blocks() == 0) {
         let what = format!(
-            "the plane {} = {} m meets no block; centres of blocks lie between {} and {} m",
+            "the plane {} = {} m intersects no block; block centres lie between {} and {} m",
             normal.word(),
             short(at),
             short(low),

@@ -102,8 +102,7 @@ pub fn fragments(
     let manifest = Manifest::read(folder)?;
     let path = folder.join("fragments.csv");
     if !path.exists() {
-        let reason = "the run has no fragments.csv: it has no joints that hold blocks together, has not ended a phase, or was \
-             written by an earlier riprap"
+        let reason = "the run has no fragments.csv: it has no joints, has not completed a phase, or was written by an earlier riprap"
             .to_owned();
         return Err(PlotError::Unsuitable { picture: PICTURE, reason });
     }
@@ -122,7 +121,7 @@ pub fn fragments(
     let sizes = Sizes::of(&amounts, flat);
     if sizes.size.is_empty() {
         let of = group.map_or_else(String::new, |group| format!(" with a block of {group:?}"));
-        let what = format!("{} lists no fragments{of} that nothing holds", path.display());
+        let what = format!("{} lists no free fragments{of}", path.display());
         return Err(PlotError::NothingToDraw { what });
     }
     let count = amounts.iter().filter(|v| **v > 0.0).count();
@@ -161,14 +160,13 @@ fn with_blocks_of(folder: &Path, group: &str) -> Result<BTreeSet<u32>, PlotError
     let path = folder.join("fragment_blocks.csv");
     if !path.exists() {
         let reason =
-            "the run has no fragment_blocks.csv: it was written by an earlier riprap".to_owned();
+            "the run has no fragment_blocks.csv; it was written by an earlier riprap".to_owned();
         return Err(PlotError::Unsuitable { picture: PICTURE, reason });
     }
     let one = names.number(group);
     if one.is_none() && !names.groups.iter().any(|g| g.name == group) {
         let known: Vec<&str> = names.groups.iter().map(|g| g.name.as_str()).collect();
-        let what =
-            format!("the run has no block or group {group:?}; its groups are {}", known.join(", "));
+        let what = format!("unknown block or group {group:?}; valid groups: {}", known.join(", "));
         return Err(PlotError::NothingToDraw { what });
     }
     let belongs = |b: u32| one == Some(b) || names.groups_of(b).contains(&group);

@@ -56,7 +56,7 @@ pub fn cavity(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
         panels.push(panel);
     }
     if panels.is_empty() {
-        let reason = "no history of the run ends in .pressure, .volume, .expansion or .volume_ratio; ask for some in the scene: [[histories]]".to_owned();
+        let reason = "no history of the run ends in .pressure, .volume, .expansion or .volume_ratio; add some to the scene: [[histories]]".to_owned();
         return Err(PlotError::Unsuitable { picture: CAVITY, reason });
     }
     let page = chart::draw((&manifest.title, ""), ("time", "s"), &panels);
@@ -130,7 +130,7 @@ pub fn spectrum(folder: &Path, history: &str, out: &Path) -> Result<Vec<PathBuf>
     let time = table.column("time")?;
     let series = table.column(history)?;
     let s = fits::amplitude_spectrum(&time.values, &series.values).map_err(|reason| {
-        PlotError::Fit { what: format!("a spectrum to `{}`", series.name), reason }
+        PlotError::Fit { what: format!("a spectrum of `{}`", series.name), reason }
     })?;
     let unit = match series.unit.as_str() {
         "-" | "" => "1/Hz".to_owned(),

@@ -128,7 +128,7 @@ pub fn crater(
         return Err(PlotError::Option {
             option: "uplift",
             given: format!("{} m", short(uplift)),
-            wanted: "give what is above zero, for example 40 mm",
+            wanted: "give a value above zero, for example 40 mm",
         });
     }
     let manifest = Manifest::read(folder)?;
@@ -137,7 +137,7 @@ pub fn crater(
     let source = source(&manifest, options.source, CRATER)?;
     let Some(threshold) = options.uplift.or(source.depth.map(|d| THRESHOLD * d)) else {
         let reason = format!(
-            "the source `{}` has no depth to take the threshold from; give the uplift that bounds it",
+            "source `{}` has no depth from which to derive the threshold; give the uplift at the crater rim",
             source.name
         );
         return Err(PlotError::Unsuitable { picture: CRATER, reason });
@@ -263,7 +263,7 @@ pub fn heave(
     let source = source(&manifest, source_name, HEAVE)?;
     let [along, _] = normal.across();
     if normal == Normal::Z {
-        let reason = "a profile runs along x or y; take the normal y or x".to_owned();
+        let reason = "a profile runs along x or y; use the normal y or x".to_owned();
         return Err(PlotError::Unsuitable { picture: HEAVE, reason });
     }
     let spread: Vec<Which>;

@@ -48,7 +48,7 @@ pub(super) fn fitted(text: &str, size: f64, width: f64) -> String {
     out
 }
 
-/// Where a text hangs on its point.
+/// Which point of a text is anchored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
     Start,
@@ -241,7 +241,7 @@ impl Page {
     /// The page as PNG, with the font that comes with riprap.
     ///
     /// # Errors
-    /// A page that resvg refuses, or one too large for memory: our mistake, told as text.
+    /// A page that resvg refuses, or one too large for memory: our fault, reported as text.
     pub(super) fn png(&self) -> Result<Vec<u8>, PlotError> {
         use resvg::{tiny_skia, usvg};
         let failed = |reason: String| PlotError::Render { reason };

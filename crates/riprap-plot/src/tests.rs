@@ -184,7 +184,7 @@ fn a_time_outside_the_run_is_an_error() {
     assert!(draw(0.44).is_ok() && draw(0.0).is_ok());
     for t in [0.46, -0.06, 9.0, f64::NAN] {
         let said = draw(t).unwrap_err().to_string();
-        assert!(said.contains("from t = 0 s to 0.4 s"), "{said}");
+        assert!(said.contains("span t = 0 s to 0.4 s"), "{said}");
     }
 }
 

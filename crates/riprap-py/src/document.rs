@@ -20,7 +20,7 @@ pub fn to_toml(document: &Bound<'_, PyDict>) -> PyResult<String> {
 pub fn to_value(value: &Bound<'_, PyAny>) -> PyResult<String> {
     match inline(value, "the value", 0)? {
         Some(value) => Ok(value.to_string()),
-        None => Err(PyValueError::new_err("None is no value of a scenario")),
+        None => Err(PyValueError::new_err("None is not a valid value in a scenario")),
     }
 }
 
@@ -120,7 +120,7 @@ fn inline(value: &Bound<'_, PyAny>, path: &str, depth: usize) -> PyResult<Option
     }
     let kind = value.get_type().name()?;
     Err(PyTypeError::new_err(format!(
-        "{path}: a {kind} cannot stand in a scenario; use text, numbers, lists and dictionaries"
+        "{path}: a {kind} is not allowed in a scenario; use strings, numbers, lists and dictionaries"
     )))
 }
 
@@ -143,7 +143,7 @@ fn key_of(key: &Bound<'_, PyAny>, path: &str) -> PyResult<String> {
         Err(_) => {
             let place = if path.is_empty() { "the scenario" } else { path };
             Err(PyTypeError::new_err(format!(
-                "{place}: the key {} is no text",
+                "{place}: the key {} is not a string",
                 key.repr()?.to_str()?
             )))
         }

@@ -32,7 +32,7 @@ impl Simulation {
         py.detach(|| match self.0.try_lock() {
             Ok(mut live) => work(&mut live),
             Err(_) => Err(PyRuntimeError::new_err(
-                "the simulation is being advanced: wait until `advance` has come back",
+                "the simulation is advancing; wait until `advance` returns",
             )),
         })
     }
@@ -224,6 +224,6 @@ fn unit(v: [f64; 3]) -> PyResult<[f64; 3]> {
     if length > 0.0 && length.is_finite() {
         Ok(v.map(|x| x / length))
     } else {
-        Err(PyValueError::new_err("`along` has no direction"))
+        Err(PyValueError::new_err("`along` has zero length"))
     }
 }

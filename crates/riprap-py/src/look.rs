@@ -76,6 +76,11 @@ impl From<&mut drive::Look<'_>> for Progress {
     }
 }
 
+/// Whether the answer of a callback is to go on. A function without `return` means nothing by it.
+pub fn goes_on(said: &Bound<'_, PyAny>) -> PyResult<bool> {
+    Ok(said.is_none() || said.is_truthy()?)
+}
+
 /// Asks Python whether to go on: pending signals first, then the callback. Returning False or raising stops the run.
 pub struct Look {
     callback: Option<Py<PyAny>>,
@@ -94,9 +99,7 @@ impl Look {
             let Some(callback) = &self.callback else {
                 return Ok(true);
             };
-            let said = callback.bind(py).call1((Progress::from(look),))?;
-            // A function without `return` means nothing by it.
-            Ok(said.is_none() || said.is_truthy()?)
+            goes_on(&callback.bind(py).call1((Progress::from(look),))?)
         });
         match answer {
             Ok(true) => Control::Continue,

@@ -63,7 +63,7 @@ pub fn plot(
     // Any other word would be drawn as histories.
     if !known.contains(&what) {
         return Err(PyValueError::new_err(format!(
-            "there is no picture {what:?}; pictures are {}",
+            "unknown picture {what:?}; valid pictures: {}",
             known.join(", ")
         )));
     }
@@ -118,7 +118,7 @@ impl Options {
             "section" => drawn::section(folder, &frames, &self.by, blocks, out),
             "line" => {
                 let nowhere = || PlotError::NothingToDraw {
-                    what: "a line has two ends: line=((0, 3), (0, 12))".to_owned(),
+                    what: "a line needs two ends: line=((0, 3), (0, 12))".to_owned(),
                 };
                 let [from, to] = self.line.as_ref().ok_or_else(nowhere)?;
                 let line = Along { from: from.clone(), to: to.clone() };
@@ -137,7 +137,7 @@ impl Options {
             "spectrum" => match self.names.first() {
                 Some(name) => drawn::spectrum(folder, name, out),
                 None => Err(PlotError::NothingToDraw {
-                    what: "a spectrum is of one history: names=[\"...\"]".to_owned(),
+                    what: "a spectrum needs exactly one history: names=[\"...\"]".to_owned(),
                 }),
             },
             _ => drawn::histories(folder, &self.names, self.against.as_deref(), out),

@@ -1,6 +1,9 @@
 //! Whole runs into run folders.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::time::Duration;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -71,4 +74,61 @@ pub fn with_look(
         Some(raised) => Err(raised),
         None => Ok(outcome),
     }
+}
+
+/// Makes a folder, if it is not there.
+pub fn make(py: Python<'_>, folder: &Path) -> PyResult<()> {
+    std::fs::create_dir_all(folder).map_err(|e| {
+        let text = format!("could not make {}: {e}", folder.display());
+        errors::output(py, &text)
+    })
+}
+
+/// Time between two looks for signals.
+const CHECK_INTERVAL: Duration = Duration::from_millis(100);
+
+/// What came of a study, and what was raised while it went on.
+pub struct Reported<R> {
+    pub result: R,
+    /// The study has been stopped for it.
+    pub raised: Option<PyErr>,
+}
+
+/// Works without the interpreter on a thread of its own; `work` is given whether to stop and passes on what it has done, of which
+/// `tell` tells Python. A signal, an exception and the answer not to go on stop it.
+pub fn reported<T: Send, R: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&(dyn Fn() -> bool + Sync), &mut dyn FnMut(T)) -> R + Send,
+    mut tell: impl FnMut(Python<'_>, &T) -> PyResult<bool> + Send,
+) -> Reported<R> {
+    let (stop, mut raised) = (AtomicBool::new(false), None);
+    let work = || {
+        std::thread::scope(|scope| {
+            let (send, receive) = channel();
+            let stop = &stop;
+            // The receiver lives until the work is done.
+            let work = scope.spawn(move || {
+                work(&|| stop.load(Ordering::Relaxed), &mut |done| drop(send.send(done)))
+            });
+            // This thread stays the interpreter's: signals arrive here.
+            loop {
+                let done = match receive.recv_timeout(CHECK_INTERVAL) {
+                    Ok(done) => Some(done),
+                    Err(RecvTimeoutError::Timeout) => None,
+                    Err(RecvTimeoutError::Disconnected) => break,
+                };
+                let answer = Python::attach(|py| {
+                    let goes_on = done.as_ref().map_or(Ok(true), |done| tell(py, done))?;
+                    py.check_signals().map(|()| goes_on)
+                });
+                if !matches!(answer, Ok(true)) {
+                    stop.store(true, Ordering::Relaxed);
+                }
+                raised = raised.take().or(answer.err());
+            }
+            work.join()
+        })
+    };
+    let result = py.detach(work);
+    Reported { result: result.unwrap_or_else(|panic| std::panic::resume_unwind(panic)), raised }
 }

@@ -1,25 +1,19 @@
 //! Factors of safety and limits of other numbers.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::time::Duration;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use riprap::record::folder::Existing;
 use riprap::run::job;
-use riprap::run::safety::{self as factor, Answer, Quantity, Rules, SafetyError, Trial};
+use riprap::run::study::safety::{self as factor, Quantity, Rules, Trial};
+use riprap::run::study::{Executor, StudyError};
 use riprap::scenario::units::{self, Dim};
 
 use crate::errors;
-use crate::runs::{existing, with_look};
+use crate::look::goes_on;
+use crate::runs::{existing, make, reported, with_look};
 use crate::scene::{Scene, json};
-
-/// Time between two looks for signals.
-const CHECK_INTERVAL: Duration = Duration::from_millis(100);
-/// Frames of the run of the mechanism.
-const FRAMES: u64 = 20;
 
 /// How a search is made; names as in `riprap.safety`.
 #[derive(FromPyObject)]
@@ -83,70 +77,33 @@ pub fn safety(
         steps: options.steps,
         from_start: options.from_start,
     };
-    let (rules, over) = (&rules, over.as_ref());
-    let search = |stop: &AtomicBool, report: &mut dyn FnMut(&Trial)| {
-        let asked = || stop.load(Ordering::Relaxed);
-        let threads = options.threads;
-        match over {
-            Some(quantity) => {
-                let found =
-                    factor::over_quantity(scene, &case, quantity, rules, threads, &asked, report)?;
-                let value = found.fails_at.unwrap_or(quantity.low);
-                let prepared = quantity.prepare(scene, &case, value);
-                Ok((found, prepared.map_err(SafetyError::Scene)?.job()))
-            }
-            None => {
-                let job = prepared.job();
-                let (setup, plan) = (&job.setup, &job.plan);
-                let found = factor::search(setup, plan, rules, threads, &asked, report)?;
-                Ok((found, job))
-            }
-        }
-    };
-    let (stop, mut raised) = (AtomicBool::new(false), None);
-    let found = py.detach(|| {
-        std::thread::scope(|scope| {
-            let (send, receive) = channel();
-            let stop = &stop;
-            // The receiver lives until the search is over.
-            let work = scope.spawn(move || search(stop, &mut |t| drop(send.send(t.clone()))));
-            // This thread stays the interpreter's: signals arrive here.
-            loop {
-                let trial = match receive.recv_timeout(CHECK_INTERVAL) {
-                    Ok(trial) => Some(trial),
-                    Err(RecvTimeoutError::Timeout) => None,
-                    Err(RecvTimeoutError::Disconnected) => break,
-                };
-                if let Err(error) = told(trial.as_ref(), report.as_ref(), stop) {
-                    stop.store(true, Ordering::Relaxed);
-                    raised.get_or_insert(error);
-                }
-            }
-            work.join()
-        })
-    });
-    if let Some(raised) = raised {
+    let threads = options.threads;
+    let job = prepared.job();
+    let found = reported(
+        py,
+        |stop, pass_on| {
+            let executor = Executor { threads, stop };
+            let over = over.as_ref().map(|quantity| (scene, &case, quantity));
+            factor::find(job, over, &rules, &executor, &mut |trial: &Trial| pass_on(trial.clone()))
+        },
+        |py, trial| match &report {
+            Some(report) => goes_on(&report.bind(py).call1((json(trial)?,))?),
+            None => Ok(true),
+        },
+    );
+    if let Some(raised) = found.raised {
         return Err(raised);
     }
-    let found = found.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-    let (answer, job): (Answer, _) = found.map_err(|wrong| error(py, &wrong))?;
+    let (answer, job) = found.result.map_err(|wrong| error(py, &wrong))?;
     let (text, table) = (json(&answer)?, answer.table());
     // Before the mechanism is run, which takes as long again and may be stopped.
-    std::fs::create_dir_all(&folder).map_err(|e| {
-        let text = format!("could not make {}: {e}", folder.display());
-        errors::output(py, &text)
-    })?;
-    let files = [("safety.json", format!("{text}\n")), ("safety.csv", table.clone())];
-    for (name, text) in files {
-        let written = riprap::record::write_whole(&folder.join(name), text.as_bytes());
-        written.map_err(|e| errors::output(py, &e.to_string()))?;
-    }
+    make(py, &folder)?;
+    answer.write(&folder).map_err(|e| errors::output(py, &e.to_string()))?;
     let kept = format!("the answer is in {}, without the mechanism", folder.display());
-    let shown = factor::mechanism_job(job, rules, &answer, FRAMES);
+    let shown = factor::mechanism_job(job, &rules, &answer);
     if let Some(job) = shown.map_err(|wrong| errors::run(py, &format!("{wrong}; {kept}")))? {
         let target = folder.join("mechanism.run");
-        let ran =
-            with_look(py, None, |look| job::run(job, &target, existing, options.threads, look))?;
+        let ran = with_look(py, None, |look| job::run(job, &target, existing, threads, look))?;
         ran.map_err(|wrong| errors::job_after(py, &wrong, &kept))?;
     }
     let mut words = answer.words();
@@ -160,7 +117,7 @@ pub fn safety(
 fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
     if folder.exists() && !folder.is_dir() {
         let text = format!(
-            "{} is a file; the answer needs a folder: choose another name",
+            "{} is a file, but the answer needs a folder; choose another name",
             folder.display()
         );
         return Err(errors::run(py, &text));
@@ -168,7 +125,7 @@ fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
     let occupied = std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
     if occupied && existing == Existing::Refuse {
         let text = format!(
-            "{} is not empty; choose another folder, or replace what is there with existing=\"replace\"",
+            "{} is not empty; choose another folder, or replace its contents with existing=\"replace\"",
             folder.display()
         );
         return Err(errors::run(py, &text));
@@ -176,28 +133,18 @@ fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
     Ok(())
 }
 
-fn error(py: Python<'_>, wrong: &SafetyError) -> PyErr {
+fn error(py: Python<'_>, wrong: &StudyError) -> PyErr {
     match wrong {
-        SafetyError::Scene(wrong) => errors::scenario(py, wrong),
-        SafetyError::Unknown { .. }
-        | SafetyError::NoStrength(_)
-        | SafetyError::Range(_)
-        | SafetyError::NotANumber => PyValueError::new_err(wrong.to_string()),
-        SafetyError::Build(_) | SafetyError::Exec(_) | SafetyError::Stopped => {
-            errors::run(py, &wrong.to_string())
-        }
+        StudyError::Scene(wrong) => errors::scenario(py, wrong),
+        StudyError::Job(wrong) => errors::job(py, wrong),
+        StudyError::Stopped => errors::run(py, &wrong.to_string()),
+        StudyError::Unknown { .. }
+        | StudyError::NoStrength(_)
+        | StudyError::Range(_)
+        | StudyError::NotANumber
+        | StudyError::NoBisect { .. }
+        | StudyError::OneLaw { .. }
+        | StudyError::NoLimit(_)
+        | StudyError::Compare(_) => PyValueError::new_err(wrong.to_string()),
     }
-}
-
-fn told(trial: Option<&Trial>, report: Option<&Py<PyAny>>, stop: &AtomicBool) -> PyResult<()> {
-    Python::attach(|py| {
-        py.check_signals()?;
-        if let (Some(trial), Some(report)) = (trial, report) {
-            let said = report.bind(py).call1((json(trial)?,))?;
-            if !said.is_none() && !said.is_truthy()? {
-                stop.store(true, Ordering::Relaxed);
-            }
-        }
-        Ok(())
-    })
 }

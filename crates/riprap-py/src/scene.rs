@@ -33,7 +33,7 @@ impl Scene {
         self.0.case(name).ok_or_else(|| {
             let known: Vec<&str> = self.0.cases.iter().map(|c| c.name.as_str()).collect();
             PyValueError::new_err(format!(
-                "{} has no case {name:?}; its cases are {}",
+                "{} has no case {name:?}; valid cases: {}",
                 self.0.path.display(),
                 known.join(", ")
             ))
@@ -164,7 +164,7 @@ pub fn fields(space: &str) -> PyResult<Vec<(&'static str, &'static str, usize, &
         "spatial" => Kind::Spatial,
         _ => {
             return Err(PyValueError::new_err(format!(
-                "there is no space {space:?}; spaces are planar and spatial"
+                "unknown space {space:?}; valid values: planar, spatial"
             )));
         }
     };
@@ -188,7 +188,7 @@ pub fn si(quantity: &str, unit: Option<&str>) -> PyResult<f64> {
         return Ok(value);
     }
     Err(PyValueError::new_err(format!(
-        "{quantity:?} cannot be measured in {unit}; write for example \"2 {unit}\""
+        "{quantity:?} cannot be converted to {unit}; write for example \"2 {unit}\""
     )))
 }
 

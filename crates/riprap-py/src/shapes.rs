@@ -24,7 +24,8 @@ pub fn read_dxf(
     sagitta: Option<f64>,
 ) -> PyResult<(Option<f64>, Vec<Line>)> {
     if let Some(sagitta) = sagitta.filter(|s| !(s.is_finite() && *s > 0.0)) {
-        let text = format!("sagitta is {sagitta}; it is a length above 0 in units of the drawing");
+        let text =
+            format!("sagitta is {sagitta}; it must be a length above 0 in units of the drawing");
         return Err(PyValueError::new_err(text));
     }
     let drawing = file(py, path, |bytes| parse_dxf(bytes, sagitta))?;

@@ -165,7 +165,7 @@ def test_broken_stl_files_are_told(tmp_path, slide):
     for text, says in [
         (cube, "not closed"),
         (cube.replace("1 0 0", "1 zero 0"), "line 5"),
-        (cube[: cube.index("vertex 0 1 0")], "byte .*cut off"),
+        (cube[: cube.index("vertex 0 1 0")], "byte .*truncated"),
         ("", "byte 0"),
         ("x" * 200, "byte 200"),
         (cube.replace("1 0 0", "nan 0 0"), "line 5"),

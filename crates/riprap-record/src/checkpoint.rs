@@ -58,7 +58,7 @@ pub enum CheckpointError {
     },
     /// Made by an earlier riprap.
     #[error(
-        "checkpoint {} has format version {found}, this riprap reads {FORMAT_VERSION}; resume with the riprap that wrote it, or run the scene anew",
+        "checkpoint {} has format version {found}, this riprap reads {FORMAT_VERSION}; resume with the riprap that wrote it, or run the scene again",
         path.display()
     )]
     Older {
@@ -69,7 +69,7 @@ pub enum CheckpointError {
     },
     /// Shorter than it says: the writer or a copy was cut off.
     #[error(
-        "checkpoint {} is cut off: it has {found} bytes of {expected}; copy it again or resume from the one before it",
+        "checkpoint {} is truncated: it has {found} of {expected} bytes; copy it again or resume from the previous one",
         path.display()
     )]
     Truncated {
@@ -82,7 +82,7 @@ pub enum CheckpointError {
     },
     /// Longer than it says.
     #[error(
-        "checkpoint {} has {extra} bytes after its end; it was changed after writing, resume from the one before it",
+        "checkpoint {} has {extra} bytes after its end; it was changed after writing, resume from the previous one",
         path.display()
     )]
     Trailing {
@@ -93,7 +93,7 @@ pub enum CheckpointError {
     },
     /// The bytes are not those that were written.
     #[error(
-        "checkpoint {} is damaged: its checksum does not match; copy it again or resume from the one before it",
+        "checkpoint {} is damaged: its checksum does not match; copy it again or resume from the previous one",
         path.display()
     )]
     Checksum {
@@ -114,7 +114,7 @@ pub enum CheckpointError {
         compressed: u64,
     },
     /// A state of something else.
-    #[error("checkpoint {} holds a `{found}` state, here a `{wanted}` state is needed", path.display())]
+    #[error("checkpoint {} holds a `{found}` state, but a `{wanted}` state is needed", path.display())]
     Kind {
         /// The file.
         path: PathBuf,
@@ -125,7 +125,7 @@ pub enum CheckpointError {
     },
     /// A run of another scene wrote it.
     #[error(
-        "checkpoint {} is of another scene: {found}, this run is of {wanted}; put it back into the folder of its own run",
+        "checkpoint {} belongs to another scene: {found}, but this run is of {wanted}; move it back to the folder of its own run",
         path.display()
     )]
     OtherScene {
@@ -148,7 +148,7 @@ pub enum CheckpointError {
         reason: String,
     },
     /// No usable checkpoint.
-    #[error("{} has no usable checkpoint{}; start the run anew", folder.display(), list(broken))]
+    #[error("{} has no usable checkpoint{}; start the run again", folder.display(), list(broken))]
     None {
         /// The run folder.
         folder: PathBuf,

@@ -32,7 +32,7 @@ impl<T> AtPath<T> for io::Result<T> {
 pub fn open_plain(path: &Path) -> io::Result<File> {
     let plain = |found: &fs::Metadata| match found.is_file() {
         true => Ok(()),
-        false => Err(io::Error::other("it is not a plain file")),
+        false => Err(io::Error::other("it is not a regular file")),
     };
     // Before it is opened, since opening a pipe waits; and after, since another may have taken its place.
     plain(&fs::metadata(path)?)?;
@@ -174,8 +174,8 @@ impl AppendFile {
         let there = file.metadata().at(path)?.len();
         if there < length {
             return Err(bad(format!(
-                "the checkpoint was written when this file had {length} bytes, now it has {there}; \
-                 it was cut or replaced, so the run cannot continue it"
+                "this file had {length} bytes when the checkpoint was written and now has {there}; \
+                 it was truncated or replaced, so the run cannot continue it"
             )));
         }
         if length > 0 {
@@ -184,7 +184,7 @@ impl AppendFile {
             file.read_exact(&mut last).at(path)?;
             if last != *b"\n" {
                 return Err(bad(format!(
-                    "byte {length} is not the end of a line, as the checkpoint says it was; \
+                    "byte {length} is no longer the end of a line, as recorded in the checkpoint; \
                      the file was changed, so the run cannot continue it"
                 )));
             }

@@ -42,19 +42,19 @@ pub enum Existing {
 #[derive(Debug, thiserror::Error)]
 pub enum FolderError {
     /// There is something in it that is not a run.
-    #[error("{} is not empty and not a run folder; choose another folder, or force it to write there", path.display())]
+    #[error("{} is not empty and not a run folder; choose another folder, or force writing there", path.display())]
     Occupied {
         /// The folder.
         path: PathBuf,
     },
     /// There is a run in it.
-    #[error("{} holds a run already; choose another folder, or ask for it to be replaced", path.display())]
+    #[error("{} already contains a run; choose another folder, or have it replaced", path.display())]
     Run {
         /// The folder.
         path: PathBuf,
     },
     /// It is a file.
-    #[error("{} is a file, a run needs a folder", path.display())]
+    #[error("{} is a file, but a run needs a folder", path.display())]
     NotAFolder {
         /// The path.
         path: PathBuf,
@@ -66,7 +66,7 @@ pub enum FolderError {
         path: PathBuf,
     },
     /// A frame that the checkpoint names is missing.
-    #[error("{} is missing, but the checkpoint was written after it; the run cannot be continued, start it anew", path.display())]
+    #[error("{} is missing, but the checkpoint depends on it; the run cannot be continued, start it again", path.display())]
     FrameMissing {
         /// The file.
         path: PathBuf,
@@ -113,7 +113,7 @@ pub struct Marks {
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
-    /// Held as long as the folder is written; the system lets go of it when the process dies.
+    /// Held as long as the folder is written; the system releases it when the process dies.
     _lock: File,
     histories: Option<Series>,
     energy: Option<Series>,

@@ -307,7 +307,7 @@ pub enum ManifestError {
     },
     /// Written by a later riprap.
     #[error(
-        "{} has run-folder format {found}, this riprap reads up to {FORMAT_VERSION}: use a newer riprap",
+        "{} has run-folder format {found}, this riprap reads up to {FORMAT_VERSION}; use a newer riprap",
         path.display()
     )]
     Newer {

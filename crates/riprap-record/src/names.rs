@@ -160,7 +160,7 @@ impl Names {
         if ordered {
             return Ok(names);
         }
-        let reason = "its numbers do not ascend".to_owned();
+        let reason = "its numbers are not ascending".to_owned();
         Err(NamesError { path, reason })
     }
 

@@ -137,7 +137,7 @@ impl<const N: usize> Table<N> {
             words.push_str(&format!("; {} without a unit, read in {unit}", names.join(", ")));
         }
         if self.decimal_comma {
-            words.push_str("; commas are decimal signs");
+            words.push_str("; decimal commas");
         }
         words
     }
@@ -228,7 +228,7 @@ pub fn parse_table<const N: usize>(
     }
     if lines.is_empty() {
         return Err(CsvError::new(
-            "there are no lines of numbers under the header",
+            "there are no rows of numbers below the header",
             "give at least one row",
         ));
     }
@@ -269,7 +269,7 @@ fn take_units<const N: usize>(
                 let (line, name) = (rows.line, short(&rows.head[cell.at]));
                 let is = dim.describe();
                 let message = format!("line {line}, column `{name}`: the unit `{text}` is {is}");
-                let help = format!("{} is expected", column.dim.describe());
+                let help = format!("expected: {}", column.dim.describe());
                 return Err(CsvError::new(&message, &help));
             }
             Err(_) => return Ok(false),
@@ -301,7 +301,7 @@ fn missing(head: &[String], column: &Column) -> CsvError {
     let columns = short(&known.join(", "));
     let help = match like {
         _ if known.len() == 1 => format!(
-            "the only column is {columns}; separate columns with commas, semicolons or tabs, and name one {example}"
+            "the only column is {columns}; separate columns by commas, semicolons or tabs, and name one {example}"
         ),
         Some(like) => format!("{like} the columns are {columns}"),
         None => format!("the columns are {columns}; name one {example}"),
@@ -336,18 +336,18 @@ impl Decimals {
         let number = match number {
             Ok(number) if number.is_finite() => number,
             Ok(_) => {
-                return Err(wrong("not a finite number", "correct the row, or leave it out"));
+                return Err(wrong("not a finite number", "correct the row, or remove it"));
             }
             Err(_) if text.is_empty() => {
                 let message = format!("line {line}, column `{}`: the cell is empty", short(name));
-                let help = "give a number, or leave the row out";
+                let help = "give a number, or remove the row";
                 return Err(CsvError::new(&message, help));
             }
             Err(_) if commas > 0 => {
-                let help = "write the number without separators of thousands; a decimal comma needs semicolons or tabs between cells";
+                let help = "write the number without thousands separators; a decimal comma needs semicolons or tabs between cells";
                 return Err(wrong("not a number", help));
             }
-            Err(_) => return Err(wrong("not a number", "correct the row, or leave it out")),
+            Err(_) => return Err(wrong("not a number", "correct the row, or remove it")),
         };
         let sign = match (commas, text.contains('.')) {
             (0, false) => return Ok(number),
@@ -357,10 +357,10 @@ impl Decimals {
         sign.get_or_insert(line);
         if let (Some(point), Some(comma)) = (self.point, self.comma) {
             let message = format!(
-                "line {line}, column `{}`: line {comma} has a decimal comma and line {point} a decimal point",
+                "line {line}, column `{}`: line {comma} has a decimal comma, and line {point} a decimal point",
                 short(name)
             );
-            let help = "write all numbers of the file with one decimal sign, and none with separators of thousands";
+            let help = "use one decimal sign in the whole file, and no thousands separators";
             return Err(CsvError::new(&message, help));
         }
         Ok(number)

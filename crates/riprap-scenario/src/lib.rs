@@ -3,7 +3,7 @@
 //! ```text
 //! file --load--> text --overrides--> text --parse--> Parsed { Scenario, Source, warnings }
 //!                                      |
-//!            syntax, validate (schema, units, ranges), rules (one of, references)
+//!            syntax, validate (schema, units, ranges, rules of keys), rules (values, references)
 //!                                      v
 //!                                 Diagnostics (all that is wrong, each with its place)
 //! ```
@@ -32,6 +32,7 @@ pub mod quantity;
 pub mod read;
 mod references;
 mod replaced;
+mod rule;
 mod rules;
 mod schema;
 pub mod time_function;
@@ -48,6 +49,7 @@ pub use overrides::{Case, apply_overrides, cases, swept_and_set};
 pub use quantity::{Name, Names, Quantity, Span, Table};
 pub use references::NO_WATER;
 pub use replaced::{TABLE_REPLACED, fallen_away};
+pub use rule::no_effect;
 pub use rules::{read_formula, target_span};
 pub use schema::{KeyDoc, explain_key, keys, markdown, schema_text};
 pub use time_function::TimeFunction;

@@ -165,10 +165,11 @@ pub fn parse(mut source: Source) -> Result<Parsed, Diagnostics> {
         Ok(root) => root,
         Err(error) => return fail(vec![syntax_error(text, error.message(), error.span())]),
     };
-    let mut list = validate::validate(&root);
+    let [mut list, by_rules] = validate::validate(&root);
     match deserialize(&root) {
         Ok(scenario) => {
             list.extend(rules::check(&scenario, root.get_ref(), list.is_empty()));
+            list.extend(by_rules);
             let diagnostics = Diagnostics::new(source.clone(), list);
             if diagnostics.errors() > 0 {
                 return Err(diagnostics);

@@ -94,7 +94,7 @@ enum Version {
 
 fn header(reader: &mut Reader) -> Result<Version, FileError> {
     if reader.word() != Some("$MeshFormat") {
-        return Err(reader.wrong("this is no .msh file: it does not begin with $MeshFormat"));
+        return Err(reader.wrong("this is not a .msh file: it does not begin with $MeshFormat"));
     }
     let version = reader.word().unwrap_or_default().to_owned();
     let version = match version.as_str() {
@@ -103,14 +103,14 @@ fn header(reader: &mut Reader) -> Result<Version, FileError> {
         other => {
             let shown: String = other.chars().take(20).collect();
             return Err(reader.wrong(format!(
-                "the format is {shown:?}; 4.1 and 2.2 can be read: save the mesh with -format msh41 or msh22"
+                "the format is {shown:?}, but only 4.1 and 2.2 can be read; save the mesh with -format msh41 or msh22"
             )));
         }
     };
     let kind = reader.int("the kind of file")?;
     let size = reader.int("the size of a number")?;
     if size != 8 {
-        return Err(reader.wrong(format!("numbers of {size} bytes; they must have 8")));
+        return Err(reader.wrong(format!("numbers have {size} bytes; they must have 8")));
     }
     match kind {
         0 => {}
@@ -121,7 +121,7 @@ fn header(reader: &mut Reader) -> Result<Version, FileError> {
             if one == 1_i32.swap_bytes() {
                 reader.coding = Coding::Binary { swapped: true };
             } else if one != 1 {
-                return Err(reader.wrong("the number 1 that tells the order of bytes is not there"));
+                return Err(reader.wrong("the number 1 that defines the byte order is missing"));
             }
         }
         other => {
@@ -183,7 +183,7 @@ impl File {
                 let groups = reader.size("a number of groups")?;
                 if groups > MOST_GROUPS {
                     return Err(reader.wrong(format!(
-                        "an entity is in {groups} physical groups; {MOST_GROUPS} at most are possible"
+                        "an entity is in {groups} physical groups; at most {MOST_GROUPS} are allowed"
                     )));
                 }
                 for _ in 0..reader.room(groups, 2, "groups")? {
@@ -274,7 +274,7 @@ impl File {
         match self.tags.binary_search_by_key(&tag, |(tag, _)| *tag) {
             Ok(place) => Ok(self.tags[place].1),
             Err(_) => {
-                Err(reader.wrong(format!("an element has the node {tag}, which is not there")))
+                Err(reader.wrong(format!("an element uses node {tag}, which does not exist")))
             }
         }
     }
@@ -323,8 +323,7 @@ impl File {
         elements::join_repeated(&mut self);
         if self.mesh.cells.is_empty() {
             return Err(reader.wrong(
-                "the mesh has no volume elements: mesh in 3 dimensions, and if there are physical groups, put the \
-                 volumes into one",
+                "the mesh has no volume elements; mesh in 3 dimensions, and if there are physical groups, put the volumes into one",
             ));
         }
         Ok(self.mesh)

@@ -12,6 +12,7 @@ use serde_json::{Map, Value, json};
 
 use crate::language::Period;
 use crate::quantity::{Kind, Quantity};
+use crate::rule::Rule;
 use crate::units::Dim;
 use crate::vectors::{Components, Form, InSpace};
 
@@ -300,7 +301,19 @@ impl TableSchema {
         }
     }
 
-    pub(crate) fn finish(mut self) -> Schema {
+    pub(crate) fn finish(mut self, rules: Vec<Rule>) -> Schema {
+        // A key that is required under a condition has no need of "only with" the same.
+        let said = |rule: &&Rule| {
+            let same = |one: &Rule| one.keys == rule.keys && one.when == rule.when;
+            rule.kind == "required" || !rules.iter().any(|one| one.kind == "required" && same(one))
+        };
+        for rule in rules.iter().filter(said) {
+            rule.describe(&mut self.head, &mut self.keys);
+        }
+        if !rules.is_empty() {
+            let rules: Vec<Value> = rules.iter().map(Rule::to_json).collect();
+            self.head.insert("x-rules".to_owned(), json!(rules));
+        }
         self.head.insert("properties".to_owned(), Value::Object(self.keys));
         if !self.required.is_empty() {
             self.head.insert("required".to_owned(), json!(self.required));

@@ -13,7 +13,7 @@ pub const OF_TIME: [&str; 1] = ["t"];
 /// What formulas of a motion that is prescribed point by point know: the place at the start (m) beside the time.
 pub const OF_PLACE_AND_TIME: [&str; 4] = ["t", "x", "y", "z"];
 
-/// A value over time; `K` is the kind of the value. Exactly one form.
+/// A value over time; `K` is the kind of the value.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", bound(deserialize = "K: Kind"))]
 pub enum TimeFunction<K: Kind> {

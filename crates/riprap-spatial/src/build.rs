@@ -303,7 +303,7 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
     match shape {
         Shape::Brick { centre, half } => {
             if !(half.min_element() > 0.0 && half.is_finite() && centre.is_finite()) {
-                return Err(format!("its half edges are {half} m"));
+                return Err(format!("the half lengths of its edges are {half} m"));
             }
             let volume = 8.0 * half.x * half.y * half.z;
             let mass = density * volume;

@@ -11,7 +11,7 @@
 //! use riprap_core::exec::Exec;
 //! use riprap_geom::Vec3;
 //! use riprap_spatial::setup::{
-//!     BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Motion, Points, Setup, Shape, Stiffness, Strength, Support,
+//!     BlockName, BlockSpec, InterfaceLaw, JointLaw, Material, Motion, Setup, Shape, Stiffness, Strength, Support,
 //! };
 //! use riprap_spatial::step::{Damping, advance, evaluate};
 //! use riprap_spatial::view::View;
@@ -27,12 +27,9 @@
 //! let joint = JointLaw {
 //!     stiffness: Stiffness::Given { normal: 1e8, shear: 1e8 },
 //!     strength: Some(Strength { friction: 0.6, residual_friction: 0.6, ..Strength::default() }),
-//!     behaviour: Default::default(),
-//!     failure: Failure::Point,
-//!     points: Points::Gauss,
 //!     damping: 0.2,
 //!     contact_damping: 0.2,
-//!     dashpots: Dashpots::Sticking,
+//!     ..JointLaw::default()
 //! };
 //! let held = Motion::Fixed { translation: [true; 3], rotation: [true; 3] };
 //! let setup = Setup {

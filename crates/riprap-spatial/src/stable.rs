@@ -61,9 +61,9 @@ pub fn stable_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> 
     let (block, why) = match on {
         Some(node) if bolts > square => {
             let body = deform.bodies.partition_point(|b| b.first <= node) - 1;
-            (Some(deform.bodies[body].block), "nodes against bolts")
+            (Some(deform.bodies[body].block), "nodes on the springs of bolts")
         }
-        _ => (block, "nodes against their bonds and tetrahedra"),
+        _ => (block, "nodes on the springs of bonds and tetrahedra"),
     };
     let square = square + deformable::on_bonds(world, deform) + bolts;
     // The largest eigenvalue of a sum is at most the sum of the largest ones.
@@ -127,7 +127,7 @@ fn rigid_step(world: &World, scratch: &Scratch, stiffness_damping: f64) -> Stabl
         };
     }
     if dt.is_infinite() {
-        return Stable { dt, block: None, why: "nothing holds the blocks" };
+        return Stable { dt, block: None, why: "no springs act on the blocks" };
     }
     name(world, &springs, &motion, dt)
 }
@@ -184,9 +184,9 @@ fn name(world: &World, springs: &Springs, motion: &Fastest, dt: f64) -> Stable {
     let why = if springs.faces.iter().any(|f| f.block as usize == block) {
         "springs of patches and of a boundary"
     } else if turning > moving {
-        "rotation against the springs of its patches"
+        "rotation on the springs of its patches"
     } else {
-        "translation against the springs of its patches"
+        "translation on the springs of its patches"
     };
     Stable { dt, block: Some(block as u32), why }
 }

@@ -85,7 +85,7 @@ pub fn answer(run: &Run, path: &str, query: &Query<'_>) -> Result<Answer, Proble
         ["events"] => Ok(json_answer(&run.lines("events.jsonl").into())),
         ["checks"] => Ok(json_answer(&run.lines("checks.jsonl").into())),
         ["file", ref name @ ..] => file(run, &name.join("/")),
-        _ => Err(unknown(&format!("there is no answer to {path:?}"))),
+        _ => Err(unknown(&format!("unknown request {path:?}"))),
     }
 }
 
@@ -206,7 +206,7 @@ fn block(run: &Run, k: usize, id: usize) -> Result<Answer, Problem> {
     let at = at.ok_or_else(|| {
         Problem::missing(
             format!("there is no block {id} in frame {k}"),
-            "It was split, cut or taken out.",
+            "It was split, cut or removed.",
         )
     })?;
     let rows: Vec<Value> = columns

@@ -159,7 +159,7 @@ pub fn bolts(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
     };
     if bolts.points.len() != 2 * count {
         return Err(Problem::broken(
-            format!("frame {k} has bars of bolts without two ends"),
+            format!("frame {k} has bolt bars without two ends"),
             "Run the scene again, or copy the run folder again.",
         ));
     }

@@ -21,8 +21,8 @@ pub fn wire(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
     let columns = run.columns(k, &|n| [stress::NORMAL, stress::SHEAR].contains(&n))?;
     let blocks = stress::principal(&columns).ok_or_else(|| {
         Problem::missing(
-            format!("frame {k} has no stress of blocks"),
-            "Run the scene again: frames of earlier versions have none.",
+            format!("frame {k} has no block stresses"),
+            "Run the scene again; frames of earlier versions have none.",
         )
     })?;
     let fine = match run.tetrahedra(k)? {
@@ -85,7 +85,7 @@ impl Fine {
     fn of(read: &Cracks, k: usize) -> Result<Self, Problem> {
         let damaged = || {
             Problem::broken(
-                format!("frame {k} has tetrahedra that do not fit together"),
+                format!("frame {k} has inconsistent tetrahedra"),
                 "Run the scene again, or copy the run folder again.",
             )
         };

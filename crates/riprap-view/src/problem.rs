@@ -31,9 +31,9 @@ impl From<ReadError> for Problem {
     fn from(error: ReadError) -> Self {
         let hint = match &error {
             ReadError::Read { .. } => {
-                "The file is missing or may not be read. Copy the run folder again, whole."
+                "The file is missing or cannot be read. Copy the complete run folder again."
             }
-            ReadError::Foreign { .. } => "Frames of other programs can be looked at in ParaView.",
+            ReadError::Foreign { .. } => "Frames of other programs can be viewed in ParaView.",
             ReadError::Damaged { .. } => {
                 "The other frames can still be shown. Copy the run folder again, or run the scene again."
             }

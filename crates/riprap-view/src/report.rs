@@ -126,8 +126,8 @@ fn replay(out: &mut String, run: &Run, limits: Limits) {
     };
     let _ = writeln!(
         out,
-        "<h2>Replay</h2>\n<p class=\"screen\">{kept} frame{}. Drag to turn, wheel to come nearer, space to play, ? for the keys.</p>\n\
-         <div id=\"app\" class=\"replay\"></div>",
+        "<h2>Replay</h2>\n<p class=\"screen\">{kept} frame{}. Drag to rotate, scroll to zoom, space to play, ? for all keys.</p>\n<div id=\"app\" \
+         class=\"replay\"></div>",
         if kept == 1 { "" } else { "s" }
     );
     for note in &book.notes {

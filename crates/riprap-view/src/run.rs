@@ -1,7 +1,7 @@
 //! One run folder, opened for looking: frames by their place in the list of frames, read when asked for.
 //!
 //! Only the public readers of `riprap_record` touch the files, and only names that they make themselves or that
-//! lie inside the folder. A run that goes on while it is looked at is read anew each time.
+//! lie inside the folder. A run that goes on while it is looked at is read again each time.
 
 use riprap_geom::Vec3;
 use riprap_record::conditions::{self, Conditions};
@@ -50,7 +50,7 @@ struct Memory {
 }
 
 impl Run {
-    /// A folder, sound or not: what is wrong with it is told when it is asked for something.
+    /// A folder, sound or not: what is wrong with it is reported when it is asked for something.
     pub fn new(path: &Path) -> Self {
         Run { path: path.to_owned(), memory: Mutex::default() }
     }
@@ -70,7 +70,7 @@ impl Run {
             let hint = match &error {
                 ManifestError::Read { .. } => self.where_runs_are(),
                 ManifestError::Foreign { .. } => {
-                    "Its manifest.json was changed or cut off. Copy the run folder again, or run the scene again.".to_owned()
+                    "Its manifest.json was changed or truncated. Copy the run folder again, or run the scene again.".to_owned()
                 }
                 ManifestError::Newer { .. } => {
                     "Use the riprap that wrote it, or a newer one.".to_owned()
@@ -92,10 +92,11 @@ impl Run {
             .collect();
         inside.sort();
         match &inside[..] {
-            [] => "A run folder is what `riprap run` writes, for example hill.run; it has a manifest.json. Name that folder: riprap view hill.run".to_owned(),
-            [one] => format!("There is a run in it: riprap view {one}"),
+            [] => "A run folder is written by `riprap run`, for example hill.run, and contains a manifest.json. Name that folder: riprap view \
+                   hill.run".to_owned(),
+            [one] => format!("It contains a run: riprap view {one}"),
             [one, two, ..] => format!(
-                "There are {} runs in it. Name one or two of them: riprap view {one} {two}",
+                "It contains {} runs. Name one or two of them: riprap view {one} {two}",
                 inside.len()
             ),
         }
@@ -180,7 +181,7 @@ impl Run {
         let entry = frames.get(k).ok_or_else(|| {
             Problem::missing(
                 format!("there is no frame {k}: the run has {}", frames.len()),
-                "Frames are counted from 0.",
+                "Frames are numbered from 0.",
             )
         })?;
         // Names are made here and only compared: a list that points elsewhere is not followed.
@@ -192,7 +193,7 @@ impl Run {
             .filter(|n| block_file(*n) == entry.file);
         let Some(number) = number else {
             return Err(Problem::broken(
-                format!("run.pvd names {:?}, which is no frame of this run", entry.file),
+                format!("run.pvd names {:?}, which is not a frame of this run", entry.file),
                 "The list of frames was changed. Copy the run folder again, or run the scene again.",
             ));
         };
@@ -208,7 +209,7 @@ impl Run {
         let refused = || {
             Problem::missing(
                 format!("{name:?} is not inside the run folder"),
-                "Only files of the run folder are shown.",
+                "Only files in the run folder are shown.",
             )
         };
         let plain = Path::new(name).components().all(|c| matches!(c, Component::Normal(_)));
@@ -217,8 +218,8 @@ impl Run {
         }
         let absent = |_| {
             Problem::missing(
-                format!("{} is not there", self.path.join(name).display()),
-                "The file is missing. Copy the run folder again, whole.",
+                format!("{} does not exist", self.path.join(name).display()),
+                "The file is missing. Copy the complete run folder again.",
             )
         };
         let root = self.path.canonicalize().map_err(absent)?;
@@ -235,7 +236,7 @@ impl Run {
         let unreadable = |e: std::io::Error| {
             Problem::broken(
                 format!("could not read {}: {e}", path.display()),
-                "Check that it is a file that you may read.",
+                "Check that it is a file that you are allowed to read.",
             )
         };
         let length = path.metadata().map_err(unreadable)?.len();
@@ -442,7 +443,7 @@ impl Run {
         Table::read(&path).map(Some).map_err(|error| {
             Problem::broken(
                 error.to_string(),
-                "Mend the file with a text editor, or copy the run folder again.",
+                "Repair the file with a text editor, or copy the run folder again.",
             )
         })
     }
@@ -474,7 +475,7 @@ impl Run {
         let unreadable = |e: std::io::Error| {
             Problem::broken(
                 format!("could not read {} to its end: {e}", path.display()),
-                "Check that it is a file that you may read.",
+                "Check that it is a file that you are allowed to read.",
             )
         };
         let file = riprap_record::open_plain(&path).map_err(unreadable)?;

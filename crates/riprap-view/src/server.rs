@@ -3,7 +3,7 @@
 //! Who may ask: this machine only, and of its users those who know the random part of the address, which is printed on the
 //! terminal. A browser is started with an address that works once, since the command lines of a machine can be read by all
 //! its users. A page of another site that has its own name resolve to 127.0.0.1 (DNS rebinding) is refused by its `Host` header,
-//! and no answer may be read or framed by other sites. Nothing can be changed through it. Whoever connects and says nothing is let go
+//! and no answer may be read or framed by other sites. Nothing can be changed through it. A connection without a request is closed
 //! after `PATIENCE`, and at most `CONNECTIONS` are answered at a time.
 
 use axum::Router;
@@ -56,7 +56,7 @@ pub enum ServerError {
         source: io::Error,
     },
     /// No random numbers for the address.
-    #[error("the system has no random numbers for the address of the viewer: {0}")]
+    #[error("the system provides no random numbers for the address of the viewer: {0}")]
     Random(getrandom::Error),
     /// It broke down.
     #[error("the viewer stopped: {0}")]
@@ -100,7 +100,7 @@ impl Server {
                         once: random()?,
                     });
                 }
-                // What is told is about the port that was asked for.
+                // What is reported is about the port that was asked for.
                 Err(error) => problem = problem.or(Some(error)),
             }
         }
@@ -206,7 +206,7 @@ impl Context {
         }
         Err(Box::new(plain(
             StatusCode::FORBIDDEN,
-            "Open the viewer by the whole address that riprap printed.\n",
+            "Open the viewer by the complete address that riprap printed.\n",
         )))
     }
 }
@@ -221,11 +221,11 @@ async fn handle(State(context): State<Context>, request: Request) -> Response<Bo
     if !from_here(&request, context.port) {
         return plain(
             StatusCode::FORBIDDEN,
-            "This viewer answers its own machine only. Open it by the address that riprap printed.\n",
+            "This viewer serves only its own machine. Open it by the address that riprap printed.\n",
         );
     }
     if !matches!(*request.method(), Method::GET | Method::HEAD) {
-        return plain(StatusCode::METHOD_NOT_ALLOWED, "Only GET.\n");
+        return plain(StatusCode::METHOD_NOT_ALLOWED, "Only GET requests are served.\n");
     }
     let uri = request.uri().clone();
     let path = match context.path(&uri) {
@@ -244,7 +244,7 @@ async fn handle(State(context): State<Context>, request: Request) -> Response<Bo
                 Ok(response) => response,
                 Err(_) => plain(
                     StatusCode::INTERNAL_SERVER_ERROR,
-                    "The viewer could not answer; this is a mistake of riprap.\n",
+                    "The viewer could not answer; this is a fault in riprap.\n",
                 ),
             }
         }
@@ -270,7 +270,7 @@ fn from_here(request: &Request, port: u16) -> bool {
 /// `/api/runs` and `/api/NUMBER/QUESTION`.
 fn about_runs(runs: &[Run], path: &str, asked: Option<&str>) -> Response<Body> {
     let nothing =
-        || problem(&Problem::missing(format!("there is nothing at {path}"), "Reload the page."));
+        || problem(&Problem::missing(format!("{path} does not exist"), "Reload the page."));
     let Some(rest) = path.strip_prefix("/api/") else {
         return nothing();
     };

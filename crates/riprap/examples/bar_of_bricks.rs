@@ -4,8 +4,7 @@
 
 use riprap::prelude::*;
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Points, Setup,
-    Shape, Stiffness, StiffnessRule,
+    BlockName, BlockSpec, InterfaceLaw, JointLaw, Material, Points, Setup, Shape,
 };
 
 const BRICKS: u32 = 200;
@@ -39,16 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             name: "joint".to_owned(),
             bond: None,
             friction: None,
-            joint: JointLaw {
-                stiffness: Stiffness::Rule(StiffnessRule::Material),
-                strength: None,
-                behaviour: Default::default(),
-                failure: Failure::Point,
-                points: Points::Quarter,
-                damping: 0.0,
-                contact_damping: 0.0,
-                dashpots: Dashpots::Sticking,
-            },
+            joint: JointLaw { points: Points::Quarter, ..JointLaw::default() },
         }],
         pair_table: vec![0],
         ..Setup::default()

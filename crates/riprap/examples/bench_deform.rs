@@ -28,8 +28,8 @@ use riprap::spatial::setup::deform::{
     BondFailure, BondLaw, BondSprings, DeformableSet, Deformables, Strength,
 };
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Kinematics, Material, Points,
-    Setup, Shape, Solid, Stiffness as Springs, StiffnessRule,
+    BlockName, BlockSpec, InterfaceLaw, JointLaw, Kinematics, Material, Points, Setup, Shape,
+    Solid, Stiffness as Springs, StiffnessRule,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::topology::cut as cutting;
@@ -199,13 +199,8 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
             friction: None,
             joint: JointLaw {
                 stiffness: Springs::Rule(StiffnessRule::Material),
-                strength: None,
-                behaviour: Default::default(),
-                failure: Failure::Point,
                 points: Points::Quarter,
-                damping: 0.0,
-                contact_damping: 0.0,
-                dashpots: Dashpots::Sticking,
+                ..JointLaw::default()
             },
         }],
         pair_table: vec![0],

@@ -13,8 +13,8 @@ use riprap::Vec3;
 use riprap::exec::Exec;
 use riprap::record::manifest::Machine;
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, InSitu, InterfaceLaw, JointLaw, Kinematics, Material,
-    Points, Setup, Shape, Stiffness, StiffnessRule, Strength,
+    BlockName, BlockSpec, InSitu, InterfaceLaw, JointLaw, Kinematics, Material, Points, Setup,
+    Shape, Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::world::World;
@@ -87,17 +87,12 @@ fn lattice(edge: usize, joints: Joints) -> Setup {
             bond: None,
             friction: None,
             joint: JointLaw {
-                stiffness: Stiffness::Rule(StiffnessRule::Material),
                 strength: match joints {
                     Joints::Elastic => None,
                     Joints::Intact | Joints::Broken => Some(strength),
                 },
-                behaviour: Default::default(),
-                failure: Failure::Point,
                 points: Points::Quarter,
-                damping: 0.0,
-                contact_damping: 0.0,
-                dashpots: Dashpots::Sticking,
+                ..JointLaw::default()
             },
         }],
         pair_table: vec![0],

@@ -95,7 +95,7 @@ pub struct Phase {
     pub zero_displacements: bool,
     /// Rules for deformable blocks; `None` where there are none.
     pub deform: Option<Deforming>,
-    /// Energy residual over the largest energy that moved at which the run is stopped.
+    /// Energy residual over the largest energy exchanged at which the run is stopped.
     pub max_residual: f64,
 }
 

@@ -333,7 +333,7 @@ fn two_of_one_name_are_told() {
     let scene = parsed(&alike).unwrap();
     let told = scene.prepare(&scene.case("default").unwrap()).unwrap_err();
     let told = told.to_string();
-    assert!(told.contains("there are several loads `bar.3`"), "{told}");
+    assert!(told.contains("load name `bar.3` is ambiguous"), "{told}");
 }
 
 #[test]

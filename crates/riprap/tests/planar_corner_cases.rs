@@ -2,14 +2,7 @@
 //! coordinates, huge angles. For both laws: finite, action equals reaction at the same points, the order of
 //! the blocks does not matter, and (distance potential) no jump under tiny moves.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "tests may compare with the functions of the platform"
-)]
-
-mod common;
-
-use common::{
+use crate::common::{
     DISTANCE, Model, SOURCE, block, comb, general, l_shape, law, moved, notched, points, rectangle,
     setup, u_shape,
 };

@@ -1,8 +1,6 @@
 //! Overlaps where features coincide.
 
-mod common;
-
-use common::{DISTANCE, Model, SOURCE, general, law, points, rectangle};
+use crate::common::{DISTANCE, Model, SOURCE, general, law, points, rectangle};
 
 #[test]
 fn a_vertex_within_a_straight_side_changes_nothing() {

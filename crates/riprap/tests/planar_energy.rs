@@ -1,14 +1,7 @@
 //! The distance potential is a potential: forces are its gradient, loops cost nothing, both kernels agree,
 //! elastic collisions keep their energy. The source's law is measured beside it.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "tests may compare with the functions of the platform"
-)]
-
-mod common;
-
-use common::{
+use crate::common::{
     DISTANCE, Model, Random, SOURCE, block, comb, general, l_shape, law, moved, notched, points,
     quantile, rectangle, setup, u_shape,
 };
@@ -147,7 +140,7 @@ fn outlines_that_coincide_over_many_corners_hold_no_energy_and_keep_the_gradient
             }
             // Mostly into the face, so that all of the trace is pressed, or any way.
             let lean = random.between(-1.4, 1.4);
-            let by = depth * common::turned(Vec2::new(0.0, -1.0), angle + lean);
+            let by = depth * crate::common::turned(Vec2::new(0.0, -1.0), angle + lean);
             let origin = model.world.bodies[0].position;
             let fault = gradient_fault(&mut model, by, share * depth);
             model.place(0, origin, 0.0);

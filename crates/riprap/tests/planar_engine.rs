@@ -1,10 +1,5 @@
 //! The planar engine against closed answers, without scenario files.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "tests may compare with the functions of the platform"
-)]
-
 use riprap::Vec2;
 use riprap::exec::Exec;
 use riprap::planar::setup::{

@@ -6,9 +6,7 @@
 //! contact the corner of one face only can be inside. So the sum is `1.5 pn L d` between bricks, and no less than
 //! `1.0 pn L d` where round-off decides about corners of other shapes; the distance potential has `kn L d`.
 
-mod common;
-
-use common::{DISTANCE, Model, Random, SOURCE, general, law, moved, points, rectangle};
+use crate::common::{DISTANCE, Model, Random, SOURCE, general, law, moved, points, rectangle};
 use riprap::Vec2;
 use riprap::planar::setup::NormalLaw;
 
@@ -111,9 +109,9 @@ fn press(case: &Case, normal: NormalLaw, pose: [f64; 4], angle: f64) -> Pressed 
     // The road for any polygons for both laws.
     let model = Model::pair(&upper, &lower, general(law(normal, KN)));
     let wrench = model.wrench();
-    let force = common::turned(wrench.force, -angle);
+    let force = crate::common::turned(wrench.force, -angle);
     let middle = 0.5 * (case.face[0] + case.face[1]);
-    let arm = model.world.bodies[0].position - common::turned(Vec2::new(middle, 0.0), angle);
+    let arm = model.world.bodies[0].position - crate::common::turned(Vec2::new(middle, 0.0), angle);
     Pressed {
         across: force.y,
         along: force.x,

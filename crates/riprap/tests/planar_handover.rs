@@ -1,9 +1,7 @@
 //! Joints that give way to found contact: the ledger stays closed, nothing is thrown apart, and looking
 //! twice changes nothing.
 
-mod common;
-
-use common::{DISTANCE, Model, block, law, points, rectangle, setup};
+use crate::common::{DISTANCE, Model, block, law, points, rectangle, setup};
 use riprap::Vec2;
 use riprap::planar::setup::{BondLaw, Setup, Strength};
 
@@ -128,7 +126,7 @@ fn a_contact_keeps_its_memory_when_its_edges_become_many() {
         (0..15).map(|k| Vec2::from_angle(std::f64::consts::TAU * f64::from(k) / 15.0)).collect();
     let plate = rectangle(-1.0, -1.3, 3.0, -0.997);
     let mut setup = setup(vec![block(&plate), block(&wheel)], contact);
-    common::hold(&mut setup, &[0]);
+    crate::common::hold(&mut setup, &[0]);
     setup.gravity = [3.0, -9.0];
     let mut model = Model::new(setup);
     let (mut roads, mut worst) = ([0usize; 2], 0.0_f64);

@@ -2,11 +2,6 @@
 //!
 //! Catalogue entries H4 (order of the scheme), H6, H7 and H8.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "tests may compare with the functions of the platform"
-)]
-
 use std::path::{Path, PathBuf};
 
 use riprap::Vec2;

@@ -1,14 +1,7 @@
 //! Built joints against their strengths: tension, shear peak and residual, hand-over to found contact, finite
 //! rotation.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "tests may compare with the functions of the platform"
-)]
-
-mod common;
-
-use common::{DISTANCE, Model, block, hold, law, points, rectangle, setup};
+use crate::common::{DISTANCE, Model, block, hold, law, points, rectangle, setup};
 use riprap::Vec2;
 use riprap::dynamics::TimeFunction;
 use riprap::planar::setup::{BondLaw, Load, LoadKind, Motion, Setup, Strength, Support};
@@ -149,7 +142,7 @@ fn a_joint_starts_with_closed_books() {
         for block in &mut setup.blocks {
             let angle = 0.1 * f64::from(k);
             let shift = -f64::from(k) * Vec2::new(0.037, 0.071);
-            block.vertices = common::moved(&block.vertices, angle, shift);
+            block.vertices = crate::common::moved(&block.vertices, angle, shift);
         }
         let mut model = Model::new(setup);
         model.evaluate(1e-4);

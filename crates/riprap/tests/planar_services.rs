@@ -1,8 +1,6 @@
 //! Same bits for any thread count, across a checkpoint, and no allocation in a steady step.
 
-mod common;
-
-use common::{DISTANCE, block, comb, hold, l_shape, law, moved, rectangle, setup};
+use crate::common::{DISTANCE, block, comb, hold, l_shape, law, moved, rectangle, setup};
 use riprap::Vec2;
 use riprap::exec::Exec;
 use riprap::plan::{Damping, Phase, PhaseKind, Plan, TimeStep, Until};
@@ -11,11 +9,6 @@ use riprap::planar::setup::{BondLaw, Setup, Strength};
 use riprap::record::checkpoint;
 use riprap::run::simulation::{Simulation, Snapshot, Stage};
 use riprap_testkit::Counting;
-
-/// The tests of this file run one after another (see `serial`).
-#[global_allocator]
-static ALLOCATOR: Counting = Counting::new();
-static SERIAL: std::sync::Mutex<()> = std::sync::Mutex::new(());
 
 fn plan(time_step: TimeStep) -> Plan {
     Plan {
@@ -94,7 +87,6 @@ fn run(simulation: &mut Simulation, steps: u64) {
 
 #[test]
 fn same_bits_for_any_number_of_threads() {
-    let _one = SERIAL.lock().unwrap();
     let hash = |threads| {
         let exec = Exec::new(threads).unwrap();
         let mut simulation =
@@ -113,7 +105,6 @@ fn same_bits_for_any_number_of_threads() {
 
 #[test]
 fn a_checkpoint_changes_nothing() {
-    let _one = SERIAL.lock().unwrap();
     let setup = collapse(6, 10);
     let rule = TimeStep::Auto { safety: 0.2 };
     let mut straight = Simulation::new(setup.clone(), plan(rule), Exec::serial()).unwrap();
@@ -136,7 +127,6 @@ fn a_checkpoint_changes_nothing() {
 
 #[test]
 fn a_steady_step_allocates_nothing() {
-    let _one = SERIAL.lock().unwrap();
     let mut contact = law(DISTANCE, 1e10);
     contact.friction = 0.6;
     contact.damping_ratio = 0.2;
@@ -154,7 +144,7 @@ fn a_steady_step_allocates_nothing() {
     let mut simulation =
         Simulation::new(setup, plan(TimeStep::Auto { safety: 0.2 }), Exec::serial()).unwrap();
     run(&mut simulation, 400);
-    let before = ALLOCATOR.allocations();
+    let before = Counting::allocations_here();
     run(&mut simulation, 100);
-    assert_eq!(ALLOCATOR.allocations() - before, 0);
+    assert_eq!(Counting::allocations_here() - before, 0);
 }

@@ -1,13 +1,6 @@
 //! Unit values of both normal laws, and what the source's law gives up for locality.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "tests may compare with the functions of the platform"
-)]
-
-mod common;
-
-use common::{DISTANCE, Model, Random, SOURCE, law, moved, points, rectangle, turned};
+use crate::common::{DISTANCE, Model, Random, SOURCE, law, moved, points, rectangle, turned};
 use riprap::Vec2;
 use riprap::planar::world::Wrench;
 

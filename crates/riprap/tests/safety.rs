@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use riprap::run::safety::{
-    Answer, Mechanism, Quantity, Rules, SafetyError, State, over_quantity, search,
-};
 use riprap::run::scene::Scene;
+use riprap::run::study::safety::{
+    Answer, Mechanism, Quantity, Rules, State, Trial, over_quantity, search,
+};
+use riprap::run::study::{Executor, StudyError};
 use riprap::scenario::Source;
 
 fn scene(text: &str) -> Scene {
@@ -13,10 +14,10 @@ fn scene(text: &str) -> Scene {
     Scene::parse(source, ".".into(), &[]).unwrap()
 }
 
-fn safety(scene: &Scene, case: &str, rules: &Rules) -> Result<Answer, SafetyError> {
+fn safety(scene: &Scene, case: &str, rules: &Rules) -> Result<Answer, StudyError> {
     let job =
         scene.prepare(&scene.case(case).unwrap()).unwrap_or_else(|wrong| panic!("{wrong}")).job();
-    search(&job.setup, &job.plan, rules, 1, &|| false, &mut |_| {})
+    search(&job.setup, &job.plan, rules, &Executor::ALONE, &mut |_| {})
 }
 
 /// A stone on a slope of 30 deg with a friction angle of 40 deg: F = tan(40 deg)/tan(30 deg) = 1.45338.
@@ -138,13 +139,10 @@ fn the_strengths_of_a_material_or_a_group_are_reduced_alone() {
         ..Rules::default()
     };
     for (rules, told) in [
-        (
-            rules("chalk", "firm", "default"),
-            "no material is called `chalk`; there are: rock, shale",
-        ),
-        (rules("rock", "firmer", "default"), "no group is called `firmer`; there are: "),
+        (rules("chalk", "firm", "default"), "unknown material `chalk`; valid names: rock, shale"),
+        (rules("rock", "firmer", "default"), "unknown group `firmer`; valid names: "),
         // The stone of the group has no joint with shale.
-        (rules("shale", "firm", "bedding"), "none of the chosen interfaces has a strength"),
+        (rules("shale", "firm", "bedding"), "none of the selected interfaces has a strength"),
     ] {
         let wrong = safety(&scene, "default", &rules).unwrap_err().to_string();
         assert!(wrong.contains(told), "{wrong}");
@@ -156,18 +154,19 @@ fn what_cannot_be_reduced_is_told() {
     let smooth = STONE.replace("friction_angle = \"40 deg\"", "friction_angle = \"0 deg\"");
     let smooth = smooth.replace("tilt = \"30 deg\"", "");
     let wrong = safety(&scene(&smooth), "default", &Rules::default());
-    assert!(matches!(wrong, Err(SafetyError::NoStrength(_))), "{wrong:?}");
+    assert!(matches!(wrong, Err(StudyError::NoStrength(_))), "{wrong:?}");
     let rules = Rules { interfaces: vec!["plane".to_owned()], ..Rules::default() };
     let wrong = safety(&scene(STONE), "default", &rules).unwrap_err().to_string();
     assert!(wrong.contains("`plane`") && wrong.contains("default"), "{wrong}");
     let rules = Rules { width: 0.0, ..Rules::default() };
-    assert!(matches!(safety(&scene(STONE), "default", &rules), Err(SafetyError::NotANumber)));
+    assert!(matches!(safety(&scene(STONE), "default", &rules), Err(StudyError::NotANumber)));
 }
 
 fn limit(scene: &Scene, key: &str, range: &str, width: &str, threads: usize) -> Answer {
     let quantity = Quantity::read(key, range, Some(width)).unwrap();
     let (case, rules) = (scene.plain(), Rules::default());
-    let found = over_quantity(scene, &case, &quantity, &rules, threads, &|| false, &mut |_| {});
+    let executor = Executor::ALONE.on(threads);
+    let found = over_quantity(scene, &case, &quantity, &rules, &executor, &mut |_| {});
     found.unwrap_or_else(|wrong| panic!("{wrong}"))
 }
 
@@ -192,7 +191,7 @@ fn limits_of_other_numbers_than_strength() {
         assert!(answer.is_found() && answer.unit == "rad");
     }
     assert!(slope.stable_at < slope.fails_at && angle.stable_at > angle.fails_at);
-    assert!(angle.words().contains("stands at 30") && angle.words().contains(" deg, fails at "));
+    assert!(angle.words().contains("stable at 30") && angle.words().contains(" deg, fails at "));
     // A load, in the unit of its key: W (cos a tan phi - sin a) = 8.4545 kN/m, W = 2 m x 1 m x 2500 kg/m3 x g.
     let pushed = STONE.replace(
         "[[phases]]",
@@ -213,8 +212,9 @@ fn trials_side_by_side_give_the_same_answer() {
     let factor = |threads, from_start| {
         let rules = Rules { from_start, ..Rules::default() };
         let mut told = Vec::new();
-        let mut report = |t: &riprap::run::safety::Trial| told.push(t.value);
-        let answer = search(&job.setup, &job.plan, &rules, threads, &|| false, &mut report);
+        let mut report = |t: &Trial| told.push(t.value);
+        let answer =
+            search(&job.setup, &job.plan, &rules, &Executor::ALONE.on(threads), &mut report);
         let answer = answer.unwrap();
         assert_eq!(told, answer.trials.iter().map(|t| t.value).collect::<Vec<_>>());
         timeless(answer)
@@ -245,7 +245,7 @@ fn ranges_and_values_that_cannot_be_are_told() {
     let asked = |key: &str, range: &str| {
         let quantity = Quantity::read(key, range, None).unwrap();
         let (case, rules) = (stone.plain(), Rules::default());
-        let found = over_quantity(&stone, &case, &quantity, &rules, 1, &|| false, &mut |_| {});
+        let found = over_quantity(&stone, &case, &quantity, &rules, &Executor::ALONE, &mut |_| {});
         found.unwrap_err().to_string()
     };
     let wrong = asked("interfaces.default.frictoin_angle", "20 deg..40 deg");
@@ -254,7 +254,7 @@ fn ranges_and_values_that_cannot_be_are_told() {
     assert!(wrong.contains("friction angle"), "{wrong}");
     // Nothing fails: no limit, and no panic.
     let none = limit(&stone, key, "35 deg..40 deg", "1 deg", 2);
-    assert!(!none.is_found() && none.words().contains("nothing fails"), "{}", none.words());
+    assert!(!none.is_found() && none.words().contains("no failure"), "{}", none.words());
 }
 
 /// What falls in a phase of the scene and comes to rest on the floor has not stood.

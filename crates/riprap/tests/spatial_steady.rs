@@ -1,22 +1,11 @@
 //! No allocation in a steady step in space: settled piles of found contacts.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "tests may compare with the functions of the platform"
-)]
-
 use std::path::Path;
-use std::sync::PoisonError;
 
 use riprap::exec::Exec;
 use riprap::run::scene::Scene;
 use riprap::run::simulation::{Simulation, Stage};
 use riprap_testkit::Counting;
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting::new();
-/// The tests of this file run one after another, so that none counts what another allocates; one that has failed is no reason for others to.
-static SERIAL: std::sync::Mutex<()> = std::sync::Mutex::new(());
 
 fn run(simulation: &mut Simulation, steps: u64) {
     for _ in 0..steps {
@@ -98,21 +87,19 @@ copies = {{ count = 12, step = ["0.50001 m", "0 m", "0 m"] }}
 
 #[test]
 fn a_steady_step_allocates_nothing() {
-    let _one = SERIAL.lock().unwrap_or_else(PoisonError::into_inner);
     let mut simulation = Simulation::from_toml(&wall()).unwrap();
     run(&mut simulation, 2000);
     let [touching, all] = pairs(&simulation);
     // Twelve bricks on the floor; each of the five other courses is shifted by half a brick: 2 x 12 - 1; two drums.
     assert_eq!(touching, 12 + 5 * 23 + 2, "of {all}");
-    let before = ALLOCATOR.allocations();
+    let before = Counting::allocations_here();
     run(&mut simulation, 200);
-    assert_eq!(ALLOCATOR.allocations() - before, 0);
+    assert_eq!(Counting::allocations_here() - before, 0);
 }
 
 /// Bricks on joints without strength, which are looked at for whether they give way.
 #[test]
 fn a_steady_step_of_joined_bricks_allocates_nothing() {
-    let _one = SERIAL.lock().unwrap_or_else(PoisonError::into_inner);
     let bricks = r#"
 [[blocks]]
 name = "bricks"
@@ -127,16 +114,15 @@ grid.box = { size = ["2 m", "2 m", "3 m"], cell = "0.5 m", corner = ["0 m", "2 m
     };
     let joints = patches(&simulation);
     assert!(joints > 200, "{joints}");
-    let before = ALLOCATOR.allocations();
+    let before = Counting::allocations_here();
     run(&mut simulation, 200);
-    assert_eq!(ALLOCATOR.allocations() - before, 0);
+    assert_eq!(Counting::allocations_here() - before, 0);
     assert_eq!(patches(&simulation), joints);
 }
 
 /// A table, a brick of halves and an L of glued parts, and a whole brick, at rest on terrain.
 #[test]
 fn a_steady_step_of_glued_parts_on_terrain_allocates_nothing() {
-    let _one = SERIAL.lock().unwrap_or_else(PoisonError::into_inner);
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../scenes/verify/spatial-contact/glued_terrain.toml");
     let scene = Scene::load(&path, &[]).unwrap();
@@ -146,7 +132,7 @@ fn a_steady_step_of_glued_parts_on_terrain_allocates_nothing() {
     while simulation.time() < 0.4 {
         run(&mut simulation, 1);
     }
-    let before = ALLOCATOR.allocations();
+    let before = Counting::allocations_here();
     run(&mut simulation, 200);
-    assert_eq!(ALLOCATOR.allocations() - before, 0);
+    assert_eq!(Counting::allocations_here() - before, 0);
 }

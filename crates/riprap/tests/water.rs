@@ -380,14 +380,14 @@ fn what_is_wrong_with_seepage_in_space_is_told() {
                 "grid.box = { size = [\"12 m\", \"6 m\", \"1 m\"]",
                 "mechanics.deformable = {}\ngrid.box = { size = [\"12 m\", \"6 m\", \"1 m\"]",
             ),
-            "seeps in deformable blocks",
+            "is not possible in models with deformable blocks",
         ),
         (
             with(
                 "gravity = \"9.81 m/s2\"\n",
                 "gravity = \"9.81 m/s2\"\nperiodic = [\"none\", \"6 m\", \"none\"]\n",
             ),
-            "seeps in a periodic model",
+            "is not possible in periodic models",
         ),
         (with("from = [\"6 m\", \"0.1 m\", \"3 m\"]", "from = [\"6 m\", \"3 m\"]"), "from"),
     ] {
@@ -459,16 +459,13 @@ fn what_is_wrong_with_water_is_told() {
             &tables,
         ))
     };
-    assert!(!boxed("1 m", "1.01 m").contains("both press"));
+    assert!(!boxed("1 m", "1.01 m").contains("both act"));
     for (told, words) in [
-        (
-            phases("[\"high\", \"low\"]"),
-            "water tables `high` and `low` both press on faces of block",
-        ),
-        (boxed("1.1 m", "1 m"), "both press on faces of block"),
+        (phases("[\"high\", \"low\"]"), "water tables `high` and `low` both act on faces of block"),
+        (boxed("1.1 m", "1 m"), "both act on faces of block"),
         // The joint between floor and rocks lies in both boxes.
-        (boxed("0 m", "0 m"), "both press on faces of block"),
-        (boxed("-2 m", "1 m"), "has no inside"),
+        (boxed("0 m", "0 m"), "both act on faces of block"),
+        (boxed("-2 m", "1 m"), "is empty"),
         (phases("[\"high\", \"high\"]"), "stands twice"),
         (phases("[\"high\", \"none\"]"), "beside other water tables"),
         (phases("[]"), "empty list"),
@@ -482,13 +479,17 @@ fn what_is_wrong_with_water_is_told() {
         "[water.high.seepage]",
         "within = { min = [\"0 m\", \"0 m\"], max = [\"1 m\", \"1 m\"] }\n[water.high.seepage]",
     );
-    assert!(told(&seeps).contains("seeps and has a box"), "{}", told(&seeps));
+    assert!(
+        told(&seeps).contains("`within` in water.high cannot be used with `seepage`"),
+        "{}",
+        told(&seeps)
+    );
     let folder = tempfile::tempdir().unwrap();
     let several = several(folder.path());
-    assert!(told(&several).contains("end 13.000 m inside the model"), "{}", told(&several));
+    assert!(told(&several).contains("ends 13.000 m inside the model"), "{}", told(&several));
     for (heads, words) in [
         ("x [m],y [m],z [m]\n0,0,1\n1,0,1\n0,1,1\n", "has no height at (1 m, 1 m)"),
-        ("x [m],y [m],z [m]\n0,0,1\n1,0,1\n", "one line of places only"),
+        ("x [m],y [m],z [m]\n0,0,1\n1,0,1\n", "only one grid line"),
         ("x,y,z [kg]\n0,0,1\n1,0,1\n", "kg"),
     ] {
         std::fs::write(folder.path().join("heads.csv"), heads).unwrap();
@@ -502,8 +503,8 @@ fn what_is_wrong_with_water_is_told() {
         "gravity = [\"0 m/s2\", \"-9.81 m/s2\"]",
         "gravity = [\"0 m/s2\", \"-9.81 m/s2\"]\ntilt = \"5 deg\"",
     );
-    assert!(told(&tilted).contains("gravity that points down"));
+    assert!(told(&tilted).contains("gravity along -"));
     let later =
         PLANE.replace("water = \"low\"", "water = \"low\"\ngravity = [\"1 m/s2\", \"-9.81 m/s2\"]");
-    assert!(told(&later).contains("gravity that points down"));
+    assert!(told(&later).contains("gravity along -"));
 }

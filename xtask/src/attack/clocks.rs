@@ -6,8 +6,9 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::faults::{LONG, engines, shortened};
-use super::{Field, Found};
+use super::faults::engines;
+use super::{Field, Found, LONG, read_text};
+use crate::cut;
 use riprap_fuzz::damage::Chance;
 
 /// The library: real clocks, to which whatever `JUMPS` says is added, s, in turn, for `STRETCH` questions each. Time of day begins 31 years
@@ -43,8 +44,6 @@ pub unsafe extern "C" fn clock_gettime(clock: i32, time: *mut Time) -> i32 {
 
 /// Questions between two jumps.
 const STRETCHES: [usize; 4] = [50, 3000, 7, 400];
-/// What must be the same as with a clock that goes on.
-const LISTS: [&str; 4] = ["histories.csv", "energy.csv", "events.jsonl", "run.pvd"];
 
 /// Runs of each engine under clocks that jump. Skipped, with a line, where nothing can be loaded before a program.
 pub fn jump(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
@@ -53,32 +52,38 @@ pub fn jump(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
         println!("clocks skipped: this system does not load a library before a program");
         return Ok(found);
     }
-    let smoke = field.tries < 100;
-    let stretches = &STRETCHES[..if smoke { 1 } else { STRETCHES.len() }];
+    let (stretches, steps) =
+        if field.few() { (&STRETCHES[..1], 300) } else { (&STRETCHES[..], 20_000) };
     let libraries: Vec<PathBuf> = stretches
         .iter()
         .map(|stretch| library(&field.folder, *stretch))
         .collect::<Result<_, _>>()?;
     for (name, scene) in engines(field.root)? {
-        let file = format!("{name}.toml");
-        let scene = shortened(&scene, if smoke { 300 } else { 20_000 });
-        let path = field.folder.join(&file);
-        std::fs::write(&path, scene).map_err(|e| format!("{}: {e}", path.display()))?;
-        let whole = run(field, &file, "whole.run", None)?;
+        field.write("t.toml", &scene)?;
+        let run = |out: &str, clock: Option<&Path>| -> Result<(), String> {
+            let mut words = vec!["run", "t.toml", "--out", out, "--force", "--threads", "1"];
+            let changes = cut::words(&scene, steps);
+            words.push("--quiet");
+            words.extend(changes.iter().map(String::as_str));
+            let preload = clock.map(|library| ("LD_PRELOAD", library));
+            let how = field.program.run_with(&field.folder, &words, LONG, preload.as_slice())?;
+            match how.code {
+                Some(0) if !how.slow => Ok(()),
+                code => Err(format!("exit {code:?}: {}", how.said)),
+            }
+        };
+        run("whole.run", None)?;
         for (stretch, library) in stretches.iter().zip(&libraries) {
             found.tries += 1;
             let at = format!("{name}, a jump every {stretch} questions");
-            match run(field, &file, "jumps.run", Some(library)) {
+            let differ = run("jumps.run", Some(library))
+                .and_then(|()| field.differ(["jumps.run", "whole.run"]));
+            match differ {
                 Err(why) => found.failures.push(format!("{at}: {why}")),
-                Ok(state) if state != whole => {
-                    found.failures.push(format!("{at}: another state"));
-                }
-                Ok(_) => {}
-            }
-            for list in LISTS {
-                let read = |run: &str| std::fs::read(field.folder.join(run).join(list)).ok();
-                if read("jumps.run") != read("whole.run") {
-                    found.failures.push(format!("{at}: another {list}"));
+                Ok(differ) => {
+                    found
+                        .failures
+                        .extend(differ.iter().map(|what| format!("{at}: another {what}")));
                 }
             }
             if begun(field, "jumps.run")? < begun(field, "whole.run")? + 20 {
@@ -106,21 +111,10 @@ fn library(folder: &Path, stretch: usize) -> Result<PathBuf, String> {
     Ok(built)
 }
 
-/// Runs a scene to its end and returns the hash of its state.
-fn run(field: &Field<'_>, file: &str, out: &str, clock: Option<&Path>) -> Result<String, String> {
-    let words = ["run", file, "--out", out, "--force", "--threads", "1", "--quiet"];
-    let preload = clock.map(|library| ("LD_PRELOAD", library));
-    let how = field.program.run_with(&field.folder, &words, LONG, preload.as_slice())?;
-    if how.slow || how.code != Some(0) {
-        return Err(format!("exit {:?}: {}", how.code, how.said));
-    }
-    field.program.answer(&field.folder, &["hash", out])
-}
-
 /// Year in which a run says that it began.
 fn begun(field: &Field<'_>, run: &str) -> Result<u32, String> {
     let path = field.folder.join(run).join("manifest.json");
-    let text = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+    let text = read_text(&path)?;
     let year = text.split("\"started\": \"").nth(1).and_then(|rest| rest.get(..4));
     year.and_then(|year| year.parse().ok()).ok_or_else(|| format!("{}: no year", path.display()))
 }

@@ -30,8 +30,7 @@ pub fn full(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
         .replace("time = \"3 s\"", "time = \"0.2 s\"")
         .replace("every = \"50 ms\"", "every = \"10 ms\"")
         + "[[outputs]]\ncheckpoints = { every = \"20 ms\" }\n";
-    let path = field.folder.join("t.toml");
-    std::fs::write(&path, scene).map_err(|e| format!("{}: {e}", path.display()))?;
+    field.write("t.toml", scene)?;
     let disk = field.folder.join("disk");
     std::fs::create_dir_all(&disk).map_err(|e| format!("{}: {e}", disk.display()))?;
     let whole = ["run", "t.toml", "--quiet", "--threads", "1", "--out", "whole.run"];

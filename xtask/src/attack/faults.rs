@@ -4,11 +4,9 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use super::process::Ended;
-use super::{Field, Found};
-use riprap_fuzz::damage::{Chance, without_checks};
-
-/// Longest that a run of these attacks may take: more than that is a failure.
-pub const LONG: Duration = Duration::from_secs(300);
+use super::{Field, Found, LONG, read_text};
+use crate::cut;
+use riprap_fuzz::damage::Chance;
 
 /// A block that falls in the plane.
 pub const FALL: &str = "riprap = 1\ntitle = \"a block falls\"\n[space.planar]\ngravity = [\"0 m/s2\", \"-10 m/s2\"]\n[materials.rock]\ndensity = \"2000 kg/m3\"\n\
@@ -21,8 +19,7 @@ pub const FALL: &str = "riprap = 1\ntitle = \"a block falls\"\n[space.planar]\ng
 /// A scene of each engine, without its checks, long enough to be killed.
 pub fn engines(root: &Path) -> Result<[(&'static str, String); 3], String> {
     let read = |file: &str, end: &str, longer: &str| {
-        let path = root.join(file);
-        let text = std::fs::read_to_string(&path).map_err(|e| format!("{file}: {e}"))?;
+        let text = read_text(&root.join(file))?;
         let text = text.split("[[checks]]").next().unwrap_or_default();
         if !text.contains(end) {
             return Err(format!("{file} has no `{end}`"));
@@ -50,28 +47,6 @@ pub fn engines(root: &Path) -> Result<[(&'static str, String); 3], String> {
     ])
 }
 
-/// The same without its checks, each phase with an end after that many steps.
-pub fn shortened(scene: &str, steps: usize) -> String {
-    let scene = without_checks(scene);
-    let lines = scene.lines().map(|line| {
-        if line.starts_with("until = {") && line.trim_end().ends_with('}') {
-            format!("until = {{ steps = {steps} }}")
-        } else {
-            line.to_owned()
-        }
-    });
-    lines.collect::<Vec<_>>().join("\n") + "\n"
-}
-
-fn write(field: &Field<'_>, name: &str, text: &str) -> Result<(), String> {
-    let path = field.folder.join(name);
-    std::fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))
-}
-
-fn hash(field: &Field<'_>, run: &str) -> Result<String, String> {
-    field.program.answer(&field.folder, &["hash", run])
-}
-
 pub fn kills(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
     let mut found = Found::default();
     for (name, scene) in engines(field.root)? {
@@ -80,7 +55,7 @@ pub fn kills(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
         let every = if name == "plane" { 5000 } else { 500 };
         let scene =
             format!("{scene}\n[[outputs]]\ncheckpoints = {{ every = \"{every} steps\" }}\n");
-        write(field, &file, &scene)?;
+        field.write(&file, &scene)?;
         let begun = Instant::now();
         ended(&field.program.run_within(
             &field.folder,
@@ -93,17 +68,7 @@ pub fn kills(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
         while kills < wanted {
             let before = kills;
             let died = one_death(field, chance, &file, whole, wanted, &mut kills)?;
-            let (mine, theirs) = (hash(field, "died.run")?, hash(field, "whole.run")?);
-            let mut differ: Vec<&str> = ["energy.csv", "events.jsonl", "run.pvd"]
-                .into_iter()
-                .filter(|file| {
-                    let read = |run: &str| std::fs::read(field.folder.join(run).join(file)).ok();
-                    read("died.run") != read("whole.run")
-                })
-                .collect();
-            if mine != theirs {
-                differ.push("state");
-            }
+            let differ = field.differ(["died.run", "whole.run"])?;
             if let Some(why) = died.wrong() {
                 found.failures.push(format!("{name}: {why}"));
             }
@@ -177,37 +142,36 @@ fn ended(how: &Ended) -> Result<(), String> {
 
 pub fn threads(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
     let mut found = Found::default();
-    let smoke = field.tries < 100;
-    let counts: &[&str] = if smoke { &["3"] } else { &["2", "3", "4", "5", "6", "7", "8"] };
+    let (counts, steps): (&[&str], _) =
+        if field.few() { (&["3"], 100) } else { (&["2", "3", "4", "5", "6", "7", "8"], 2000) };
     let mut scenes: Vec<(&str, String)> = engines(field.root)?.into();
-    if !smoke {
+    if !field.few() {
         for file in [
             "scenes/spatial/hybrid.toml",
             "scenes/verify/spatial-contact/stack.toml",
             "scenes/verify/spatial-contact/soft_shear.toml",
         ] {
-            let text = std::fs::read_to_string(field.root.join(file))
-                .map_err(|e| format!("{file}: {e}"))?;
-            scenes.push((file, text));
+            scenes.push((file, read_text(&field.root.join(file))?));
         }
     }
     for (name, scene) in scenes {
-        let scene = shortened(&scene, if smoke { 100 } else { 2000 });
-        write(field, "t.toml", &scene)?;
-        let run = |threads: &str| -> Result<String, String> {
-            let words =
-                ["run", "t.toml", "--out", "a.run", "--force", "--threads", threads, "--quiet"];
-            ended(&field.program.run_within(&field.folder, &words, LONG)?)?;
-            hash(field, "a.run")
+        field.write("t.toml", &scene)?;
+        let run = |threads: &str, out: &str| -> Result<(), String> {
+            let mut words = vec!["run", "t.toml", "--out", out, "--force", "--threads", threads];
+            words.extend(["--quiet", "--set", "checks=[]"]);
+            let changes = cut::words(&scene, steps);
+            words.extend(changes.iter().map(String::as_str));
+            ended(&field.program.run_within(&field.folder, &words, LONG)?)
         };
-        let one = run("1").map_err(|why| format!("{name}: {why}"))?;
+        run("1", "one.run").map_err(|why| format!("{name}: {why}"))?;
         for count in counts {
             found.tries += 1;
-            match run(count) {
-                Ok(hash) if hash == one => {}
-                Ok(_) => found
+            let differ = run(count, "a.run").and_then(|()| field.differ(["a.run", "one.run"]));
+            match differ {
+                Ok(differ) if differ.is_empty() => {}
+                Ok(differ) => found
                     .failures
-                    .push(format!("{name} on {count} threads: another state than on 1")),
+                    .push(format!("{name} on {count} threads: another {}", differ.join(", "))),
                 Err(why) => found.failures.push(format!("{name} on {count} threads: {why}")),
             }
         }
@@ -219,34 +183,26 @@ pub fn speed(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
     let mut found = Found::default();
     let stiffnesses = ["1 MPa/m", "10 MPa/m", "100 MPa/m", "1 GPa/m", "10 GPa/m"];
     let speeds = ["1", "3", "10", "30", "100", "300"];
-    let smoke = field.tries < 100;
-    for (space, axis) in [("plane", "y"), ("space", "z")] {
+    for plane in [true, false] {
         for (k, stiffness) in stiffnesses.iter().enumerate() {
             for (l, speed) in speeds.iter().enumerate() {
-                if smoke && (k + l) % 5 != 0 {
+                if field.few() && (k + l) % 5 != 0 {
                     continue;
                 }
                 found.tries += 1;
-                write(field, "t.toml", &falling(space == "plane", stiffness, speed))?;
-                let words =
-                    ["run", "t.toml", "--out", "a.run", "--force", "--threads", "1", "--quiet"];
-                let how = field.program.run_within(&field.folder, &words, LONG)?;
-                let name = format!("{space}, {stiffness}, {speed} m/s");
+                let how = field.ran(&falling(plane, stiffness, speed))?;
+                let name = format!("plane {plane}, {stiffness}, {speed} m/s");
                 found.refused += usize::from(how.code == Some(1));
-                if let Some(why) = how.wrong() {
-                    found.failures.push(format!("{name}: {why}"));
-                } else if how.code == Some(0) {
-                    let table = std::fs::read_to_string(field.folder.join("a.run/histories.csv"));
-                    let table = table.map_err(|e| format!("{name}: {e}"))?;
-                    let last = table.lines().last().and_then(|l| l.rsplit(',').next());
-                    let low = last.and_then(|cell| cell.parse::<f64>().ok());
-                    let low = low.ok_or_else(|| format!("{name}: no height along {axis}"))?;
+                match how.code {
                     // Its centre begins half a metre above the floor.
-                    if low < -0.5 {
-                        found.failures.push(format!("{name}: {low} m and exit 0"));
+                    Some(0) if how.wrong().is_none() => {
+                        let low = field.last()?;
+                        if low < -0.5 {
+                            found.failures.push(format!("{name}: {low} m and exit 0"));
+                        }
                     }
-                } else if how.code != Some(1) || how.slow {
-                    found.failures.push(format!("{name}: {how:?}"));
+                    Some(1) if how.wrong().is_none() => {}
+                    _ => found.failures.push(format!("{name}: {how:?}")),
                 }
             }
         }

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::process::Ended;
-use super::{Field, Found};
-use crate::source_tree;
+use super::{Field, Found, read_text, write};
+use crate::{cut, source_tree};
 use riprap_fuzz::damage::{self, Chance};
 
 /// Largest scene of the corpus, bytes, and how many there are.
@@ -22,10 +22,6 @@ const BALL: &str = "[[blocks]]\nname = \"ball\"\nmaterial = \"rock\"\nbrick = { 
 const GRID: &str = "ncols 5\nnrows 4\nxllcorner -1\nyllcorner -1\ncellsize 2\nNODATA_value -9\n0 1 2 3 4\n0 1 2 3 4\n0 1 2 3 4\n0 1 2 3 4\n";
 
 impl Field<'_> {
-    fn write(&self, name: &str, bytes: &[u8]) -> Result<(), String> {
-        write(&self.folder.join(name), bytes)
-    }
-
     /// Counts a try, and keeps the input if it failed.
     fn note(
         &self,
@@ -61,7 +57,7 @@ impl Field<'_> {
             if !text.starts_with("riprap") || text.contains("data/") {
                 continue;
             }
-            self.write("t.toml", text.as_bytes())?;
+            self.write("t.toml", &text)?;
             let ended = self.program.run_within(&self.folder, &["check", "t.toml"], QUICK)?;
             if ended.code == Some(0) {
                 corpus.push(text);
@@ -74,73 +70,47 @@ impl Field<'_> {
     }
 }
 
-fn write(path: &Path, bytes: &[u8]) -> Result<(), String> {
-    std::fs::write(path, bytes).map_err(|e| format!("{}: {e}", path.display()))
-}
-
 fn read(path: &Path) -> Result<Vec<u8>, String> {
     std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))
 }
 
-fn read_text(path: &Path) -> Result<String, String> {
-    std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))
-}
-
+/// Half of the scenes have one number replaced, but that of the version of the language, which is the first: most other damage is refused
+/// at once. What is taken is run for three steps.
 pub fn scenes(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
     let corpus = field.corpus(chance)?;
     let mut found = Found::default();
     for _ in 0..field.tries {
         let original: &String = chance.of(&corpus);
-        let input = damage::text(original, chance);
+        let input = match chance.below(2) {
+            0 => damage::number(original, 1, chance).into_bytes(),
+            _ => damage::text(original, chance),
+        };
         field.write("t.toml", &input)?;
-        let ended = field.program.run(&field.folder, &["check", "t.toml"])?;
-        field.note(&mut found, &ended, ("t.toml", &input), None)?;
+        let mut ended = field.program.run(&field.folder, &["check", "t.toml"])?;
+        let mut wrong = None;
+        if ended.code == Some(0) {
+            (ended, wrong) = first_steps(field, &String::from_utf8_lossy(&input))?;
+        }
+        field.note(&mut found, &ended, ("t.toml", &input), wrong)?;
     }
     Ok(found)
 }
 
-/// A scene with one number replaced, but that of the version of the language, which is the first.
-fn silly(corpus: &[String], chance: &mut Chance) -> String {
-    let text = chance.of(corpus).clone();
-    damage::number(&text, 1, chance)
-}
-
-pub fn numbers(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
-    let corpus = field.corpus(chance)?;
-    let mut found = Found::default();
-    for _ in 0..field.tries {
-        let input = silly(&corpus, chance);
-        field.write("t.toml", input.as_bytes())?;
-        let ended = field.program.run(&field.folder, &["check", "t.toml"])?;
-        field.note(&mut found, &ended, ("t.toml", input.as_bytes()), None)?;
-    }
-    Ok(found)
-}
-
-pub fn first_steps(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
-    let corpus = field.corpus(chance)?;
-    let mut found = Found::default();
-    for _ in 0..field.tries.div_ceil(3) {
-        // Of three steps no check can be said.
-        let lines = damage::without_checks(&silly(&corpus, chance));
-        let lines = lines.lines().map(|line| match line.trim_start() {
-            l if l.starts_with("until = {") && l.ends_with('}') => "until = { steps = 3 }",
-            _ => line,
+/// Runs the scene `t.toml`, which has this text, for three steps of each phase; how that ended, and what is wrong with its energies.
+fn first_steps(field: &Field<'_>, text: &str) -> Result<(Ended, Option<String>), String> {
+    let mut words = vec!["run", "t.toml", "--out", "a.run", "--force", "--quiet"];
+    // Of three steps no check can be said.
+    words.extend(["--threads", "1", "--set", "checks=[]"]);
+    let changes = cut::words(text, 3);
+    words.extend(changes.iter().map(String::as_str));
+    let ended = field.program.run(&field.folder, &words)?;
+    let energies = std::fs::read_to_string(field.folder.join("a.run/energy.csv"));
+    let wrong = ended.code == Some(0)
+        && energies.is_ok_and(|text| {
+            let last = text.lines().skip(1).last().unwrap_or("").to_owned();
+            last.split(',').any(|cell| cell.parse::<f64>().is_ok_and(|x| !x.is_finite()))
         });
-        let input = lines.collect::<Vec<_>>().join("\n");
-        field.write("t.toml", input.as_bytes())?;
-        let words = ["run", "t.toml", "--out", "a.run", "--force", "--threads", "1", "--quiet"];
-        let ended = field.program.run(&field.folder, &words)?;
-        let energies = std::fs::read_to_string(field.folder.join("a.run/energy.csv"));
-        let wrong = ended.code == Some(0)
-            && energies.is_ok_and(|text| {
-                let last = text.lines().skip(1).last().unwrap_or("").to_owned();
-                last.split(',').any(|cell| cell.parse::<f64>().is_ok_and(|x| !x.is_finite()))
-            });
-        let wrong = wrong.then(|| "exit 0 with energies that are not numbers".to_owned());
-        field.note(&mut found, &ended, ("t.toml", input.as_bytes()), wrong)?;
-    }
-    Ok(found)
+    Ok((ended, wrong.then(|| "exit 0 with energies that are not numbers".to_owned())))
 }
 
 /// A file, its bytes, and the scene that reads it.
@@ -195,7 +165,7 @@ pub fn inputs(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
     for (file, bytes, scene) in &readers {
         let name = file.rsplit('/').next().unwrap_or(file);
         field.write(name, bytes)?;
-        field.write("t.toml", scene.replace("FILE", name).as_bytes())?;
+        field.write("t.toml", scene.replace("FILE", name))?;
         let ended = field.program.run(&field.folder, &["check", "t.toml"])?;
         // Only who reads a sound file is worth a damaged one; the surface of solids is no terrain.
         if ended.code != Some(0) && !scene.contains("terrain.stl") {
@@ -210,7 +180,7 @@ pub fn inputs(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
             Ok(_) | Err(_) => damage::bytes(bytes, chance),
         };
         field.write(name, &input)?;
-        field.write("t.toml", scene.replace("FILE", name).as_bytes())?;
+        field.write("t.toml", scene.replace("FILE", name))?;
         let ended = field.program.run(&field.folder, &["check", "t.toml"])?;
         field.note(&mut found, &ended, (name, &input), None)?;
     }
@@ -222,9 +192,11 @@ fn sound_runs(field: &Field<'_>) -> Result<Vec<PathBuf>, String> {
     let mut runs = Vec::new();
     for (name, scene) in super::faults::engines(field.root)? {
         let file = format!("{name}.toml");
-        field.write(&file, super::faults::shortened(&scene, 100).as_bytes())?;
+        field.write(&file, &scene)?;
         let out = format!("{name}.run");
-        let words = ["run", &file, "--out", &out, "--threads", "1", "--quiet"];
+        let mut words = vec!["run", &file, "--out", &out, "--threads", "1", "--quiet"];
+        let changes = cut::words(&scene, 100);
+        words.extend(changes.iter().map(String::as_str));
         let ended = field.program.run(&field.folder, &words)?;
         if ended.code != Some(0) {
             return Err(format!("{name}: {ended:?}"));
@@ -238,32 +210,6 @@ fn sound_runs(field: &Field<'_>) -> Result<Vec<PathBuf>, String> {
 fn contents(folder: &Path) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
     let files = source_tree::files(folder, &[]).into_iter();
     files.map(|path| Ok((path.clone(), read(&path)?))).collect()
-}
-
-pub fn checkpoints(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
-    let runs = sound_runs(field)?;
-    let mut kept = Vec::new();
-    for run in &runs {
-        // As if the process had died at the end.
-        let path = run.join("manifest.json");
-        let text = read_text(&path)?.replace("\"ended\": \"finished\"", "\"ended\": \"running\"");
-        write(&path, text.as_bytes())?;
-        kept.push(contents(&run.join("checkpoints"))?);
-    }
-    let mut found = Found::default();
-    for k in 0..field.tries {
-        let (run, files) = (&runs[k % runs.len()], &kept[k % runs.len()]);
-        let mut last = Vec::new();
-        for (path, bytes) in files {
-            last = damage::bytes(bytes, chance);
-            write(path, &last)?;
-        }
-        let name = run.file_name().unwrap_or_default().to_string_lossy();
-        let ended = field.program.run(&field.folder, &["resume", &name, "--quiet"])?;
-        let wrong = (ended.code == Some(0)).then(|| "a damaged checkpoint was taken".to_owned());
-        field.note(&mut found, &ended, ("checkpoint.rck", &last), wrong)?;
-    }
-    Ok(found)
 }
 
 pub fn run_folders(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {

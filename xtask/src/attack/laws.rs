@@ -3,9 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use super::faults::LONG;
 use super::process::Ended;
-use super::{Field, Found};
+use super::{Field, Found, LONG, read_text};
 use crate::{cut, source_tree};
 use riprap_fuzz::damage::Chance;
 
@@ -20,8 +19,7 @@ const FEW: usize = 100;
 fn scenes(root: &Path) -> Result<Vec<(PathBuf, String)>, String> {
     let mut found = Vec::new();
     for path in source_tree::files(&root.join("scenes"), &["toml"]) {
-        let text =
-            std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
+        let text = read_text(&path)?;
         if text.lines().any(|l| l.starts_with("[space.planar")) {
             found.push((path, text));
         }
@@ -36,7 +34,7 @@ fn takes_long(scene: &Path) -> bool {
 
 /// `riprap compare` on each.
 pub fn two(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
-    let few = field.tries < 100;
+    let few = field.few();
     let mut found = Found::default();
     for (path, text) in scenes(field.root)? {
         found.tries += 1;

@@ -22,6 +22,8 @@ pub struct Ended {
     pub slow: bool,
     /// The last of what it said on standard error.
     pub said: String,
+    /// What it printed.
+    pub printed: String,
 }
 
 impl Ended {
@@ -50,7 +52,8 @@ impl Program {
 
     /// A command in `folder`, with little memory; what it says goes into a file.
     fn command(&self, folder: &Path, words: &[&str]) -> Result<Command, String> {
-        let said = std::fs::File::create(folder.join("said.txt")).map_err(|e| e.to_string())?;
+        let file = |name| std::fs::File::create(folder.join(name)).map_err(|e| e.to_string());
+        let (printed, said) = (file("printed.txt")?, file("said.txt")?);
         let mut command = Command::new("sh");
         command
             .args(["-c", &format!("ulimit -v {MEMORY}; exec \"$@\""), "sh"])
@@ -59,7 +62,7 @@ impl Program {
             .current_dir(folder)
             .env("RUST_BACKTRACE", "0")
             .stdin(Stdio::null())
-            .stdout(Stdio::null())
+            .stdout(printed)
             .stderr(said);
         Ok(command)
     }
@@ -120,12 +123,11 @@ impl Program {
             }
             std::thread::sleep(Duration::from_millis(1));
         };
-        let said = std::fs::read(folder.join("said.txt")).unwrap_or_default();
-        Ok(Ended {
-            code,
-            slow,
-            said: String::from_utf8_lossy(&said[said.len().saturating_sub(4000)..]).into_owned(),
-        })
+        let read = |name| std::fs::read(folder.join(name)).unwrap_or_default();
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        let said = read("said.txt");
+        let said = text(&said[said.len().saturating_sub(4000)..]);
+        Ok(Ended { code, slow, said, printed: text(&read("printed.txt")) })
     }
 
     /// What it prints.

@@ -1,8 +1,6 @@
 //! Attacks on what a run says of its own physics: jointed rock at random, thin blocks under joints, folded deformable blocks, forces that change
 //! from one phase to the next.
 
-use super::faults::LONG;
-use super::process::Ended;
 use super::{Field, Found};
 use riprap_fuzz::damage::Chance;
 
@@ -11,48 +9,21 @@ const STEPS: [usize; 2] = [200, 40];
 /// Miss of a fall from which on a change of forces is followed wrongly, m.
 const MISSED: f64 = 1e-3;
 
-/// Whether this is the short form of CI.
-fn few(field: &Field<'_>) -> bool {
-    field.tries < 100
-}
-
-/// Runs a scene; how it ended.
-fn ran(field: &Field<'_>, scene: &str) -> Result<Ended, String> {
-    let path = field.folder.join("t.toml");
-    std::fs::write(&path, scene).map_err(|e| format!("{}: {e}", path.display()))?;
-    let words = ["run", "t.toml", "--out", "a.run", "--force", "--threads", "1", "--quiet"];
-    field.program.run_within(&field.folder, &words, LONG)
-}
-
-/// The last value of the history of a run.
-fn last(field: &Field<'_>) -> Result<f64, String> {
-    let path = field.folder.join("a.run/histories.csv");
-    let table = std::fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))?;
-    let cell = table.lines().last().and_then(|l| l.rsplit(',').next());
-    cell.and_then(|cell| cell.parse().ok())
-        .ok_or_else(|| format!("{}: no number at its end", path.display()))
-}
-
-/// Keeps a scene that failed.
-fn keep(field: &Field<'_>, name: &str) {
-    let _ = std::fs::copy(field.folder.join("t.toml"), field.folder.join(format!("{name}.toml")));
-}
-
 /// Rock cut at random by joint sets, disks or into cells, that settles and is excavated, slowly or at once.
 pub fn jointed(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> {
     let mut found = Found::default();
-    let steps = STEPS[usize::from(few(field))];
+    let steps = STEPS[usize::from(field.few())];
     for number in 0..(field.tries / 3).max(4) {
         found.tries += 1;
         let scene = rock(field, chance, number, steps)?;
-        let how = ran(field, &scene)?;
+        let how = field.ran(&scene)?;
         match how.code {
             Some(0) => {}
             // A joint that leaves slivers, or a disk that cuts nothing.
             Some(2) => found.refused += 1,
             _ => {
                 let name = format!("rock_{number}");
-                keep(field, &name);
+                field.keep(&name);
                 let said = how.said.lines().rev().find(|l| l.starts_with("error"));
                 let why = said.unwrap_or("").chars().take(300).collect::<String>();
                 found.failures.push(format!("{name}: {:?}: {why}", how.code));
@@ -107,8 +78,7 @@ fn rock(
                     length * (0.2 + 0.5 * radius)
                 );
             }
-            let path = field.folder.join("disks.csv");
-            std::fs::write(&path, rows).map_err(|e| format!("{}: {e}", path.display()))?;
+            field.write("disks.csv", rows)?;
             shape = format!(
                 "cut = {{ joints.csv = \"disks.csv\", smallest_edge = \"{} m\" }}\n",
                 0.02 * length
@@ -156,20 +126,20 @@ pub fn thin(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
         for (l, thickness) in [0.01, 0.1, 0.3].into_iter().enumerate() {
             for (m, gap) in [0.0, 0.001].into_iter().enumerate() {
                 for plane in [false, true] {
-                    if few(field) && (k + l + m) % 5 != 0 {
+                    if field.few() && (k + l + m) % 5 != 0 {
                         continue;
                     }
                     found.tries += 1;
-                    let how = ran(field, &layer(plane, stiffness, thickness, gap))?;
+                    let how = field.ran(&layer(plane, stiffness, thickness, gap))?;
                     found.refused += usize::from(how.code == Some(1));
                     let name = format!("plane {plane}, {stiffness}, {thickness} m, gap {gap} m");
                     let sunk = match how.code {
-                        Some(0) => -last(field)?,
+                        Some(0) => -field.last()?,
                         Some(1) if !how.slow => continue,
                         _ => f64::INFINITY,
                     };
                     if sunk > thickness + 2.0 * gap {
-                        keep(field, &format!("thin_{k}{l}{m}{plane}"));
+                        field.keep(&format!("thin_{k}{l}{m}{plane}"));
                         found.failures.push(format!("{name}: {:?}, sunk {sunk} m", how.code));
                     }
                 }
@@ -231,7 +201,7 @@ pub fn folded(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
     for (k, young) in ["2 kPa", "20 kPa", "100 kPa", "1 MPa", "100 MPa"].iter().enumerate() {
         for strain in ["small", "total_lagrangian"] {
             for kind in ["kind = \"static\"\n", ""] {
-                if few(field) && (k != 1 || kind.is_empty()) {
+                if field.few() && (k != 1 || kind.is_empty()) {
                     continue;
                 }
                 found.tries += 1;
@@ -245,15 +215,15 @@ pub fn folded(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
                      [[phases]]\nname = \"a\"\n{kind}until = {{ {until} }}\n\
                      [[outputs]]\nhistory = {{ name = \"top\", field = \"block.displacement.z\", at_point = [\"0.5 m\", \"0.5 m\", \"2.5 m\"], every = \"phase\" }}\n"
                 );
-                let how = ran(field, &scene)?;
+                let how = field.ran(&scene)?;
                 found.refused += usize::from(how.code == Some(1));
                 let name = format!("{young}, {strain} strain, {kind}");
                 match how.code {
                     // The centre of the uppermost block begins at 2.5 m above its foot.
-                    Some(0) if last(field)? > -2.5 => {}
+                    Some(0) if field.last()? > -2.5 => {}
                     Some(1) if !how.slow => {}
                     code => {
-                        keep(field, &format!("folded_{k}{strain}"));
+                        field.keep(&format!("folded_{k}{strain}"));
                         found.failures.push(format!("{name}: {code:?}: below its foot"));
                     }
                 }
@@ -269,16 +239,16 @@ pub fn forces(field: &Field<'_>, _: &mut Chance) -> Result<Found, String> {
     for plane in [false, true] {
         for release in [false, true] {
             for step in ["auto", "10 ms", "1 ms"] {
-                if few(field) && step != "10 ms" {
+                if field.few() && step != "10 ms" {
                     continue;
                 }
                 found.tries += 1;
-                let how = ran(field, &falling(plane, release, step))?;
+                let how = field.ran(&falling(plane, release, step))?;
                 let name = format!("plane {plane}, released {release}, steps {step}");
-                let fallen = if how.code == Some(0) { -last(field)? } else { f64::NAN };
+                let fallen = if how.code == Some(0) { -field.last()? } else { f64::NAN };
                 let fell = (fallen - 5.0).abs() < MISSED;
                 if !fell {
-                    keep(field, &format!("forces_{plane}{release}"));
+                    field.keep(&format!("forces_{plane}{release}"));
                     found.failures.push(format!("{name}: {:?}, fallen {fallen} m of 5", how.code));
                 }
             }

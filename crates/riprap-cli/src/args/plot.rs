@@ -16,14 +16,14 @@ Pictures:
   energy             the energy ledger over time
   blocks             blocks coloured by a field; of a run in space a section
   section            cut through a run in space
-  line               a field along a line through the rock as it was before it moved, --from and --to
+  line               a field along a line through the undeformed model, --from and --to
   ppv                peak particle velocity against scaled distance, with the site law
   crater             uplift of the surface around a charge, radius of the crater
-  heave              profiles of the surface over a charge
+  heave              surface profiles above a charge
   cavity             pressure and volume of cavities, with a fit of the pressure
   stereonet          poles of joints and cracks of a run in space, lower hemisphere
   rose               strikes of joints and cracks; in the plane the angles of their traces
-  fragments          sizes of fragments, x50 and x80, with Rosin-Rammler and Swebrec fits
+  fragments          fragment size distribution, x50 and x80, with Rosin-Rammler and Swebrec fits
   spectrum HISTORY   amplitude spectrum of a history
   HISTORY            one history
                      over time, or over another one with --against
@@ -54,16 +54,16 @@ pub struct Plot {
     /// Run folder
     #[arg(value_name = "RUN")]
     pub run: PathBuf,
-    /// Picture (listed below), or the name of one history [default: all that suit the run]
+    /// Picture (listed below), or the name of one history [default: all that apply to the run]
     #[arg(value_name = "WHAT")]
     pub what: Option<String>,
     /// History whose spectrum is drawn
     #[arg(value_name = "HISTORY")]
     pub history: Option<String>,
-    /// History along the x axis instead of time: load over displacement, convergence over the way of a face
+    /// History on the x axis instead of time: load over displacement, convergence over the advance of a face
     #[arg(long, value_name = "HISTORY", requires = "what")]
     pub against: Option<String>,
-    /// File to write; its ending says the format
+    /// File to write; its extension selects the format
     #[arg(short, long, value_name = "FILE", requires = "what")]
     pub output: Option<PathBuf>,
     /// Write PNG instead of SVG
@@ -72,55 +72,55 @@ pub struct Plot {
     /// Field that colours the blocks
     #[arg(long, alias = "field", value_name = "FIELD", default_value = "displacement")]
     pub by: String,
-    /// Time of the frame that is drawn; repeatable for blocks, sections, lines and heave [default: the last]
+    /// Time of the frame to draw; repeatable for blocks, sections, lines and heave [default: the last]
     #[arg(long, value_name = "TIME")]
     pub time: Vec<String>,
-    /// Colours over powers of ten
+    /// Logarithmic colour scale
     #[arg(long)]
     pub log: bool,
-    /// Arrows on the blocks, or of the flow through joints
+    /// Arrows for blocks, or for the flow through joints
     #[arg(long, value_parser = word::<Vectors>(), value_name = "VECTOR")]
     pub vectors: Option<Vectors>,
     /// Principal stresses of the blocks as crosses
     #[arg(long)]
     pub stress: bool,
-    /// About so many lines of equal value over the blocks, with their numbers
+    /// Approximate number of labelled isolines over the blocks
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(1..=50))]
     pub isolines: Option<u8>,
-    /// Faces that have broken, on sections
+    /// Broken faces, on sections
     #[arg(long)]
     pub cracks: bool,
-    /// What is shown: left, bottom, right, top
+    /// Extent of the picture: left, bottom, right, top
     #[arg(long, num_args = 4, value_names = ["LEFT", "BOTTOM", "RIGHT", "TOP"], allow_hyphen_values = true)]
     pub window: Option<Vec<String>>,
-    /// Multiply the displacements that are drawn
+    /// Factor that exaggerates displacements
     #[arg(long, value_name = "FACTOR", value_parser = factor)]
     pub exaggerate: Option<f64>,
-    /// Direction that a section is normal to; the heave runs along the other horizontal one
+    /// Normal of a section; heave profiles run along the other horizontal axis
     #[arg(long, value_parser = word::<Normal>(), value_name = "AXIS", default_value = "y")]
     pub normal: Normal,
-    /// Where the section lies along its normal [default: through the first source, or the middle]
+    /// Position of the section along its normal [default: through the first source, or the middle]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub at: Option<String>,
-    /// Where a line begins: x, y and in space z, with commas between
+    /// Start of a line: x, y and in space z, separated by commas
     #[arg(long, value_name = "PLACE", allow_hyphen_values = true, requires = "to")]
     pub from: Option<String>,
-    /// Where it ends
+    /// End of the line
     #[arg(long, value_name = "PLACE", allow_hyphen_values = true, requires = "from")]
     pub to: Option<String>,
     /// Projection of the stereonet
     #[arg(long, value_parser = word::<Projection>(), value_name = "PROJECTION", default_value = "equal-area")]
     pub projection: Projection,
-    /// Peak velocities of blocks with a free face looking up only
+    /// Peak velocities only of blocks with a free face upwards
     #[arg(long)]
     pub surface: bool,
-    /// Uplift that bounds the crater [default: 0.02 of the depth of the charge]
+    /// Uplift that defines the crater rim [default: 0.02 of the depth of the charge]
     #[arg(long, value_name = "LENGTH")]
     pub uplift: Option<String>,
-    /// Only fragments with a block of this group
+    /// Only fragments that contain a block of this group
     #[arg(long, value_name = "GROUP")]
     pub of: Option<String>,
-    /// Charge of crater and heave [default: the first]
+    /// Charge for crater and heave [default: the first]
     #[arg(long, value_name = "NAME")]
     pub source: Option<String>,
 }
@@ -131,7 +131,7 @@ fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
         .iter()
         .map(|(word, meaning)| PossibleValue::new(word.replace('_', "-")).help(*meaning));
     PossibleValuesParser::new(words)
-        .try_map(|word| T::named(&word.replace('-', "_")).ok_or("this is no choice"))
+        .try_map(|word| T::named(&word.replace('-', "_")).ok_or("this is not a valid choice"))
 }
 
 /// Reads a positive number.

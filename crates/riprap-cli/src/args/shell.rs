@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 use clap_complete::Shell;
 
-/// Print the completions of a shell.
+/// Print the completion script for a shell.
 ///
-/// With them the tab key completes verbs, options and files.
+/// With it the tab key completes commands, options and files.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -20,7 +20,7 @@ pub struct Completions {
     pub shell: Shell,
 }
 
-/// Print the manual page, or write the pages of all verbs.
+/// Print the manual page, or write the pages of all commands.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -6,13 +6,13 @@ use clap::Args;
 
 use super::Change;
 
-/// Watch a run in the browser, or look at a scene before it is run.
+/// View a run in the browser, or a scene before it is run.
 ///
-/// Serves a page on this machine only, without network, and opens it: blocks in motion, coloured by any
-/// field, contacts, vectors, clipping, histories, pictures and films. A run that is still going on is
-/// followed. Two runs stand side by side. Of a scene the model is shown as it stands before the first step, with the
-/// warnings of `riprap check`, and shown anew whenever the file is saved. Ctrl-C ends it; nothing in the run folder is
-/// changed.
+/// Serves a page to this machine only, without network access, and opens it: blocks in motion, coloured by any
+/// field, contacts, vectors, clipping, histories, pictures and films. A run in progress is
+/// followed. Two runs are shown side by side. A scene is shown as its model before the first step, with the
+/// warnings of `riprap check`, and reloaded whenever the file is saved. Ctrl-C stops the server; the run folder is not
+/// modified.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -33,16 +33,16 @@ pub struct View {
     /// Do not open a browser
     #[arg(long)]
     pub no_open: bool,
-    /// Port to listen on; one in use moves on to the next [default: 8470]
+    /// Port to listen on; if it is in use the next free one is taken [default: 8470]
     #[arg(short, long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]
     pub port: Option<u16>,
 }
 
-/// Write a run as one HTML file to mail.
+/// Write a run as one self-contained HTML file.
 ///
-/// How the run ended, its checks, a replay to turn and colour, every plot, the energy ledger, the scene as
-/// run, versions and hashes, in one file that needs nothing else and prints well. Plots are drawn anew into
-/// the run folder first, as `riprap plot RUN` does.
+/// It holds the outcome of the run, its checks, an interactive replay, all plots, the energy ledger, the scene as
+/// run, versions and hashes, needs no other file and prints well. Plots are first redrawn into
+/// the run folder, as by `riprap plot RUN`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -55,22 +55,22 @@ pub struct Report {
     /// File to write [default: the run folder's name with .html, in the working folder]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Frames of the replay at most
+    /// Maximum number of frames in the replay
     #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u16).range(2..=1000))]
     pub frames: u16,
-    /// Who made it; stands at its head
+    /// Author, shown at the top
     #[arg(long, value_name = "NAME", default_value = "", hide_default_value = true)]
     pub author: String,
-    /// What it belongs to; stands at its head
+    /// Project, shown at the top
     #[arg(long, value_name = "NAME", default_value = "", hide_default_value = true)]
     pub project: String,
 }
 
 /// Write a script that opens a run in ParaView.
 ///
-/// The script lies in the run folder as paraview_state.py. It loads blocks, cracks and contacts, colours them with the
-/// ranges of the last frame, sets time and camera, and has arrows of the contact forces and a cut through the middle
-/// ready, hidden at first.
+/// The script is written to the run folder as paraview_state.py. It loads blocks, cracks and contacts, colours them with the
+/// ranges of the last frame, sets time and camera, and prepares arrows of the contact forces and a cut through the middle,
+/// both hidden at first.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -85,7 +85,7 @@ pub struct Paraview {
     /// Field of the frames that colours the blocks
     #[arg(long, value_name = "FIELD", default_value = "displacement")]
     pub by: String,
-    /// Multiply the displacements that are drawn; 1 or more
+    /// Factor that exaggerates displacements, 1 or more
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = exaggeration)]
     pub exaggerate: f64,
 }
@@ -94,6 +94,6 @@ pub struct Paraview {
 fn exaggeration(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(v) if v.is_finite() && v >= 1.0 => Ok(v),
-        Ok(_) | Err(_) => Err("write a number from 1 on, for example 20".to_owned()),
+        Ok(_) | Err(_) => Err("write a number of 1 or more, for example 20".to_owned()),
     }
 }

@@ -80,9 +80,8 @@ pub(super) fn imports_text(s: &Summary) -> String {
 
 fn model_text(s: &Summary) -> String {
     let mut text = format!(
-        "  blocks     {} ({} held), {} corners, sizes {} / {} / {} (smallest, median, largest)\n  \
-         region     {}; mass {}\n  \
-         shortest   edge {} on block {}\n  near       {} pairs at the start (boxes that meet)",
+        "  blocks     {} ({} held), {} corners, sizes {} / {} / {} (smallest, median, largest)\n  region     {}; mass {}\n  shortest   edge {} on \
+         block {}\n  near       {} pairs at the start (overlapping bounding boxes)",
         grouped(s.blocks as u64),
         grouped(s.supported as u64),
         grouped(s.vertices as u64),
@@ -114,7 +113,7 @@ fn passing_text(s: &Summary) -> String {
     }
     let [fifth, half, most] = s.passing.map(|size| si(size, "m"));
     format!(
-        "  rock       20 % of it in blocks up to {fifth}, 50 % up to {half}, 80 % up to {most}\n"
+        "  passing    20 % of the rock in blocks up to {fifth}, 50 % up to {half}, 80 % up to {most}\n"
     )
 }
 
@@ -149,9 +148,9 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
     if let Setup::Spatial(setup) = setup {
         let before = |levels: u8, during: bool| match (levels, during) {
             (1, false) => "1 level".to_owned(),
-            (1, true) => "1 level while running".to_owned(),
+            (1, true) => "1 level during the run".to_owned(),
             (n, false) => format!("{n} levels"),
-            (n, true) => format!("{n} levels while running"),
+            (n, true) => format!("{n} levels during the run"),
         };
         let all: Vec<String> =
             setup.refinements.iter().map(|r| before(r.levels, r.during.is_some())).collect();
@@ -207,18 +206,18 @@ fn expected_text(f: &Forecast, before: f64) -> String {
             si(stable, "s")
         ),
         (Some(stable), None) => format!(
-            "  time step  none in the static phase at the start; {} is stable in a dynamic one",
+            "  time step  none in the first, static phase; {} is stable in a dynamic phase",
             si(stable, "s")
         ),
         (None, _) => format!("  time step  {}", si(f.time_step, "s")),
     };
     if let Some(block) = &f.governing_block {
-        text.push_str(&format!(", set by block {block}"));
+        text.push_str(&format!(", governed by block {block}"));
     }
     text.push('\n');
     if let Some((block, speed)) = &f.fastest {
         let guard = if f.guard_shortens {
-            "; so fast that the first steps are shortened against tunnelling"
+            "; the first steps are shortened to prevent tunnelling"
         } else {
             ""
         };
@@ -229,7 +228,8 @@ fn expected_text(f: &Forecast, before: f64) -> String {
     }
     if let Some(toe) = f.toe.as_ref().filter(|toe| toe.share > SLIGHT_TOE) {
         text.push_str(&format!(
-            "  tilting    softness takes {} % of the load that tilts block {} and what stands with it; a thousand times `{}` leave a tenth of that\n",
+            "  tilting    contact softness reduces by {} % the load that tilts block {} and the blocks that stand with it; a thousand times `{}` \
+             reduces this to a tenth\n",
             ratio(100.0 * toe.share),
             toe.block,
             toe.key
@@ -250,10 +250,10 @@ fn expected_text(f: &Forecast, before: f64) -> String {
         }
     ));
     if f.apart {
-        text.push_str("             as long as the blocks are apart; several times longer once they rest on each other\n");
+        text.push_str("             while the blocks are apart; several times longer once they rest on each other\n");
     } else if f.gives_way {
         text.push_str(
-            "             as long as its joints hold; blocks that come loose take shorter steps, and more time for each\n",
+            "             while the joints are intact; loose blocks need shorter steps and more time per step\n",
         );
     }
     text
@@ -261,31 +261,34 @@ fn expected_text(f: &Forecast, before: f64) -> String {
 
 /// Steps and time of a run.
 fn steps_text(f: &Forecast) -> String {
-    let time = |steps: u64| duration(steps as f64 / f.steps_per_second);
+    let time = |steps: u64| match duration(steps as f64 / f.steps_per_second) {
+        short if short.starts_with("under") => short,
+        long => format!("about {long}"),
+    };
     match (f.steps, f.iterations) {
         (Some(n), _) if f.tried_to_end => {
-            format!("{} steps (a trial came to the end), about {}", grouped(n), time(n))
+            format!("{} steps (a trial run finished), {}", grouped(n), time(n))
         }
         (Some(n), _) => match f.least_steps {
-            _ if f.at_most => format!("up to {} steps, up to about {}", grouped(n), time(n)),
+            _ if f.at_most => format!("at most {} steps, {}", grouped(n), time(n)),
             Some(least) if least < n => format!(
-                "at least {} steps, up to {} if blocks touch all the time, about {} to {}",
+                "at least {} steps, at most {} with permanent contact, {} to {}",
                 grouped(least),
                 grouped(n),
                 time(least),
-                time(n)
+                duration(n as f64 / f.steps_per_second)
             ),
             // Contacts that are not there yet are not in the stable step.
             _ if f.apart || f.gives_way => {
-                format!("at least {} steps, about {} and more", grouped(n), time(n))
+                format!("at least {} steps, {} or more", grouped(n), time(n))
             }
-            Some(_) | None => format!("{} steps, about {}", grouped(n), time(n)),
+            Some(_) | None => format!("{} steps, {}", grouped(n), time(n)),
         },
         (None, Some(n)) => format!(
-            "as many steps as it takes, up to {} for a load step of a static phase,",
+            "an unknown number of steps, at most {} per load step of a static phase,",
             grouped(n)
         ),
-        (None, None) => "as many steps as it takes".to_owned(),
+        (None, None) => "an unknown number of steps".to_owned(),
     }
 }
 
@@ -295,7 +298,7 @@ fn found_text(found: &Outlook) -> String {
     let (speed, height, block) = &found.stop_speed;
     let steps = found.steps.map_or(String::new(), |[step, time]| {
         format!(
-            "; steps of {} and more once they touch, {} a step in a heap",
+            "; steps of {} or more in contact, {} per step in a heap",
             si(step, "s"),
             si(time, "s")
         )
@@ -304,10 +307,10 @@ fn found_text(found: &Outlook) -> String {
         1 => "1 block".to_owned(),
         several => format!("{} blocks", grouped(several as u64)),
     };
-    let fall = height.map_or(String::new(), |height| format!(", a fall of {},", si(height, "m")));
+    let fall = height.map_or(String::new(), |height| format!(", a fall of {}", si(height, "m")));
     format!(
-        "  meeting    {blocks} can meet others; {} pairs are near and {} touch at the start{steps}\n             \
-         pressed in by {flat} % of their size under their own weight flat, {corner} % on a corner; a cube's corner that hits with {}{fall} without dashpots goes in too far (block {block})\n",
+        "  contact    {blocks} can come into contact; {} pairs are near and {} touch at the start{steps}\n             overlap under own weight \
+         {flat} % of the size lying flat, {corner} % on a corner; without dashpots a cube's corner penetrates too far at {}{fall} (block {block})\n",
         grouped(found.pairs as u64),
         grouped(found.touching as u64),
         si(*speed, "m/s"),

@@ -61,10 +61,10 @@ fn disk() -> String {
     let removed = std::fs::remove_file(&path);
     let speed = match written {
         Ok(()) => format!("{:.0} MB/s written", 1e-6 * SAMPLE as f64 / seconds),
-        Err(error) => format!("the working folder cannot be written ({error})"),
+        Err(error) => format!("cannot write to the working folder ({error})"),
     };
     let left = match removed {
-        Err(error) if path.exists() => format!(" ({} stays: {error})", path.display()),
+        Err(error) if path.exists() => format!(" (could not remove {}: {error})", path.display()),
         Ok(()) | Err(_) => String::new(),
     };
     match free() {
@@ -100,7 +100,7 @@ fn browser() -> String {
         Some(found) => found,
         // There it is part of the system and in no path.
         None if cfg!(any(target_os = "macos", target_os = "windows")) => {
-            "that of the system".to_owned()
+            "system default".to_owned()
         }
         None => "none found; `riprap view` prints an address, `riprap report` writes a page for another machine"
             .to_owned(),
@@ -127,7 +127,7 @@ fn python() -> String {
             .collect();
         return format!("{version} with {}; without {}", with(&modules), with(&without));
     }
-    "none found; only the package for Python needs it".to_owned()
+    "none found; only the Python package needs it".to_owned()
 }
 
 /// Accelerators: what the system has, and that none is used.
@@ -135,11 +135,10 @@ fn devices() -> String {
     let query = ["--query-gpu=name,memory.total", "--format=csv,noheader"];
     let seen = said(Command::new("nvidia-smi").args(query)).filter(|text| !text.trim().is_empty());
     match seen {
-        Some(text) => format!(
-            "{}: not used, riprap calculates on the processor",
-            text.trim().replace('\n', "; ")
-        ),
-        None => "none seen; riprap calculates on the processor".to_owned(),
+        Some(text) => {
+            format!("{}: not used, riprap computes on the CPU", text.trim().replace('\n', "; "))
+        }
+        None => "none found; riprap computes on the CPU".to_owned(),
     }
 }
 

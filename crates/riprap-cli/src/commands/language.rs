@@ -34,13 +34,13 @@ pub fn explain(args: &Explain, style: Style) -> Result<(), Failure> {
                 None => text,
             },
             Ok(text) => text,
-            // A path with dots was meant as a field or a key, and its slip is told.
+            // A path with dots was meant as a field or a key, and its slip is reported.
             Err(why) if what.contains('.') => {
                 concepts::field(what.trim()).ok_or(Failure::Input(why))?
             }
             Err(why) => concepts::find(&what).ok_or_else(|| {
                 Failure::Input(format!(
-                    "{why}; nothing was found: no verb, key, field, page or scene has this word"
+                    "{why}; no command, key, field, page or scene contains this word"
                 ))
             })?,
         };
@@ -108,7 +108,7 @@ pub fn hash(args: &Hash, style: Style) -> Result<(), Failure> {
     if manifest.state_hash.is_empty() {
         let shown = args.what.display();
         return Err(Failure::Input(format!(
-            "{shown} has no final state yet; go on with: riprap resume {shown}"
+            "{shown} has no final state yet; continue with: riprap resume {shown}"
         )));
     }
     screen::line(&manifest.state_hash);

@@ -19,7 +19,7 @@ pub mod view;
 use std::path::{Path, PathBuf};
 
 use riprap::run::checks::{CheckResult, Status};
-use riprap::run::verify::Tally;
+use riprap::run::study::verify::Tally;
 
 use crate::args::How;
 use crate::failure::Failure;
@@ -117,7 +117,7 @@ pub fn run_folder(path: &Path, verb: &str) -> Result<(), Failure> {
         (false, _) => "does not exist",
     };
     Err(Failure::Input(format!(
-        "{shown} {what}, and `{verb}` takes a run: the folder that `riprap run` made; {next}"
+        "{shown} {what}, but `{verb}` needs a run folder, written by `riprap run`; {next}"
     )))
 }
 

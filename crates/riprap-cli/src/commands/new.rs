@@ -22,7 +22,7 @@ pub fn run(args: &New) -> Result<(), Failure> {
     let template = templates::find(&args.template).ok_or_else(|| {
         let names: Vec<&str> = TEMPLATES.iter().map(|t| t.name).collect();
         let known = names.join(", ");
-        Failure::Input(format!("there is no template {:?}; there are: {known}", args.template))
+        Failure::Input(format!("unknown template {:?}; valid templates: {known}", args.template))
     })?;
     let name = args.name.as_deref().unwrap_or(template.name);
     let path = scene_path(name)?;
@@ -32,7 +32,7 @@ pub fn run(args: &New) -> Result<(), Failure> {
         let target = folder.join(file);
         if let Some(parent) = target.parent() {
             std::fs::create_dir_all(parent).map_err(|error| {
-                Failure::Output(format!("could not make {}: {error}", parent.display()))
+                Failure::Output(format!("could not create {}: {error}", parent.display()))
             })?;
         }
         write(&target, text, args.force)?;
@@ -51,7 +51,7 @@ pub fn run(args: &New) -> Result<(), Failure> {
 fn scene_path(name: &str) -> Result<PathBuf, Failure> {
     let path = PathBuf::from(name);
     let Some(stem) = path.file_name() else {
-        return Err(Failure::Input(format!("{name:?} is no file name")));
+        return Err(Failure::Input(format!("{name:?} is not a file name")));
     };
     let mut file = stem.to_os_string();
     if path.extension().is_none_or(|e| e != "toml") {
@@ -70,7 +70,7 @@ fn write(path: &Path, text: &str, force: bool) -> Result<(), Failure> {
     options.open(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
         let shown = path.display();
         if error.kind() == ErrorKind::AlreadyExists {
-            Failure::Input(format!("{shown} is already there; --force replaces it"))
+            Failure::Input(format!("{shown} already exists; --force replaces it"))
         } else {
             Failure::Output(format!("could not write {shown}: {error}"))
         }

@@ -50,22 +50,19 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
     if args.output.is_none() && folder.join("manifest.json").exists() {
         let plots = folder.join("plots");
         std::fs::create_dir_all(&plots)
-            .map_err(|e| Failure::Output(format!("could not make {}: {e}", plots.display())))?;
+            .map_err(|e| Failure::Output(format!("could not create {}: {e}", plots.display())))?;
     }
     let asked = Asked::read(args)?;
     let others = OF_BLOCKS.iter().chain(&OF_BLASTS).chain(&OF_ANY);
     let mut others = others.filter(|name| args.what.as_deref() == Some(**name));
     if let (Some(_), Some(what)) = (&args.against, others.next()) {
         return Err(Failure::Input(format!(
-            "--against is for histories, and `{what}` shows none; write riprap plot RUN HISTORY --against OTHER"
+            "--against applies to histories, and `{what}` shows none; write riprap plot RUN HISTORY --against OTHER"
         )));
     }
     for option in unsuited(args) {
         let what = args.what.as_deref().unwrap_or("these pictures");
-        diagnostics::print_line(
-            "note",
-            &format!("--{option} is not for `{what}` and changes nothing there"),
-        );
+        diagnostics::print_line("note", &format!("--{option} has no effect on `{what}`"));
     }
     Ok(match (args.what.as_deref(), args.history.as_deref()) {
         (Some("spectrum"), Some(history)) => {
@@ -73,13 +70,12 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
             plot::spectrum(folder, history, &out)?
         }
         (Some("spectrum"), None) => {
-            let text =
-                "spectrum of what? write the name of a history: riprap plot RUN spectrum HISTORY";
+            let text = "spectrum needs the name of a history: riprap plot RUN spectrum HISTORY";
             return Err(Failure::Input(text.to_owned()));
         }
         (Some(what), Some(history)) => {
             let other = match what {
-                "blocks" | "section" | "line" => format!("a field is named with --by {history}"),
+                "blocks" | "section" | "line" => format!("name the field by --by {history}"),
                 _ => "only spectrum does".to_owned(),
             };
             return Err(Failure::Input(format!(
@@ -166,7 +162,7 @@ fn window(given: Option<&[String]>) -> Result<Option<[f64; 4]>, Failure> {
         return Ok(Some(ends));
     }
     Err(Failure::Input(
-        "--window takes left, bottom, right and top, so the first must be less than the third, and the second less than the fourth".to_owned(),
+        "--window takes left, bottom, right and top: left must be less than right, and bottom less than top".to_owned(),
     ))
 }
 
@@ -179,7 +175,7 @@ fn line(args: &Plot) -> Result<Option<Along>, Failure> {
         let parts: Vec<&str> = text.split(',').map(str::trim).collect();
         if !(2..=3).contains(&parts.len()) {
             return Err(Failure::Input(format!(
-                "{text:?} is no place; write x, y and in space z: --from '0 m, 3 m'"
+                "{text:?} is not a point; write x, y and in space z: --from '0 m, 3 m'"
             )));
         }
         let length = |part| quantity(part, Dim::LENGTH, "length", "--from '0 m, 3 m'");
@@ -260,7 +256,7 @@ impl<'a> Asked<'a> {
             self.frame(what)?;
         }
         if what == "line" && self.line.is_none() {
-            let text = "a line from where to where? write for example riprap plot RUN line --from '0 m, 3 m' --to '0 m, 12 m'";
+            let text = "a line needs two ends, for example riprap plot RUN line --from '0 m, 3 m' --to '0 m, 12 m'";
             return Err(Failure::Input(text.to_owned()));
         }
         Ok(self.drawn(what)?)
@@ -323,9 +319,9 @@ impl<'a> Asked<'a> {
 pub fn quantity(text: &str, wanted: Dim, what: &str, example: &str) -> Result<f64, Failure> {
     match units::parse(text) {
         Ok((value, dim)) if dim == wanted => Ok(value),
-        Ok(_) | Err(_) => {
-            Err(Failure::Input(format!("{text:?} is no {what}; write for example {example}")))
-        }
+        Ok(_) | Err(_) => Err(Failure::Input(format!(
+            "{text:?} is not a valid {what}; write for example {example}"
+        ))),
     }
 }
 

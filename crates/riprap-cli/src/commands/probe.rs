@@ -13,15 +13,12 @@ use crate::{scenes, screen};
 pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
     let prepared = scenes::prepare(&args.scene, style, args.json)?;
     let Some(setup) = prepared.model.setup.planar() else {
-        return Err(Failure::Input(
-            "probe-contact reads contacts found from geometry, which only [space.planar] has"
-                .to_owned(),
-        ));
+        return Err(Failure::Input("probe-contact needs [space.planar]".to_owned()));
     };
     if let Some(pair) = &args.pair {
         for name in pair {
             if !setup.blocks.iter().any(|block| block.name == *name) {
-                return Err(Failure::Input(format!("there is no block {name:?}")));
+                return Err(Failure::Input(format!("unknown block {name:?}")));
             }
         }
     }
@@ -40,42 +37,43 @@ pub fn run(args: &ProbeContact, style: Style) -> Result<(), Failure> {
         return Ok(());
     }
     if touches.is_empty() {
-        screen::line("nothing touches, and no blocks are nearer than the threshold");
+        screen::line("no blocks touch or are closer than the threshold");
         return Ok(());
     }
-    let rows = touches.iter().map(|t| {
-        vec![
-            t.first.clone(),
-            t.second.clone(),
-            if t.overlap > 0.0 || t.length > 0.0 {
-                si(t.overlap, "m")
-            } else {
-                format!("none, gap {}", si(t.gap, "m"))
-            },
-            si(t.length, "m"),
-            format!("({:.6}, {:.6})", t.centre[0], t.centre[1]),
-            si(t.force[0], "N/m"),
-            si(t.force[1], "N/m"),
-            si(t.moment_first, "N"),
-            si(t.moment_second, "N"),
-            types(t),
-        ]
-    });
-    let heads = [
-        "first",
-        "second",
-        "overlap",
-        "length",
-        "centre [m]",
-        "force x",
-        "force y",
-        "moment on first",
-        "moment on second",
-        "types",
-    ];
-    screen::print(&screen::table(&heads, rows));
+    screen::print(&screen::table(&HEADS, touches.iter().map(|touch| row(touch))));
     screen::line("forces act on the first block; moments are about each block's own centroid");
     Ok(())
+}
+
+const HEADS: [&str; 10] = [
+    "first",
+    "second",
+    "overlap",
+    "length",
+    "centre [m]",
+    "force x",
+    "force y",
+    "moment on first",
+    "moment on second",
+    "types",
+];
+
+/// What is shown of one contact.
+fn row(t: &Touch) -> Vec<String> {
+    let touching = t.overlap > 0.0 || t.length > 0.0;
+    let depth = if touching { si(t.overlap, "m") } else { format!("none, gap {}", si(t.gap, "m")) };
+    vec![
+        t.first.clone(),
+        t.second.clone(),
+        depth,
+        si(t.length, "m"),
+        format!("({:.6}, {:.6})", t.centre[0], t.centre[1]),
+        si(t.force[0], "N/m"),
+        si(t.force[1], "N/m"),
+        si(t.moment_first, "N"),
+        si(t.moment_second, "N"),
+        types(t),
+    ]
 }
 
 /// The kinds of contact of one region, each once, in the order of the list.
@@ -99,7 +97,7 @@ fn length(text: &str) -> Result<f64, Failure> {
     match units::parse(text) {
         Ok((value, Dim::LENGTH)) if value > 0.0 && value.is_finite() => Ok(value),
         Ok(_) | Err(_) => Err(Failure::Input(format!(
-            "{text:?} is no length; write for example --threshold '1 mm'"
+            "{text:?} is not a valid length; write for example --threshold '1 mm'"
         ))),
     }
 }

@@ -36,18 +36,18 @@ pub fn run(args: &Report) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Draws the model at its first frame, coloured by material; in space a section. What cannot be drawn is told and left out.
+/// Draws the model at its first frame, coloured by material; in space a section. What cannot be drawn is reported and left out.
 fn set_up(run: &Path) -> Result<(), Failure> {
     let plots = run.join("plots");
     std::fs::create_dir_all(&plots)
-        .map_err(|e| Failure::Output(format!("could not make {}: {e}", plots.display())))?;
+        .map_err(|e| Failure::Output(format!("could not create {}: {e}", plots.display())))?;
     let out = plots.join(SETUP).with_extension("svg");
     let first = Which::Index(1);
     match drawn::blocks(run, first, "material", BlockOptions::default(), &out) {
         Ok(_) => Ok(()),
         Err(error @ drawn::PlotError::Output(_)) => Err(error.into()),
         Err(error) => {
-            diagnostics::print_line("note", &format!("no picture of the set-up: {error}"));
+            diagnostics::print_line("note", &format!("no picture of the initial model: {error}"));
             Ok(())
         }
     }

@@ -27,7 +27,7 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "run", args.force);
     let summary = &prepared.model.summary;
     let near = match &prepared.model.setup {
-        Setup::Planar(_) => format!(", {} contacts near", grouped(summary.near_pairs as u64)),
+        Setup::Planar(_) => format!(", {} near pairs", grouped(summary.near_pairs as u64)),
         Setup::Spatial(_) => String::new(),
     };
     let head = format!(
@@ -55,12 +55,12 @@ fn stopped_early(folder: &Path) -> String {
     let saved = || checkpoint::all(folder).is_ok_and(|all| !all.is_empty());
     match in_use(folder) {
         Some(true) if saved() => {
-            format!("stopped before the first step; go on with: riprap resume {shown}")
+            format!("stopped before the first step; continue with: riprap resume {shown}")
         }
         Some(true) => format!(
-            "stopped before the first step: nothing has been computed, and {shown} is free for another run"
+            "stopped before the first step: nothing was computed, and {shown} can be reused"
         ),
-        Some(false) | None => "stopped before the first step: nothing has been computed".to_owned(),
+        Some(false) | None => "stopped before the first step: nothing was computed".to_owned(),
     }
 }
 
@@ -68,7 +68,7 @@ fn stopped_early(folder: &Path) -> String {
 pub fn resume(args: &Resume) -> Result<(), Failure> {
     run_folder(&args.run, "resume")?;
     let head = format!("riprap {}  resuming {}", env!("CARGO_PKG_VERSION"), args.run.display());
-    let early = || "stopped before a step was done: the run can be resumed as before".to_owned();
+    let early = || "stopped before any step: the run can still be resumed".to_owned();
     with_display(&args.how, &head, &args.run, early, |look| {
         let live = Live::reopen(&args.run, threads(&args.how))?;
         // Before the run, which may take days.
@@ -105,7 +105,7 @@ fn with_display(
     let outcome = work(&mut |look| {
         interrupt.begin();
         display.show(look);
-        if interrupt.asked() { Control::Stop } else { Control::Continue }
+        Control::stop_if(interrupt.asked())
     });
     display.close();
     finish(&outcome?, folder, how.quiet)
@@ -115,13 +115,13 @@ fn with_display(
 fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> {
     let (manifest, shown) = (&outcome.manifest, folder.display());
     if !quiet {
-        let verb = match outcome.ending {
-            Ending::Finished => "done",
-            Ending::Stopped => "stopped",
-            Ending::Unstable(_) => "broken off",
+        let (verb, to) = match outcome.ending {
+            Ending::Finished => ("done:", "to"),
+            Ending::Stopped => ("stopped after", "at"),
+            Ending::Unstable(_) => ("aborted after", "at"),
         };
         screen::line(&format!(
-            "{verb}: {} steps to t = {} in {}",
+            "{verb} {} steps {to} t = {} in {}",
             grouped(manifest.steps),
             si(manifest.time, "s"),
             duration(manifest.wall_time)
@@ -141,7 +141,7 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
         Ending::Finished => {}
         Ending::Stopped => {
             return Err(Failure::Interrupted(format!(
-                "a checkpoint is in {shown}; go on with: riprap resume {shown}"
+                "a checkpoint is in {shown}; continue with: riprap resume {shown}"
             )));
         }
         Ending::Unstable(why) => {
@@ -151,7 +151,9 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
                 .map_or(String::new(), |line| {
                     format!("\n  line {line} of scenario.resolved.toml in the run folder")
                 });
-            return Err(Failure::Physics(format!("{why}{place}\n  results up to there: {shown}")));
+            return Err(Failure::Physics(format!(
+                "{why}{place}\n  results up to this point: {shown}"
+            )));
         }
     }
     if !quiet {
@@ -172,7 +174,7 @@ fn line_of(folder: &Path, formula: &str) -> Option<usize> {
 
 /// Why a static phase has ended.
 fn phase_end(end: &PhaseEnd) -> String {
-    let asked = end.wanted.map_or(String::new(), |wanted| format!(", {} asked for", ratio(wanted)));
+    let asked = end.wanted.map_or(String::new(), |wanted| format!(", limit {}", ratio(wanted)));
     format!(
         "phase {:?} ended: {} (unbalanced {}{asked})",
         end.phase,

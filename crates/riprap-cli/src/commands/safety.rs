@@ -3,64 +3,39 @@
 use std::path::Path;
 
 use riprap::record::folder::Existing;
-use riprap::run::drive::{Control, Ending};
+use riprap::run::drive::{Ending, Look};
 use riprap::run::job::{self, Job};
-use riprap::run::safety::{self, Answer, Quantity, Rules, SafetyError, Trial};
-use riprap::scenario::units::{self, Dim};
+use riprap::run::study::safety::{self, Answer, Quantity, Rules, Trial};
+use riprap::run::study::{Executor, StudyError};
+use riprap::scenario::units::Dim;
 
 use crate::args::Safety;
 use crate::commands::plot::{self, quantity};
 use crate::commands::run::target;
+use crate::commands::threads;
 use crate::commands::trials::make_folder;
-use crate::commands::{threads, write_file};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::numbers::{duration, grouped, si};
 use crate::{scenes, screen};
 
-/// Frames of the run of the mechanism.
-const FRAMES: u64 = 20;
-
 /// `riprap safety`.
 pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
-    let prepared = scenes::prepare(&args.scene, style, args.how.quiet)?;
+    let (scene, case) = scenes::chosen(&args.scene)?;
+    let prepared = scenes::prepare_case(&scene, &case, &args.scene.change, style, args.how.quiet)?;
     let over = match (&args.quantity, &args.range) {
         (Some(key), Some(range)) => {
             let read = Quantity::read(key, range, args.width.as_deref());
-            Some(read.map_err(SafetyError::from)?)
+            Some(read.map_err(StudyError::from)?)
         }
         _ => None,
     };
-    let factor = Rules::default().width;
-    let width = match (&over, &args.width) {
-        (Some(quantity), _) => quantity.width,
-        (None, Some(text)) => match units::parse(text) {
-            Ok((width, Dim::NONE)) => width,
-            Ok(_) | Err(_) => {
-                let text =
-                    format!("{text:?} is no width of a factor; write for example --width 0.01");
-                return Err(Failure::Input(text));
-            }
-        },
-        (None, None) => factor,
-    };
-    let rules = Rules {
-        width,
-        interfaces: args.interfaces.clone(),
-        materials: args.materials.clone(),
-        groups: args.groups.clone(),
-        moved: (args.moved.as_deref())
-            .map(|text| quantity(text, Dim::LENGTH, "length", "--moved '5 mm'"))
-            .transpose()?,
-        balance: args.balance,
-        steps: args.steps,
-        from_start: args.from_start,
-    };
+    let rules = rules(args, over.as_ref())?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "safety", args.force);
     make_folder(&folder, existing)?;
     let interrupt = Interrupt::listen()?;
-    let stop = || interrupt.asked();
+    let executor = Executor { threads: threads(&args.how), stop: &|| interrupt.asked() };
     let mut count = 0;
     let mut report = |trial: &Trial| {
         count += 1;
@@ -70,28 +45,42 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
             screen::line(&line(count, trial, over.as_ref()));
         }
     };
-    let threads = threads(&args.how);
-    let (answer, job) = if let Some(quantity) = &over {
-        let scene = scenes::load(&args.scene.file, &args.scene.change)?;
-        let case = scenes::case(&scene, &args.scene.change)?;
-        let answer =
-            safety::over_quantity(&scene, &case, quantity, &rules, threads, &stop, &mut report)?;
-        let value = answer.fails_at.unwrap_or(quantity.low);
-        (answer, quantity.prepare(&scene, &case, value)?.job())
-    } else {
-        let job = prepared.job();
-        let (setup, plan) = (&job.setup, &job.plan);
-        let answer = safety::search(setup, plan, &rules, threads, &stop, &mut report)?;
-        (answer, job)
-    };
+    let of = over.as_ref().map(|quantity| (&scene, &case, quantity));
+    let (answer, job) = safety::find(prepared.job(), of, &rules, &executor, &mut report)?;
     // Before the mechanism is run, which takes as long again and may be stopped.
-    write(&folder.join("safety.json"), &serde_json::json!(&answer).to_string())?;
-    write(&folder.join("safety.csv"), &answer.table())?;
-    if let Some(job) = safety::mechanism_job(job, &rules, &answer, FRAMES)? {
-        mechanism(job, &folder, existing, threads, &interrupt)?;
+    answer.write(&folder).map_err(|wrong| Failure::Output(wrong.to_string()))?;
+    if let Some(job) = safety::mechanism_job(job, &rules, &answer)? {
+        mechanism(job, &folder, existing, &executor)?;
     }
-    if args.json {
-        screen::line(&serde_json::json!(&answer).to_string());
+    tell(&answer, &folder, args.json)
+}
+
+/// How the search is made.
+fn rules(args: &Safety, over: Option<&Quantity>) -> Result<Rules, Failure> {
+    let width = match (over, &args.width) {
+        (Some(quantity), _) => quantity.width,
+        (None, Some(text)) => quantity(text, Dim::NONE, "width of a factor", "--width 0.01")?,
+        (None, None) => Rules::default().width,
+    };
+    let moved = args.moved.as_deref();
+    Ok(Rules {
+        width,
+        interfaces: args.interfaces.clone(),
+        materials: args.materials.clone(),
+        groups: args.groups.clone(),
+        moved: moved
+            .map(|text| quantity(text, Dim::LENGTH, "length", "--moved '5 mm'"))
+            .transpose()?,
+        balance: args.balance,
+        steps: args.steps,
+        from_start: args.from_start,
+    })
+}
+
+/// Says what was found.
+fn tell(answer: &Answer, folder: &Path, json: bool) -> Result<(), Failure> {
+    if json {
+        screen::line(&serde_json::json!(answer).to_string());
     } else {
         screen::line(&answer.words());
         if let Some(text) = answer.mechanism_words() {
@@ -100,12 +89,12 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
         screen::line(&format!("{}", folder.display()));
     }
     if !answer.is_found() {
-        return Err(Failure::Physics(missing(&answer)));
+        return Err(Failure::Physics(missing(answer)));
     }
     if answer.undecided {
         print_line(
             "warning",
-            "trials inside the range were undecided: give them more --steps, or look at the run of the mechanism",
+            "trials inside the range were undecided; increase --steps, or examine the run of the mechanism",
         );
     }
     Ok(())
@@ -115,7 +104,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
 fn missing(answer: &Answer) -> String {
     match &answer.quantity {
         None => "no factor of safety was found".to_owned(),
-        Some(key) => format!("no limit of `{key}` was found: give a wider --range"),
+        Some(key) => format!("no limit of `{key}` was found; give a wider --range"),
     }
 }
 
@@ -124,22 +113,16 @@ fn mechanism(
     job: Job,
     folder: &Path,
     existing: Existing,
-    threads: usize,
-    interrupt: &Interrupt,
+    executor: &Executor<'_>,
 ) -> Result<(), Failure> {
     let target = folder.join("mechanism.run");
-    let outcome = job::run(job, &target, existing, threads, &mut |_| {
-        if interrupt.asked() { Control::Stop } else { Control::Continue }
-    })?;
+    let control = &mut |_: &mut Look<'_>| executor.control();
+    let outcome = job::run(job, &target, existing, executor.threads, control)?;
     if matches!(outcome.ending, Ending::Stopped) {
         return Err(Failure::Interrupted(format!("the answer is in {}", folder.display())));
     }
     plot::all(&target)?;
     Ok(())
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    write_file(path, format!("{}\n", text.trim_end()).as_bytes())
 }
 
 /// `F = 1.2500  failing    moved 12.3 mm (block wedge)  2 450 steps in 0.8 s`.
@@ -160,19 +143,4 @@ fn line(count: usize, trial: &Trial, over: Option<&Quantity>) -> String {
         text.push_str(&format!("\n     {}", trial.note));
     }
     text
-}
-
-impl From<SafetyError> for Failure {
-    fn from(error: SafetyError) -> Self {
-        match error {
-            SafetyError::Stopped => Failure::Interrupted("no answer yet".to_owned()),
-            SafetyError::Build(_)
-            | SafetyError::Exec(_)
-            | SafetyError::Unknown { .. }
-            | SafetyError::NoStrength(_)
-            | SafetyError::Range(_)
-            | SafetyError::NotANumber => Failure::Input(error.to_string()),
-            SafetyError::Scene(wrong) => Failure::Scene(wrong),
-        }
-    }
 }

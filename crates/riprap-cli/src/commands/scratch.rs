@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 /// What the folders of all processes begin with; the number of the process follows.
 const PREFIX: &str = "riprap-view-";
-/// Locked as long as the process lives: the system lets go of it however the process ends.
+/// Locked as long as the process lives: the system releases it however the process ends.
 const LOCK: &str = "in_use";
 
 /// A folder of this process among the temporary files of the system.

@@ -1,6 +1,6 @@
 //! `riprap verify`.
 
-use riprap::run::verify;
+use riprap::run::study::{Executor, verify};
 
 use crate::args::Verify;
 use crate::commands::{check_line, cores};
@@ -15,13 +15,14 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
             .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
         if found.is_empty() {
             let shown = path.display();
-            return Err(Failure::Input(format!("there are no scenes with checks in {shown}")));
+            return Err(Failure::Input(format!("{shown} has no scenes with checks")));
         }
         scenes.extend(found);
     }
     let interrupt = Interrupt::listen()?;
-    let jobs = args.jobs.map_or_else(cores, usize::from);
-    let tally = verify::verify(&scenes, args.strict, jobs, &|| interrupt.asked(), |result| {
+    let threads = args.jobs.map_or_else(cores, usize::from);
+    let executor = Executor { threads, stop: &|| interrupt.asked() };
+    let tally = verify::verify(&scenes, args.strict, &executor, |result| {
         if args.json {
             // A result is numbers and texts: it always has a JSON form.
             screen::line(&serde_json::to_string(&result).unwrap_or_default());
@@ -39,7 +40,7 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
         Err(Failure::Checks)
     } else if tally.passed + tally.skipped == 0 {
         Err(Failure::Input(
-            "nothing was verified: no scene here has a check; add [[checks]], or use `riprap run`"
+            "nothing was verified: no scene has a check; add [[checks]], or use `riprap run`"
                 .to_owned(),
         ))
     } else {

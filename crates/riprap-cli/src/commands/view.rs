@@ -16,7 +16,8 @@ use crate::{scenes, screen};
 pub fn run(args: &View, style: Style) -> Result<(), Failure> {
     if args.run.is_file() && args.run.extension().is_some_and(|e| e == "toml") {
         if args.other.is_some() {
-            let text = "a scene is looked at alone; name one scene, or one or two run folders";
+            let text =
+                "a scene can only be viewed alone; name one scene, or one or two run folders";
             return Err(Failure::Input(text.to_owned()));
         }
         return preview(args, style);
@@ -35,7 +36,7 @@ const CHECK_INTERVAL: Duration = Duration::from_millis(300);
 /// Shows the model of a scene as it stands before its first step, and again when the file is saved.
 fn preview(args: &View, style: Style) -> Result<(), Failure> {
     let scratch = Scratch::new()
-        .map_err(|e| Failure::Output(format!("could not make a temporary folder: {e}")))?;
+        .map_err(|e| Failure::Output(format!("could not create a temporary folder: {e}")))?;
     let folder = scratch.path().join(args.run.file_stem().unwrap_or_default());
     let gone = scratch.path().to_owned();
     ctrlc::set_handler(move || {
@@ -58,7 +59,7 @@ fn model(file: &Path, change: &Change, folder: &Path, style: Style) -> Result<Li
     job::preview(prepared.job(), folder).map_err(|error| Failure::of_job(error, &scene))
 }
 
-/// Writes the model anew whenever the scene has been saved. What is wrong with it is told here and on the page.
+/// Rewrites the model whenever the scene has been saved. What is wrong with it is reported here and on the page.
 fn watch(file: &Path, change: &Change, folder: &Path, style: Style, shown: Live) {
     let mut shown = Some(shown);
     let saved = || std::fs::metadata(file).and_then(|m| m.modified()).ok();
@@ -108,14 +109,14 @@ fn renew(
 fn serve(runs: &[PathBuf], args: &View) -> Result<(), Failure> {
     let server = Server::bind(runs, args.port)?;
     let url = server.url();
-    screen::line(&format!("{url}  (Ctrl-C ends it)"));
+    screen::line(&format!("{url}  (Ctrl-C stops it)"));
     if !args.no_open && open::that_detached(server.url_once()).is_err() {
-        diagnostics::print_line("note", "no browser was found; open the address by hand");
+        diagnostics::print_line("note", "no browser was found; open the address manually");
     }
     Ok(server.run()?)
 }
 
-/// A folder that is broken is told about on the page; one that does not exist is a slip of the pen.
+/// A folder that is broken is reported on the page; one that does not exist is a slip of the pen.
 fn exists(run: &Path) -> Result<(), Failure> {
     if run.is_dir() {
         return Ok(());
@@ -126,7 +127,7 @@ fn exists(run: &Path) -> Result<(), Failure> {
         "does not exist"
     };
     Err(Failure::Input(format!(
-        "{} {what}; name what `riprap run` wrote, for example: riprap view hill.run",
+        "{} {what}; name a folder written by `riprap run`, for example: riprap view hill.run",
         run.display()
     )))
 }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::bench::{Bench, FALL};
+use super::bench::{Bench, FALL};
 
 const RIGID: &str = include_str!("../../../../scenes/spatial/bricks.toml");
 const DEFORMABLE: &str =
@@ -212,7 +212,7 @@ fn a_scene_edited_since_is_told_with_its_keys() {
     bench.file("fall.toml", edited);
     let said = bench.run(&["resume", "a.run"]).expect(0);
     let said = said.warns(&[
-        "fall.toml was edited after the run had begun: interfaces.default.friction_angle, materials.rock.density;",
+        "fall.toml was edited after the run had started: interfaces.default.friction_angle, materials.rock.density;",
         "values of its checkpoint",
     ]);
     assert!(!said.err.contains("scenario.resolved.toml"), "{}", said.err);

@@ -1,6 +1,6 @@
 //! Runs: what they leave behind, how they end, how they go on.
 
-use crate::bench::{Bench, FALL};
+use super::bench::{Bench, FALL};
 
 /// Forces, masses and energies are those of the slice, with its units; the motion is the same to the bit.
 #[test]
@@ -82,7 +82,7 @@ fn old_results_are_kept_unless_forced() {
     let bench = Bench::with_scene();
     bench.run(&["run", "fall.toml", "-q", "--out", "a.run"]).expect(0);
     let said = bench.run(&["run", "fall.toml", "-q", "--out", "a.run"]).expect(2);
-    said.warns(&["holds a run already", "--force"]);
+    said.warns(&["already contains a run", "--force"]);
     bench.run(&["run", "fall.toml", "-q", "--out", "a.run", "--force"]).expect(0);
     std::fs::create_dir(bench.path("mine")).unwrap();
     bench.file("mine/thesis.txt", "years of work");
@@ -161,7 +161,7 @@ fn a_step_above_the_stable_one_is_bad_input() {
         bench.run(&[verb, "long.toml"]).expect(2).warns(&[
             "long.toml:24:13",
             "phase `go`",
-            "stable one",
+            "stable step",
         ]);
     }
     assert!(!bench.path("long.run").exists());
@@ -200,7 +200,7 @@ fn ctrl_c_before_the_first_step_quits_at_once() {
         bench.run(&again).expect(2).warns(&["--force"]);
         bench.run(&[&again[..], &["--force"]].concat()).expect(0);
     } else {
-        said.warns(&["a.run is free"]);
+        said.warns(&["a.run can be reused"]);
         bench.run(&again).expect(0);
     }
 }
@@ -215,7 +215,7 @@ fn ctrl_c_leaves_a_checkpoint_and_resume_goes_on() {
     });
     run.signal("INT");
     let said = run.end().expect(130).warns(&["a checkpoint is in a.run", "riprap resume a.run"]);
-    assert!(said.out.contains("stopped:"), "{}", said.out);
+    assert!(said.out.contains("stopped after "), "{}", said.out);
     // What can go on has not failed.
     assert!(!said.out.contains("FAILED"), "{}", said.out);
     assert!(bench.read("a.run/manifest.json").contains("\"ended\": \"interrupted\""));
@@ -245,7 +245,7 @@ fn a_killed_run_resumes_to_the_same_bits() {
         let text = |run: &str| bench.read(&format!("{run}/{file}"));
         assert!(text("died.run") == text("whole.run"), "{file} differs");
     }
-    bench.run(&["resume", "died.run"]).expect(2).warns(&["has ended already"]);
+    bench.run(&["resume", "died.run"]).expect(2).warns(&["has already ended"]);
 }
 
 /// A process that dies after its last checkpoint: what dampers do at the end depends on the last phase and its step.
@@ -289,7 +289,10 @@ fn a_run_resumed_at_its_end_checks_the_same_bits() {
 #[test]
 fn nothing_to_resume_is_bad_input() {
     let bench = Bench::new();
-    bench.run(&["resume", "nowhere"]).expect(2).warns(&["nowhere does not exist", "takes a run"]);
+    bench
+        .run(&["resume", "nowhere"])
+        .expect(2)
+        .warns(&["nowhere does not exist", "needs a run folder"]);
 }
 
 /// The cases ran with the value of `--set`, under the names and values of the sweep.
@@ -393,12 +396,15 @@ time_step = "0.1 ms"
         bench.run(&["check", "next.toml"]).expect(2).warns(words);
     };
     asked("block,x_m\nbrick.1,3\n", &["no column `y_m`", "x_m, y_m, z_m"]);
-    asked("block,vx_m_s,vy_m_s,vz_m_s\nbrick,3,0,0\n", &["name no block", "`brick` first"]);
+    asked(
+        "block,vx_m_s,vy_m_s,vz_m_s\nbrick,3,0,0\n",
+        &["name blocks that this scene does not have", "the first is `brick`"],
+    );
     asked("block,qw,qx,qy,qz\nbrick.1,1,1,0,0\n", &["length 1.41"]);
     asked(
         "block,vx_m_s,vy_m_s,vz_m_s\nbrick.1,3,0,0\nbrick.1,4,0,0\n",
         &["two states", "rows 1 and 2"],
     );
-    asked("block,colour\nbrick.1,3\n", &["says nothing of its blocks"]);
+    asked("block,colour\nbrick.1,3\n", &["has no column with a state of blocks"]);
     asked("name,x_m,y_m,z_m\nbrick.1,3,0,0\n", &["no column `block`"]);
 }

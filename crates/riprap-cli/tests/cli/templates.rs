@@ -1,6 +1,6 @@
 //! Every template of `riprap new` runs.
 
-use crate::bench::Bench;
+use super::bench::Bench;
 
 /// A scene that ends after a few steps of each phase and has no checks: those are for its end.
 fn short(text: &str) -> String {

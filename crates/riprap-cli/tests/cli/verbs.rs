@@ -1,6 +1,6 @@
 //! The other verbs, and input that is wrong.
 
-use crate::bench::{Bench, FALL};
+use super::bench::{Bench, FALL};
 
 #[test]
 fn check_tells_what_to_expect() {
@@ -121,15 +121,15 @@ fn a_sweep_writes_one_table() {
     // The same again is kept; another input is not mixed into it.
     bench.run(&["sweep", "two.toml", "--out", "two.sweep"]).expect(0).says(&[
         "2/2",
-        "kept from before",
+        "steps, kept",
         "checks: 2 passed",
     ]);
     assert_eq!(bench.read("two.sweep/sweep.csv"), table);
     let other =
         ["sweep", "two.toml", "--out", "two.sweep", "--set", "phases.fall.until.time=0.1 s"];
-    bench.run(&other).expect(2).warns(&["holds a run of another input", "--force"]);
+    bench.run(&other).expect(2).warns(&["contains a run of another input", "--force"]);
     assert_eq!(bench.read("two.sweep/sweep.csv"), table);
-    bench.run(&["run", "two.toml", "--case", "nonsense"]).expect(2).warns(&["its cases are"]);
+    bench.run(&["run", "two.toml", "--case", "nonsense"]).expect(2).warns(&["valid cases:"]);
 }
 
 #[test]
@@ -154,7 +154,7 @@ fn bisect_finds_the_limit() {
     };
     assert_eq!(limit_of("default"), limit);
     assert!((-4.0..-1.5).contains(&limit_of("heavy")));
-    bench.run(&["bisect", "cases.toml", "--case", "light"]).expect(2).warns(&["its cases are"]);
+    bench.run(&["bisect", "cases.toml", "--case", "light"]).expect(2).warns(&["valid cases:"]);
     bench.file("none.toml", FALL.split("[bisect]").next().unwrap_or_default());
     bench.run(&["bisect", "none.toml"]).expect(2).warns(&["no [bisect] table"]);
 }
@@ -166,7 +166,7 @@ fn safety_finds_the_factor_and_leaves_a_run_of_the_mechanism() {
     let said = bench.run(&["safety", "stone.toml", "--width", "0.02"]).expect(0);
     assert!(said.out.contains("factor of safety: 1.4"), "{}", said.out);
     assert!(
-        said.out.contains("mechanism: 1 block slides or falls without turning: stone"),
+        said.out.contains("mechanism: 1 block slides or falls without rotation: stone"),
         "{}",
         said.out
     );
@@ -241,7 +241,7 @@ fn probe_contact_shows_touching_pairs() {
         said.expect(2).warns(&["overlap"]);
     }
     bench.file("apart.toml", FALL);
-    bench.run(&["probe-contact", "apart.toml"]).expect(0).says(&["nothing touches"]);
+    bench.run(&["probe-contact", "apart.toml"]).expect(0).says(&["no blocks touch"]);
     bench.run(&["probe-contact", "apart.toml", "--threshold", "0.3 m"]).expect(0).says(&[
         "floor",
         "stone",
@@ -290,7 +290,7 @@ fn a_report_is_one_file() {
     bench
         .run(&["report", "nothing.run"])
         .expect(2)
-        .warns(&["nothing.run does not exist", "the folder that `riprap run` made"]);
+        .warns(&["nothing.run does not exist", "needs a run folder, written by `riprap run`"]);
     bench
         .run(&["report", "fall.run", "-o", "no/such/folder.html"])
         .expect(3)
@@ -310,7 +310,7 @@ fn folders_and_scenes_are_viewed() {
     bench
         .run(&["view", "fall.toml", "fall.run", "--no-open"])
         .expect(2)
-        .warns(&["a scene is looked at alone"]);
+        .warns(&["a scene can only be viewed alone"]);
     bench.run(&["view", "nothing.run", "--no-open"]).expect(2).warns(&["does not exist"]);
 }
 
@@ -341,8 +341,8 @@ fn plots_are_drawn() {
         (&["spectrum"], "name of a history"),
         (&["spectrum", "hieght"], "did you mean `height`"),
         (&["energy", "height"], "only spectrum does"),
-        (&["section", "--at", "3 s"], "no length"),
-        (&["crater", "--uplift", "high"], "no length"),
+        (&["section", "--at", "3 s"], "is not a valid length"),
+        (&["crater", "--uplift", "high"], "is not a valid length"),
         (&["ppv", "--time", "0 s", "--time", "1 s"], "one frame"),
         (&["blocks", "--exaggerate", "0"], "positive"),
     ] {
@@ -355,7 +355,7 @@ fn plots_are_drawn() {
     bench
         .run(&line("0.5 m, -9 m, 0 m", "0.5 m, 9 m"))
         .expect(2)
-        .warns(&["in the plane, where a place has x and y; (0.5, -9, 0) m has 3 coordinates"]);
+        .warns(&["in the plane, where a point has x and y; (0.5, -9, 0) m has 3 coordinates"]);
     bench.run(&["plot", "fall.run", "spectrum", "height"]).expect(0).says(&["spectrum_height.svg"]);
 }
 
@@ -419,5 +419,5 @@ fn every_template_is_written_and_can_be_used() {
         bench.run(&["new", name, "--template", name]).expect(2).warns(&["--force"]);
         bench.run(&["new", &file, "--template", name, "--force"]).expect(0);
     }
-    bench.run(&["new", "x", "--template", "nonsense"]).expect(2).warns(&["there is no template"]);
+    bench.run(&["new", "x", "--template", "nonsense"]).expect(2).warns(&["unknown template"]);
 }

@@ -1,6 +1,6 @@
 //! Help texts and wrong words.
 
-use crate::bench::{Bench, FALL};
+use super::bench::{Bench, FALL};
 
 const VERBS: [&str; 21] = [
     "new",
@@ -241,7 +241,7 @@ fn words_are_explained_by_what_speaks_of_them() {
     ]);
     bench.run(&["explain", "pore", "pressure"]).expect(0);
     bench.run(&["explain", "block.velocity"]).expect(0).says(&["a field of [space.spatial]"]);
-    bench.run(&["explain", "nonsense"]).expect(2).warns(&["nothing was found"]);
+    bench.run(&["explain", "nonsense"]).expect(2).warns(&["page or scene contains this word"]);
     bench.run(&["explain", "fricton_angel"]).expect(2).warns(&["friction_angle"]);
     bench.run(&["explain", "phases.fall.utnil"]).expect(2).warns(&["until"]);
 }
@@ -253,7 +253,7 @@ fn comparing_in_space_says_that_it_is_for_the_plane() {
     bench
         .run(&["compare", "bricks.toml"])
         .expect(2)
-        .warns(&["compare is for the plane", "riprap sweep"]);
+        .warns(&["compare works in the plane", "riprap sweep"]);
     assert!(!bench.path("bricks.compare").exists());
 }
 
@@ -289,7 +289,7 @@ fn gravity_upwards_and_steps_that_follow_nothing_are_warned_of() {
     let whole = "until = { time = \"0.2 s\" }";
     for until in [whole, "until = { steps = 20 }"] {
         change(whole, &format!("{until}\ngravity_ramp = \"1 s\""))
-            .warns(&["before its gravity is there"]);
+            .warns(&["before its gravity has reached"]);
     }
 }
 

@@ -10,7 +10,7 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-use crate::{pages, read, writing};
+use super::{pages, read, writing};
 
 /// Numbers of a shown line may differ by this share: a page need not follow the last digit.
 const NEAR: f64 = 0.05;

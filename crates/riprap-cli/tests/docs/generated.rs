@@ -3,9 +3,9 @@
 use std::fmt::Write as _;
 use std::process::Command;
 
-use crate::{pages, read, writing};
+use super::{pages, read, writing};
 
-const HOW: &str = "RIPRAP_WRITE_DOCS=1 cargo test -p riprap-cli --test docs";
+const HOW: &str = "RIPRAP_WRITE_DOCS=1 cargo test -p riprap-cli --test all docs";
 
 /// What `riprap WORDS` prints, as on a terminal of unknown width.
 fn riprap(words: &[&str]) -> String {
@@ -118,7 +118,7 @@ fn fields_of(fields: &[serde_json::Value], text: &mut String) {
 /// Needs no package, only an interpreter: it reads the sources. Without one the page stays as it is.
 #[test]
 fn the_python_reference_is_fresh() {
-    let script = crate::repository().join("crates/riprap-py/reference.py");
+    let script = super::repository().join("crates/riprap-py/reference.py");
     let made = ["python3", "python"].iter().find_map(|python| {
         let output = Command::new(python).arg(&script).output().ok()?;
         Some(output)

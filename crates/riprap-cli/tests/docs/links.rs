@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::{pages, read, repository};
+use super::{pages, read, repository};
 
 /// Written by `cargo xtask verify-all`, which takes minutes.
 const WRITTEN_LATER: [&str; 1] = ["verification.md"];

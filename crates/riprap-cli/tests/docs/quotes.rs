@@ -3,7 +3,7 @@
 //! `docs/src/quotes.csv` has a line for each: the page, the words around the number with `{}` in its place, and scene, case and check of the
 //! row of `verification.csv` that it is, times `factor`. The page has as many digits as it wants, and the row rounds to them.
 
-use crate::{pages, read};
+use super::{pages, read};
 
 /// Cells of a line of CSV.
 fn cells(line: &str) -> Vec<String> {

@@ -44,7 +44,7 @@ pub enum FormulaError {
         message: String,
     },
     /// A name stands for nothing.
-    #[error("`{name}` is not known in this formula; known names are {known}")]
+    #[error("unknown name `{name}` in this formula; valid names: {known}")]
     UnknownName {
         /// Bytes of the text before the name.
         at: usize,

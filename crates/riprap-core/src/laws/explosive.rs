@@ -44,9 +44,8 @@ pub enum ExplosiveError {
     },
     /// The heat does not fit density and velocity of detonation.
     #[error(
-        "the heat of explosion is {heat:.4e} J/kg; with this density and velocity of detonation it must be above \
-         {above:.4e} J/kg (else nothing is left for the second stage) and at most {at_most:.4e} J/kg (else the \
-         transition pressure exceeds the initial pressure)"
+        "the heat of explosion is {heat:.4e} J/kg; with this density and detonation velocity it must be above {above:.4e} J/kg (otherwise the second \
+         stage has no energy) and at most {at_most:.4e} J/kg (otherwise the transition pressure exceeds the initial pressure)"
     )]
     Heat {
         /// Heat given, J/kg.
@@ -80,7 +79,7 @@ impl Explosive {
     pub fn validate(&self) -> Result<(), ExplosiveError> {
         for (what, value) in [
             ("the density of the explosive", self.density),
-            ("the velocity of detonation", self.detonation_velocity),
+            ("the detonation velocity", self.detonation_velocity),
             ("the heat of explosion", self.heat),
         ] {
             if !(value.is_finite() && value > 0.0) {

@@ -130,8 +130,8 @@ impl BondLaw {
     }
 }
 
-/// Law of a patch.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+/// Law of a patch; by default elastic, with the stiffness of the material and without dashpots.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct JointLaw {
     /// Where the stiffness comes from.
     pub stiffness: Stiffness,
@@ -186,6 +186,12 @@ pub enum Stiffness {
         /// Shear, Pa/m.
         shear: f64,
     },
+}
+
+impl Default for Stiffness {
+    fn default() -> Self {
+        Self::Rule(StiffnessRule::default())
+    }
 }
 
 /// What fails as one.

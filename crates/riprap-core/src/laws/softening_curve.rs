@@ -16,25 +16,25 @@ pub struct Curve {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum CurveError {
     /// Two to eight.
-    #[error("it has {count} points: 2 to {MOST_POINTS} are possible")]
+    #[error("it has {count} points; 2 to {MOST_POINTS} are allowed")]
     Count {
         /// Points given.
         count: usize,
     },
     /// The first point is (0, 1).
-    #[error("it begins elsewhere than at [0, 1], the whole strength")]
+    #[error("it does not begin at [0, 1], the full strength")]
     Start,
     /// The last point has no strength left.
-    #[error("it ends elsewhere than at a strength of 0")]
+    #[error("it does not end at a strength of 0")]
     End,
     /// Openings ascend.
-    #[error("the opening of point {point} is not above that of the point before")]
+    #[error("the opening of point {point} does not exceed that of the previous point")]
     Order {
         /// Counted from 1.
         point: usize,
     },
     /// Strength falls.
-    #[error("the strength of point {point} is above that of the point before")]
+    #[error("the strength of point {point} exceeds that of the previous point")]
     Rise {
         /// Counted from 1.
         point: usize,

@@ -101,7 +101,7 @@ pub enum Refusal {
         volume: f64,
     },
     /// A part would be thinner than the snap length: its surface does not close.
-    #[error("it would leave a part whose surface does not close")]
+    #[error("it would leave a part with an open surface")]
     Open,
     /// As [`Refusal::Open`]: a tetrahedron of a part would have no volume.
     #[error("it would leave a part that is too thin: {0}")]
@@ -120,7 +120,7 @@ pub enum Refusal {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CutError {
     /// Not a direction.
-    #[error("the normal of the cut is ({}, {}, {}), which has no direction", .normal.x, .normal.y, .normal.z)]
+    #[error("the normal of the cut ({}, {}, {}) has zero length", .normal.x, .normal.y, .normal.z)]
     Normal {
         /// Normal given.
         normal: Vec3,
@@ -132,10 +132,10 @@ pub enum CutError {
         count: u32,
     },
     /// The solid to be cut is not sound.
-    #[error("the solid to be cut is not sound: {0}")]
+    #[error("the solid to be cut is invalid: {0}")]
     Solid(FlatTetrahedron),
     /// The solid to be cut, of which no plane was cut, is not sound.
-    #[error("the solid to be cut is not sound: {0}")]
+    #[error("the solid to be cut is invalid: {0}")]
     Rest(Refusal),
 }
 

@@ -67,14 +67,14 @@ pub enum GluedError {
         volume: f64,
     },
     /// It is not one piece.
-    #[error("parts {} and {} are not one piece: no faces between them touch, nor through other parts", parts[0] + 1, parts[1] + 1)]
+    #[error("parts {} and {} are not connected: they share no face, directly or through other parts", parts[0] + 1, parts[1] + 1)]
     Apart {
         /// Two parts that nothing joins.
         parts: [usize; 2],
     },
     /// There are too many convex pieces.
     #[error(
-        "its {parts} parts make more than {} convex pieces or {} terms",
+        "its {parts} parts give more than {} convex pieces or {} terms",
         MOST_PIECES,
         MOST_TERMS
     )]

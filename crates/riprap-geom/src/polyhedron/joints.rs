@@ -50,7 +50,7 @@ impl Joint {
             return Err("has fewer than three corners");
         }
         if corners.iter().any(|c| !c.is_finite() || c.abs().max_element() > 1e150) {
-            return Err("has a corner that is not finite");
+            return Err("has a non-finite corner");
         }
         let at = corners.iter().sum::<Vec3>() / count as f64;
         let arm = |k: usize| corners[k % count] - at;
@@ -179,9 +179,9 @@ pub fn divide(
     let mut chance = Chance::new(seed);
     for joint in joints {
         let far = joint.at.abs().max_element();
-        demand("the place of a joint", far, far < 1e150, "finite")?;
+        demand("the position of a joint", far, far < 1e150, "finite")?;
         let length = joint.normal.length();
-        demand("the normal of a joint", length, (length - 1.0).abs() < 1e-9, "a direction")?;
+        demand("the normal of a joint", length, (length - 1.0).abs() < 1e-9, "a non-zero vector")?;
     }
     let mut boxes: Vec<(Vec3, Vec3)> = solids.iter().map(centre_and_half).collect();
     let mut divided = Divided {

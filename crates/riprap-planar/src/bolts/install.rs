@@ -11,7 +11,7 @@ use crate::world::{Bolt, Dowel, Pin, World};
 
 /// Why a bolt could not be installed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("the bolt `{name}` cannot be installed: {reason}")]
+#[error("bolt `{name}` cannot be installed: {reason}")]
 pub struct InstallError {
     /// Its name.
     pub name: String,

@@ -206,5 +206,5 @@ fn bolts_outside_the_rock_are_refused() {
     setup.bolts[0].head.y += 0.5;
     let (mut world, scratch) = World::new(setup, Exec::serial());
     let wrong = install(&mut world, &scratch.shapes, &[0]).unwrap_err();
-    assert!(wrong.to_string().contains("hangs in the air"), "{wrong}");
+    assert!(wrong.to_string().contains("lies outside the rock"), "{wrong}");
 }

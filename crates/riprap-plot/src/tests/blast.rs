@@ -255,21 +255,21 @@ fn unsuitable_runs_are_told() {
     assert!(text(spectrum(&flat, "slipp", &out)).contains("did you mean `slip`?"));
     assert!(text(spectrum(&flat, "slip", &out)).contains("5 usable samples"));
     let other = CraterOptions { source: Some("other"), ..CraterOptions::default() };
-    assert!(text(crater(&folder, last, other, &out)).contains("sources are: charge"));
+    assert!(text(crater(&folder, last, other, &out)).contains("valid sources: charge"));
     assert!(text(heave(&folder, &[], None, Normal::Z, &out)).contains("along x or y"));
     let far = BlockOptions { at: Some(99.0), ..o };
     let e = text(section(&folder, &[last], "level", far, &out));
-    assert!(e.contains("y = 99 m meets no block"), "{e}");
+    assert!(e.contains("y = 99 m intersects no block"), "{e}");
     assert!(text(section(&folder, &[last], "levle", o, &out)).contains("did you mean `level`?"));
     let mut manifest = Manifest::read(&folder).unwrap();
     manifest.sources[0].mass = None;
     manifest.sources[0].depth = None;
     manifest.write(&folder).unwrap();
-    assert!(text(ppv(&folder, last, false, &out)).contains("has a mass"));
+    assert!(text(ppv(&folder, last, false, &out)).contains("a source with a mass"));
     assert!(text(crater(&folder, last, CraterOptions::default(), &out)).contains("has no depth"));
     manifest.sources.clear();
     manifest.write(&folder).unwrap();
-    assert!(text(ppv(&folder, last, false, &out)).contains("lists no sources"));
+    assert!(text(ppv(&folder, last, false, &out)).contains("has no sources"));
     assert!(!out.exists());
     assert!(section(&folder, &[last], "level", o, &out).is_ok());
 }

@@ -170,9 +170,9 @@ fn fragment_sizes_of_a_known_law() {
     assert!((largest(Some("rock")) - 2.0).abs() < 1e-12);
     assert!((largest(Some("wall")) - 1.0).abs() < 1e-12);
     assert!(text(fragments(&folder, Some("ground"), &out)).contains("with a block of"));
-    assert!(text(fragments(&folder, Some("rocks"), &out)).contains("its groups are rock, ground"));
+    assert!(text(fragments(&folder, Some("rocks"), &out)).contains("valid groups: rock, ground"));
     write(&[]);
-    assert!(text(fragments(&folder, None, &out)).contains("no fragments"));
+    assert!(text(fragments(&folder, None, &out)).contains("lists no free fragments"));
     std::fs::write(folder.join("fragments.csv"), "fragment,blocks\n1,2\n").unwrap();
     assert!(text(fragments(&folder, None, &out)).contains("volume_m3"));
 }

@@ -58,7 +58,7 @@ class Field(np.ndarray):
 def _missing(kind: str, name: str, known: list[str]) -> KeyError:
     close = difflib.get_close_matches(name, known, n=1)
     hint = f"; did you mean {close[0]!r}?" if close else ""
-    return KeyError(f"there is no {kind} {name!r}{hint} (there is: {', '.join(known) or 'nothing'})")
+    return KeyError(f"unknown {kind} {name!r}{hint} (valid names: {', '.join(known) or 'none'})")
 
 
 class Fields(Mapping[str, Field]):
@@ -113,7 +113,7 @@ class Table(Fields):
 
     @classmethod
     def read(cls, path: Path) -> "Table":
-        """Reads a CSV file whose heads are ``name [unit]``; a last line that was cut off does not count."""
+        """Reads a CSV file whose heads are ``name [unit]``; a last line that was truncated does not count."""
         return cls({name: Field(values, name, unit) for name, unit, values in _riprap.read_table(path)})
 
     @property

@@ -37,13 +37,13 @@ class RunFolder:
         try:
             manifest = json.loads(file.read_text(encoding="utf-8"))
         except OSError as error:
-            raise FolderError(f"{self.path} is no run folder: {error}") from None
+            raise FolderError(f"{self.path} is not a run folder: {error}") from None
         except ValueError as error:
             raise FolderError(f"{file} is damaged: {error}") from None
         if not isinstance(manifest, dict) or manifest.get("format") != "riprap-run":
-            raise FolderError(f"{file} is not of a run of riprap")
+            raise FolderError(f"{file} was not written by a riprap run")
         if manifest.get("format_version", 1) > 1:
-            raise FolderError(f"{file} was written by a newer riprap ({manifest.get('riprap')}); update this one")
+            raise FolderError(f"{file} was written by a newer riprap ({manifest.get('riprap')}); update this version")
         self.manifest: dict[str, Any] = manifest
         """The manifest: see the page on run folders for its keys."""
         # More frames may be there by now.
@@ -188,7 +188,7 @@ class RunFolder:
 
     def _frame_file(self, index: int, time: float | None) -> Path:
         if not self._frames:
-            raise FolderError(f"{self.path} has no frames; ask for some in the scenario: [[outputs]] with frames")
+            raise FolderError(f"{self.path} has no frames; request them in the scenario: [[outputs]] with frames")
         if time is not None:
             at = bisect.bisect_left(self.times, time)
             near = range(max(at - 1, 0), min(at + 1, len(self)))
@@ -223,7 +223,7 @@ def ending(folder: Path, manifest: Mapping[str, Any], strict: bool) -> RunFolder
 
     run = RunFolder(folder)
     if strict and manifest.get("ended") == "unstable":
-        raise UnstableError(f"{manifest.get('message')}\n  results up to there: {folder}", run)
+        raise UnstableError(f"{manifest.get('message')}\n  results up to this point: {folder}", run)
     return run
 
 

@@ -78,5 +78,5 @@ def _threads(threads: int | None) -> int:
     if threads is None:
         return os.cpu_count() or 1
     if threads < 1:
-        raise ValueError(f"threads={threads}; at least one is needed")
+        raise ValueError(f"threads={threads}; at least 1 is needed")
     return threads

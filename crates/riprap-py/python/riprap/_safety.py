@@ -105,9 +105,9 @@ def safety(
         ValueError: there is no strength to reduce, or a range or a width is none.
     """
     if (quantity is None) != (between is None):
-        raise ValueError("quantity and between go together")
+        raise ValueError("quantity and between must be given together")
     if quantity is not None and (interfaces or materials or groups or from_start):
-        raise ValueError("interfaces, materials, groups and from_start are for the factor of safety, not for a quantity")
+        raise ValueError("interfaces, materials, groups and from_start apply to the factor of safety, not to a quantity")
     what = scenario(source)
     folder = Path(out) if out is not None else default_folder(what, "safety")
 

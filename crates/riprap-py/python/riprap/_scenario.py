@@ -84,7 +84,7 @@ class Scenario:
             self._file = Path(fspath(source))  # type: ignore[arg-type]
             self._scene = _riprap.Scene.load(self._file, changes)
         else:
-            raise TypeError("folder and name are for dictionaries and texts; a file has its own")
+            raise TypeError("folder and name apply to dictionaries and texts; a file has its own")
 
     @classmethod
     def from_file(cls, path: str | PathLike[str], *, set: Mapping[str, Any] | None = None) -> "Scenario":

@@ -93,10 +93,10 @@ class Simulation:
             UnstableError: the physics stopped it.
         """
         if steps is not None and steps < 0:
-            raise ValueError(f"steps={steps}; the past is gone")
+            raise ValueError(f"steps={steps}; it must be 0 or more")
         # So that what is no number is refused too.
         if time is not None and not time >= 0:
-            raise ValueError(f"time={time}; the past is gone")
+            raise ValueError(f"time={time}; it must be 0 or more")
         state, message = self._sim.advance(steps, time, callback)
         if state == "unstable":
             raise UnstableError(message, self.path)

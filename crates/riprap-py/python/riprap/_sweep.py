@@ -30,7 +30,7 @@ class Sweep(Mapping[str, RunFolder]):
 
     def __getitem__(self, case: str) -> RunFolder:
         if all(row["case"] != case for row in self.rows):
-            raise KeyError(f"there is no case {case!r} (there is: {', '.join(self)})")
+            raise KeyError(f"unknown case {case!r} (valid cases: {', '.join(self)})")
         return RunFolder(self.path / case)
 
     def __iter__(self) -> Iterator[str]:
@@ -49,7 +49,7 @@ class Sweep(Mapping[str, RunFolder]):
         # A history is known by its name alone, heads have the unit behind it.
         column = next((head for head in heads if name in (head, head.rsplit(" [", 1)[0])), None)
         if column is None:
-            raise KeyError(f"there is no column {name!r} (there is: {', '.join(heads)})")
+            raise KeyError(f"unknown column {name!r} (valid columns: {', '.join(heads)})")
         return {row["case"]: float(row[column]) for row in self.rows if row[column]}
 
     def to_pandas(self) -> "pd.DataFrame":

@@ -99,7 +99,7 @@ def to_stl(frame: Frame, path: _Path, *, blocks: Sequence[int] | None = None) ->
         blocks: places of blocks in the frame; by default all.
     """
     if not frame.spatial:
-        raise ShapeError("STL is for blocks in space, but this frame lies in the plane")
+        raise ShapeError("STL needs blocks in space, but this frame is in the plane")
     triangles = []
     for block in range(frame.n_blocks) if blocks is None else blocks:
         corners = np.asarray(frame.corners(block))

@@ -8,7 +8,7 @@ use std::thread;
 
 /// Pieces that may wait for the disk.
 const AHEAD: usize = 4;
-/// Bytes after which the disk is told to take what it has: nothing is left to wait for at the end.
+/// Bytes after which the disk is asked to write what it has, so that little remains at the end.
 const PORTION: usize = 64 << 20;
 
 /// A file that is written by another thread.
@@ -25,7 +25,7 @@ impl Write for Behind {
         piece.extend_from_slice(bytes);
         match self.full.send(piece) {
             Ok(()) => Ok(bytes.len()),
-            // Its own error is what is told.
+            // Its own error is what is reported.
             Err(_) => Err(io::ErrorKind::BrokenPipe.into()),
         }
     }

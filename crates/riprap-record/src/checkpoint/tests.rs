@@ -178,7 +178,7 @@ fn two_are_kept_and_a_broken_one_is_skipped() {
     fs::write(&newest, &bytes[..bytes.len() / 2]).unwrap();
     let fallback = latest::<State>(dir.path(), "test").unwrap();
     assert_eq!(fallback.value.0, 20);
-    assert!(fallback.broken[0].to_string().contains("cut off"), "{}", fallback.broken[0]);
+    assert!(fallback.broken[0].to_string().contains("truncated"), "{}", fallback.broken[0]);
     fs::write(path_for(dir.path(), 20), b"").unwrap();
     let none = latest::<State>(dir.path(), "test").unwrap_err().to_string();
     assert!(none.contains("000020.rck") && none.contains("000030.rck"), "{none}");

@@ -46,10 +46,14 @@ pub(super) fn append(
         source: io::Error::new(io::ErrorKind::InvalidInput, text),
     };
     let Some(series) = slot else {
-        return Err(invalid("a row before the head".to_owned()));
+        return Err(invalid("a row before the header".to_owned()));
     };
     if row.len() != series.columns {
-        return Err(invalid(format!("a row of {} for {} columns", row.len(), series.columns)));
+        return Err(invalid(format!(
+            "a row of {} values for {} columns",
+            row.len(),
+            series.columns
+        )));
     }
     let mut line = format!("{step},{}", number(time));
     for value in row {

@@ -99,7 +99,7 @@ fn changed_folders_are_not_continued() {
     let not_begun = Marks { histories: 0, ..marks.clone() };
     for marks in [&marks, &not_begun] {
         let error = RunFolder::reopen(&path, marks).unwrap_err().to_string();
-        assert!(error.contains("energy.csv") && error.contains("cut or replaced"), "{error}");
+        assert!(error.contains("energy.csv") && error.contains("truncated or replaced"), "{error}");
         assert!(snapshot(&path) == before, "something was cut");
     }
     assert!(RunFolder::reopen(&dir.path().join("none"), &marks).is_err());

@@ -81,7 +81,7 @@ fn read_pvd_once(path: &Path) -> Result<Vec<PvdEntry>, ReadError> {
         return Err(ReadError::Foreign { path: path.to_owned() });
     }
     if !tags.iter().any(|t| t.name == "/VTKFile") {
-        return Err(damaged("it is cut off"));
+        return Err(damaged("it is truncated"));
     }
     let entries = tags.iter().filter(|t| t.name == "DataSet").map(|t| {
         let time = t.attribute("timestep").and_then(|v| v.parse().ok());

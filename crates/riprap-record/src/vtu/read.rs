@@ -116,15 +116,15 @@ fn parse_some(bytes: &[u8], path: &Path, wanted: Wanted<'_>) -> Result<Vtu, Read
     }
     let mark = b"<AppendedData encoding=\"raw\">\n_";
     let at = bytes.windows(mark.len()).position(|w| w == mark).ok_or_else(|| {
-        damaged("it is cut off before its data, or not written by riprap".to_owned())
+        damaged("it is truncated before its data, or was not written by riprap".to_owned())
     })?;
     let head =
-        str::from_utf8(&bytes[..at]).map_err(|_| damaged("its head is not text".to_owned()))?;
+        str::from_utf8(&bytes[..at]).map_err(|_| damaged("its header is not text".to_owned()))?;
     let end = b"\n</AppendedData>\n</VTKFile>\n";
     let data = bytes[at + mark.len()..]
         .strip_suffix(end)
-        .ok_or_else(|| damaged("it is cut off: its end is missing".to_owned()))?;
-    let tags = tags(head).ok_or_else(|| damaged("its head is not well-formed XML".to_owned()))?;
+        .ok_or_else(|| damaged("it is truncated: its end is missing".to_owned()))?;
+    let tags = tags(head).ok_or_else(|| damaged("its header is not well-formed XML".to_owned()))?;
     fits(&tags, bytes.len() as u64, wanted).map_err(damaged)?;
     contents(&tags, data, wanted).map_err(damaged)
 }
@@ -178,10 +178,10 @@ fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String
     }
     let end = out.offsets.last().map_or(0, |o| *o as usize);
     if !out.offsets.is_sorted() || end != points || out.kinds.len() != cells {
-        return Err("its cells do not fit its points".to_owned());
+        return Err("its cells do not match its points".to_owned());
     }
     if !out.face_ends.is_empty() && out.face_ends.len() != cells {
-        return Err("its faces do not fit its cells".to_owned());
+        return Err("its faces do not match its cells".to_owned());
     }
     Ok(out)
 }
@@ -201,7 +201,7 @@ fn fits(tags: &[Tag], length: u64, wanted: Wanted<'_>) -> Result<(), String> {
     }
     if total > SMALL.max(FILE_RATIO.saturating_mul(length)) {
         return Err(format!(
-            "its counts say {} MiB of numbers, which a file of {} KiB does not hold",
+            "its counts imply {} MiB of numbers, which do not fit in a file of {} KiB",
             total >> 20,
             length >> 10
         ));
@@ -246,7 +246,7 @@ pub(super) fn array(
             let bytes = load()?;
             let (ends, rest) = bytes.as_chunks::<8>();
             if !rest.is_empty() || ends.len() != cells {
-                return Err("its cells are not complete".to_owned());
+                return Err("its cells are incomplete".to_owned());
             }
             out.offsets = ends
                 .iter()
@@ -309,7 +309,7 @@ fn triples(values: &[f64], items: usize, name: &str) -> Result<Vec<[f64; 3]>, St
 /// One array out of the appended data, of at most `most` bytes. Memory: never more than that, nor than its compressed bytes times
 /// [`MAX_RATIO`].
 fn unpack(data: &[u8], offset: usize, most: u64) -> Result<Vec<u8>, String> {
-    let cut = || "its data are cut off".to_owned();
+    let cut = || "its data are truncated".to_owned();
     let mut rest = data.get(offset..).ok_or_else(cut)?;
     let mut word = || -> Result<u64, String> {
         let (head, tail) = rest.split_first_chunk::<8>().ok_or_else(cut)?;
@@ -324,7 +324,7 @@ fn unpack(data: &[u8], offset: usize, most: u64) -> Result<Vec<u8>, String> {
     let sizes: Vec<u64> = (0..blocks).map(|_| word()).collect::<Result<_, _>>()?;
     let whole = if partial == 0 { blocks } else { blocks.saturating_sub(1) };
     if whole.saturating_mul(size).saturating_add(partial) > most {
-        return Err("it unpacks to more than the counts of the file allow".to_owned());
+        return Err("it decompresses to more than the counts of the file allow".to_owned());
     }
     let mut out = Vec::new();
     for (i, packed) in sizes.iter().enumerate() {
@@ -341,7 +341,7 @@ fn unpack(data: &[u8], offset: usize, most: u64) -> Result<Vec<u8>, String> {
             // One byte more than it should have, so that a longer one is seen.
             .take(plain + 1)
             .read_to_end(&mut out)
-            .map_err(|e| format!("a block does not unpack: {e}"))?;
+            .map_err(|e| format!("a block cannot be decompressed: {e}"))?;
         if out.len() as u64 - before != plain {
             return Err("a block has the wrong size".to_owned());
         }

@@ -97,7 +97,7 @@ fn cells(frame: &Frame, cells: &Surfaces, kind: u8, exec: &Exec) -> io::Result<V
     let count = cells.ends.len();
     let last = cells.ends.last().map_or(0, |e| *e as usize);
     if last != cells.points.len() || cells.columns.iter().any(|c| c.len() != count) {
-        let text = "the lists of cracks, tetrahedra or bolts do not fit together";
+        let text = "the lists of cracks, tetrahedra or bolts are inconsistent";
         return Err(io::Error::new(io::ErrorKind::InvalidData, text));
     }
     let ends: Vec<i64> = cells.ends.iter().map(|e| i64::from(*e)).collect();

@@ -102,7 +102,7 @@ fn fit(cell: &str, at: usize, column: &Column) -> Fit {
                 Err(_) => bare(1.0),
             },
             None => {
-                let message = format!("the column `{cell}` names no unit");
+                let message = format!("the column `{cell}` has no unit");
                 Fit::Refused(CsvError::new(&message, &remedy(column)))
             }
         },
@@ -114,27 +114,27 @@ fn remedy(column: &Column) -> String {
     let what = column.dim.describe();
     let name = column.names[0];
     let examples: &[&str] = match column.dim {
-        Dim::NONE => return format!("{what} is expected: leave its unit out of the name"),
+        Dim::NONE => return format!("expected: {what}; leave the unit out of the name"),
         Dim::ANGLE => &["deg", "rad"],
         Dim::TIME => &["ms", "s"],
         Dim::LENGTH => &["mm", "m"],
         Dim::MASS => &["kg"],
         dim => {
-            return format!("{what} is expected: name it for example `{name} [{}]`", dim.unit());
+            return format!("expected: {what}; name it for example `{name} [{}]`", dim.unit());
         }
     };
     let names: Vec<String> = examples.iter().map(|unit| format!("`{name} [{unit}]`")).collect();
-    format!("{what} is expected: name it for example {}", names.join(" or "))
+    format!("expected: {what}; name it for example {}", names.join(" or "))
 }
 
 /// Two columns of which either could be meant.
 fn both(first: &str, second: &str, wanted: &str) -> CsvError {
     let message = if first == second {
-        format!("the column `{first}` is there twice")
+        format!("the column `{first}` is given twice")
     } else {
-        format!("the columns `{first}` and `{second}` are both `{wanted}`")
+        format!("the columns `{first}` and `{second}` both give `{wanted}`")
     };
-    CsvError::new(&message, "take one of them out, or give it another name")
+    CsvError::new(&message, "remove one of them, or rename it")
 }
 
 /// A cell of the head whose last part stands in brackets.

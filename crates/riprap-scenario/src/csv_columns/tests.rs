@@ -58,7 +58,7 @@ fn one_table_is_read_however_it_is_written() {
 #[test]
 fn what_was_taken_is_noted() {
     let read = places("x;y [m];z\n1,5;2;3\n;;\n");
-    let says = "read 1 of 2 rows; left out 1 because they are empty; x, z without a unit, read in m; commas are decimal signs";
+    let says = "read 1 of 2 rows; left out 1 because they are empty; x, z without a unit, read in m; decimal commas";
     assert_eq!(read.note(), says);
     assert_eq!(read.lines, [2]);
     assert_eq!(places("x_m,y_m,z_m\n1,2,3\n").note(), "read 1 of 1 rows");
@@ -93,7 +93,7 @@ fn columns_of_a_record_are_read_in_their_units() {
         }
     }
     for (head, column, says) in [
-        ("t_s,v_mm_s", "v_mm_s", "the column `v_mm_s` is a velocity | an acceleration is expected"),
+        ("t_s,v_mm_s", "v_mm_s", "the column `v_mm_s` is a velocity | expected: an acceleration"),
         ("t_s,a [kN]", "a", "the column `a [kN]` is a force"),
         ("t_s,a [furlong]", "a [furlong]", "unknown unit `furlong`"),
         ("t_s,a_x", "b", "there is no column `b` | the columns are t_s, a_x; name one `b_m_s2`"),
@@ -113,7 +113,7 @@ fn an_angle_of_the_user_names_its_unit() {
     assert_eq!(read("theta_deg").unwrap(), FRAC_PI_2);
     assert_eq!(read("theta_rad").unwrap(), 90.0);
     let refused = read("theta").unwrap_err();
-    assert!(refused.message.contains("names no unit"), "{refused}");
+    assert!(refused.message.contains("has no unit"), "{refused}");
     assert!(refused.help.unwrap().contains("`theta [deg]` or `theta [rad]`"));
 }
 
@@ -123,26 +123,26 @@ fn says_what_is_wrong() {
         ("", "empty"),
         ("# only a comment\n", "empty"),
         ("x_m,b,z\n1,2,3\n", "no column `y` | the columns are x_m, b, z; name one `y_m`"),
-        ("x|y|z\n1|2|3\n", "separate columns with commas, semicolons or tabs"),
+        ("x|y|z\n1|2|3\n", "separate columns by commas, semicolons or tabs"),
         ("0,1,2\n1,2,3\n", "must name the columns"),
         ("0,1;1,5;2\n1;2;3\n", "must name the columns"),
-        ("x,y,z,x\n1,2,3,4\n", "the column `x` is there twice"),
-        ("x,easting,y,z\n1,2,3,4\n", "the columns `x` and `easting` are both `x`"),
-        ("x,y,z\n", "no lines"),
+        ("x,y,z,x\n1,2,3,4\n", "the column `x` is given twice"),
+        ("x,easting,y,z\n1,2,3,4\n", "the columns `x` and `easting` both give `x`"),
+        ("x,y,z\n", "no rows"),
         ("x,y,z\n1,a,3\n", "line 2, column `y`: \"a\" is not a number"),
         ("x,y,z\n1,2,3\n1,nan,3\n", "line 3, column `y`: \"nan\" is not a finite number"),
         ("x,y,z\n1,,3\n", "line 2, column `y`: the cell is empty"),
-        ("x,y,z\n1\n", "line 2 does not have as many cells as the header (1, not 3)"),
-        ("x,y,z\n1,5,2,5,3,5\n", "decimal signs, separate cells with semicolons"),
+        ("x,y,z\n1\n", "line 2 has 1 cells, but the header has 3"),
+        ("x,y,z\n1,5,2,5,3,5\n", "decimal commas separate cells by semicolons"),
         (
             "x;y;z\n1,5;2.5;3\n",
-            "line 2, column `y`: line 2 has a decimal comma and line 2 a decimal point",
+            "line 2, column `y`: line 2 has a decimal comma, and line 2 a decimal point",
         ),
-        ("x;y;z\n1.234,5;2;3\n", "without separators of thousands"),
-        ("x;y;z\n1,234,567;2;3\n", "without separators of thousands"),
-        ("x,y,z\n\"1,234\",2,3\n", "without separators of thousands"),
+        ("x;y;z\n1.234,5;2;3\n", "without thousands separators"),
+        ("x;y;z\n1,234,567;2;3\n", "without thousands separators"),
+        ("x,y,z\n\"1,234\",2,3\n", "without thousands separators"),
         ("x,y,z\n\"1,2\n", "line 2"),
-        ("x_kg,y,z\n1,2,3\n", "the column `x_kg` is a mass | a length is expected"),
+        ("x_kg,y,z\n1,2,3\n", "the column `x_kg` is a mass | expected: a length"),
         ("x,y,z\nm,s,m\n1,2,3\n", "line 2, column `y`: the unit `s` is a time"),
         ("x,y,z\n1,2,\u{0}3\n", "not a text file"),
     ] {

@@ -79,7 +79,7 @@ pub(super) fn rows(text: &str) -> Result<Rows<'_>, CsvError> {
     }
     if numbers(&head) {
         return Err(CsvError::new(
-            "there are numbers where the names of the columns are expected",
+            "there are numbers where column names are expected",
             "the first line must name the columns, for example `t_s,a_m_s2`",
         ));
     }
@@ -120,12 +120,11 @@ impl Rows<'_> {
         let head = self.head.len();
         let help = match self.separator {
             b',' if cells > head => {
-                "every row needs one cell for each column; where commas are decimal signs, separate cells with semicolons or tabs"
+                "every row needs one cell per column; with decimal commas separate cells by semicolons or tabs"
             }
-            _ => "every row needs one cell for each column",
+            _ => "every row needs one cell per column",
         };
-        let message =
-            format!("line {line} does not have as many cells as the header ({cells}, not {head})");
+        let message = format!("line {line} has {cells} cells, but the header has {head}");
         CsvError::new(&message, help)
     }
 }

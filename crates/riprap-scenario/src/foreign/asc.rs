@@ -50,7 +50,7 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
         head.read(line, text)?;
     }
     let at = lines.peek().map_or(1, |(line, _)| *line);
-    let missing = |word: &str| at_line(at, format!("the head has no `{word}`"));
+    let missing = |word: &str| at_line(at, format!("the header has no `{word}`"));
     let columns = head.columns.ok_or_else(|| missing("ncols"))?;
     let rows = head.rows.ok_or_else(|| missing("nrows"))?;
     let [Some(wide), Some(high)] = head.size else {
@@ -61,7 +61,7 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
     // A product that wraps round would make a huge grid look small.
     if columns < 2 || rows < 2 || columns.saturating_mul(rows) > MOST {
         let text = format!(
-            "the grid has {columns} by {rows} cells: 2 to {MOST} in all are possible, 2 along each side at least"
+            "the grid has {columns} by {rows} cells; it needs at least 2 along each side and at most {MOST} in total"
         );
         return Err(at_line(at, text));
     }
@@ -84,7 +84,7 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
             let height = height(line, word)?;
             if north_first.len() == cells {
                 let text = format!(
-                    "{columns} by {rows} cells need {cells} heights, and here stand more: correct `ncols` and `nrows`, or take them out"
+                    "{columns} by {rows} cells need {cells} heights, but more follow here; correct `ncols` and `nrows`, or remove the surplus"
                 );
                 return Err(at_line(line, text));
             }
@@ -93,7 +93,7 @@ pub fn parse_asc(bytes: &[u8]) -> Result<Heights, FileError> {
     }
     if north_first.len() != cells {
         let text = format!(
-            "{columns} by {rows} cells need {cells} heights, the file has {}",
+            "{columns} by {rows} cells need {cells} heights, but the file has {}",
             north_first.len()
         );
         return Err(at_line(last, text));
@@ -125,7 +125,7 @@ fn number(line: usize, word: &str) -> Result<f64, FileError> {
     let comma = word.matches(',').count() == 1 && !word.contains('.');
     let number = if comma { word.replace(',', ".").parse::<f64>() } else { word.parse::<f64>() };
     let number = number.ok().filter(|x| x.is_finite());
-    number.ok_or_else(|| at_line(line, format!("`{}` is no finite number", shown(word))))
+    number.ok_or_else(|| at_line(line, format!("`{}` is not a finite number", shown(word))))
 }
 
 /// A height, or nothing where there is no ground.
@@ -147,7 +147,8 @@ impl Head {
         };
         let count = || {
             let count = word.parse::<usize>().ok();
-            count.ok_or_else(|| at_line(line, format!("`{}` is no number of cells", shown(word))))
+            count
+                .ok_or_else(|| at_line(line, format!("`{}` is not a number of cells", shown(word))))
         };
         match key.to_ascii_lowercase().as_str() {
             "ncols" => self.columns = Some(count()?),
@@ -163,8 +164,8 @@ impl Head {
             "nodata_value" => self.nothing = height(line, word)?.or(Some(f64::NAN)),
             _ => {
                 let text = format!(
-                    "`{}` is no word of the head: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize \
-                     (or dx and dy), NODATA_value",
+                    "unknown header word `{}`; valid words: ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize (or dx and dy), \
+                     NODATA_value",
                     shown(key)
                 );
                 return Err(at_line(line, text));
@@ -244,20 +245,20 @@ mod tests {
         };
         assert!(error("ncols 3\n", "").contains("no `ncols`"));
         assert!(error("cellsize 2", "cellsize 0").contains("greater than zero"));
-        assert!(error("4 5 6", "4 5").contains("need 6 heights, the file has 5"));
+        assert!(error("4 5 6", "4 5").contains("need 6 heights, but the file has 5"));
         let long = error("4 5 6", "4 5 6\n7\nx");
         assert!(
-            long.starts_with("line 9: 3 by 2 cells need 6 heights, and here stand more"),
+            long.starts_with("line 9: 3 by 2 cells need 6 heights, but more follow here"),
             "{long}"
         );
         assert!(error("4 5 6", "4 5 x").contains("line 8"));
-        assert!(error("1 2 -9999", "inf 2 3").contains("line 7: `inf` is no finite number"));
-        assert!(error("1 2 -9999", "1 2 -inf").contains("no finite number"));
+        assert!(error("1 2 -9999", "inf 2 3").contains("line 7: `inf` is not a finite number"));
+        assert!(error("1 2 -9999", "1 2 -inf").contains("not a finite number"));
         assert!(error("nrows 2", "nrows two").contains("line 2"));
         assert!(error("nrows 2", "nrows 1").contains("2 along each side"));
         assert!(error("nrows 2", "nrows 99999999999").contains("4000000"));
         assert!(error("cellsize 2", "dx 2").contains("no `cellsize`"));
-        assert!(error("cellsize 2", "size 2").contains("no word of the head"));
+        assert!(error("cellsize 2", "size 2").contains("unknown header word"));
         assert!(error("cellsize 2", "dx 2\ndy 0").contains("greater than zero"));
         assert!(error("cellsize 2", "cellsize").contains("needs one number"));
         assert!(parse_asc(b"").is_err());

@@ -32,7 +32,7 @@ pub fn parse_at2(bytes: &[u8]) -> Result<Record, FileError> {
     let mut unit = None;
     let (line, count, dt) = loop {
         let Some((line, text)) = lines.next() else {
-            return Err(at_line(1, "there is no line with NPTS and DT: this is no record of PEER"));
+            return Err(at_line(1, "there is no line with NPTS and DT: this is not a PEER record"));
         };
         let upper = text.to_uppercase();
         if upper.contains("NPTS") && upper.contains("DT") {
@@ -44,17 +44,18 @@ pub fn parse_at2(bytes: &[u8]) -> Result<Record, FileError> {
         }
     };
     let (factor, dim) = unit
-        .ok_or_else(|| at_line(line, "no line above says `IN UNITS OF`: the unit is not known"))?;
+        .ok_or_else(|| at_line(line, "no line above says `IN UNITS OF`, so the unit is unknown"))?;
     let mut values = Vec::new();
     let mut last = line;
     for (line, text) in lines {
         last = line;
         for word in text.split_whitespace() {
             let value = word.parse::<f64>().ok().filter(|x| x.is_finite());
-            let value = value
-                .ok_or_else(|| at_line(line, format!("`{}` is no finite number", shown(word))))?;
+            let value = value.ok_or_else(|| {
+                at_line(line, format!("`{}` is not a finite number", shown(word)))
+            })?;
             if values.len() == count {
-                let text = format!("NPTS announces {count} values, and here stand more");
+                let text = format!("NPTS declares {count} values, but more follow here");
                 return Err(at_line(line, text));
             }
             values.push(factor * value);
@@ -62,7 +63,7 @@ pub fn parse_at2(bytes: &[u8]) -> Result<Record, FileError> {
     }
     if values.len() != count {
         let text = format!(
-            "NPTS announces {count} values, and the file has {}: it is cut off",
+            "NPTS declares {count} values, but the file has {}: it is truncated",
             values.len()
         );
         return Err(at_line(last, text));
@@ -101,7 +102,7 @@ fn unit_of(line: usize, said: &str) -> Result<(f64, Dim), FileError> {
         }
         Ok(_) | Err(_) => Err(at_line(
             line,
-            format!("`{}` is no unit of a record: g, cm/s/s, cm/s, cm", shown(said.trim())),
+            format!("unknown unit `{}`; valid units: g, cm/s/s, cm/s, cm", shown(said.trim())),
         )),
     }
 }
@@ -134,16 +135,16 @@ mod tests {
             assert_ne!(text, NEW);
             parse_at2(text.as_bytes()).unwrap_err().to_string()
         };
-        assert!(parse_at2(b"hello\n").unwrap_err().to_string().contains("no record of PEER"));
-        assert!(wrong("OF G", "OF KG").contains("line 3: `KG` is no unit of a record"));
+        assert!(parse_at2(b"hello\n").unwrap_err().to_string().contains("not a PEER record"));
+        assert!(wrong("OF G", "OF KG").contains("line 3: unknown unit `KG`"));
         assert!(wrong("IN UNITS OF G", "").contains("line 4: no line above says"));
         assert!(wrong(".0050", "0.0").contains("line 4: NPTS"));
         assert!(wrong("5, DT", "99999999999, DT").contains("line 4: NPTS"));
-        assert!(wrong(" 4.0E-3 0.0", " 4.0E-3").contains("announces 5 values, and the file has 4"));
+        assert!(wrong(" 4.0E-3 0.0", " 4.0E-3").contains("declares 5 values, but the file has 4"));
         assert!(
             wrong(" 0.0\n", " 0.0 1.0\n")
-                .contains("line 6: NPTS announces 5 values, and here stand more")
+                .contains("line 6: NPTS declares 5 values, but more follow here")
         );
-        assert!(wrong("4.0E-3", "nan").contains("line 6: `nan` is no finite number"));
+        assert!(wrong("4.0E-3", "nan").contains("line 6: `nan` is not a finite number"));
     }
 }

@@ -84,7 +84,7 @@ pub(super) fn words(line: &str) -> impl Iterator<Item = &str> {
 pub(super) fn numbers(line: usize, found: &[&str]) -> Result<Vec<f64>, FileError> {
     let number = |word: &&str| {
         let number = word.parse::<f64>().ok().filter(|x| x.is_finite());
-        number.ok_or_else(|| at_line(line, format!("`{}` is no finite number", shown(word))))
+        number.ok_or_else(|| at_line(line, format!("`{}` is not a finite number", shown(word))))
     };
     found.iter().map(number).collect()
 }
@@ -116,7 +116,7 @@ pub fn parse_fab(bytes: &[u8]) -> Result<Network, FileError> {
     if sections == 0 {
         return Err(at_line(
             last,
-            "there is no section `BEGIN FRACTURE`: this is no file of FracMan",
+            "there is no section `BEGIN FRACTURE`: this is not a FracMan file",
         ));
     }
     network.leave(tessellated, "they are surfaces of triangles");
@@ -155,7 +155,7 @@ fn format_section<'a>(
                 match read {
                     Ok((unit, crate::units::Dim::LENGTH)) => network.unit = Some(unit),
                     Ok(_) | Err(_) => {
-                        let text = format!("`{}` is no unit of length", shown(value));
+                        let text = format!("`{}` is not a unit of length", shown(value));
                         return Err(at_line(line, text));
                     }
                 }
@@ -185,7 +185,7 @@ fn fracture_section<'a>(
         let count = count.ok_or_else(|| {
             at_line(
                 line,
-                "a fracture begins with its number and how many corners it has, three at least",
+                "a fracture begins with its number and its number of corners, at least three",
             )
         })?;
         let mut corners = Vec::new();
@@ -193,13 +193,13 @@ fn fracture_section<'a>(
             let (line, text) = lines.next().ok_or_else(|| cut_off(begin))?;
             let row: Vec<&str> = words(text).collect();
             let [_, x, y, z] = numbers(line, &row)?[..] else {
-                return Err(at_line(line, "a corner has its number and x, y, z"));
+                return Err(at_line(line, "a corner needs its number and x, y, z"));
             };
             corners.push(Vec3::new(x, y, z));
         }
         let (_, normal) = lines.next().ok_or_else(|| cut_off(begin))?;
         if words(normal).next() != Some("0") {
-            let text = "a row `0` with the normal is expected behind the corners of a fracture";
+            let text = "a row `0` with the normal is expected after the corners of a fracture";
             return Err(at_line(line + count + 1, text));
         }
         network.fractures.push((Shape::Corners(corners), line));
@@ -233,7 +233,7 @@ fn tessellated_section<'a>(
 }
 
 fn cut_off(begin: usize) -> FileError {
-    at_line(begin, "the section that begins here has no end: the file is cut off")
+    at_line(begin, "the section that begins here has no end: the file is truncated")
 }
 
 /// The polygons of dfnWorks: `nPolygons: n`, then for each its number of corners and these in braces.
@@ -250,7 +250,7 @@ pub fn parse_polygons(bytes: &[u8]) -> Result<Network, FileError> {
     let claimed = claimed.ok_or_else(|| {
         at_line(
             line,
-            "`nPolygons:` and a number are expected: this is no polygons.dat of dfnWorks; its lists are known by their names, \
+            "`nPolygons:` and a number are expected: this is not a polygons.dat of dfnWorks; its lists are recognised by their names, \
              radii_Final.dat, normal_vectors.dat and translations.dat",
         )
     })?;
@@ -263,14 +263,16 @@ pub fn parse_polygons(bytes: &[u8]) -> Result<Network, FileError> {
         let places = row.get(1..).unwrap_or_default().chunks_exact(3);
         let places: Vec<Vec3> = places.map(Vec3::from_slice).collect();
         if row.len() % 3 != 1 || row[0] != places.len() as f64 || places.len() < 3 {
-            let text = "a polygon has its number of corners, three at least, and x, y, z of each";
+            let text = "a polygon needs its number of corners, at least three, and x, y, z of each";
             return Err(at_line(line, text));
         }
         network.fractures.push((Shape::Corners(places), line));
     }
     if network.fractures.len() != claimed {
-        let text =
-            format!("{claimed} polygons are announced, and {} are there", network.fractures.len());
+        let text = format!(
+            "{claimed} polygons are declared, but the file has {}",
+            network.fractures.len()
+        );
         return Err(at_line(line, text));
     }
     Ok(network)
@@ -311,25 +313,25 @@ mod tests {
             assert_ne!(text, FAB);
             parse_fab(text.as_bytes()).unwrap_err().to_string()
         };
-        assert!(parse_fab(b"hello").unwrap_err().to_string().contains("no file of FracMan"));
+        assert!(parse_fab(b"hello").unwrap_err().to_string().contains("not a FracMan file"));
         assert!(fab("= Ascii", "= Binary").contains("line 2: the format is `Binary`"));
-        assert!(fab("Meter", "Cubits").contains("line 3: `Cubits` is no unit"));
+        assert!(fab("Meter", "Cubits").contains("line 3: `Cubits` is not a unit"));
         assert!(fab("1 4 1 1e-9", "1 2 1 1e-9").contains("line 10: a fracture begins"));
-        assert!(fab(" 2 1 0 1\n", " 2 1 0\n").contains("line 12: a corner has its number"));
-        assert!(fab(" 2 1 0 1\n", " 2 1 x 1\n").contains("line 12: `x` is no finite number"));
+        assert!(fab(" 2 1 0 1\n", " 2 1 0\n").contains("line 12: a corner needs its number"));
+        assert!(fab(" 2 1 0 1\n", " 2 1 x 1\n").contains("line 12: `x` is not a finite number"));
         assert!(fab(" 4 0 1 1\n", "").contains("line 15: a row `0`"), "{}", fab(" 4 0 1 1\n", ""));
         assert!(
-            fab("END FRACTURE", "").contains("cut off")
+            fab("END FRACTURE", "").contains("truncated")
                 || fab("END FRACTURE", "").contains("a fracture begins")
         );
         let polygons = |from: &str, to: &str| {
             let text = POLYGONS.replace(from, to);
             parse_polygons(text.as_bytes()).unwrap_err().to_string()
         };
-        assert!(polygons("nPolygons", "n").contains("no polygons.dat"));
-        assert!(polygons("2\n4", "3\n4").contains("3 polygons are announced, and 2 are there"));
-        assert!(polygons("3 {", "4 {").contains("line 3: a polygon has its number of corners"));
+        assert!(polygons("nPolygons", "n").contains("not a polygons.dat"));
+        assert!(polygons("2\n4", "3\n4").contains("3 polygons are declared, but the file has 2"));
+        assert!(polygons("3 {", "4 {").contains("line 3: a polygon needs its number of corners"));
         assert!(polygons("0, 0, 0}", "0, 0, a}").contains("line 3: `a`"));
-        assert!(polygons("\n3 {", "\n{}\n3 {").contains("line 3: a polygon has its number"));
+        assert!(polygons("\n3 {", "\n{}\n3 {").contains("line 3: a polygon needs its number"));
     }
 }

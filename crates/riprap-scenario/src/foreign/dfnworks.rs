@@ -153,11 +153,11 @@ pub fn parse_rows(bytes: &[u8]) -> Result<Vec<Row>, FileError> {
             found.pop();
         }
         let [x, y, z] = numbers(line, &found)?[..] else {
-            let text = "a row has three numbers, and `R` behind them if its fracture was removed";
+            let text = "a row needs three numbers, followed by `R` if its fracture was removed";
             return Err(at_line(line, text));
         };
         if rows.len() == MOST_ROWS {
-            let text = format!("there are more than {MOST_ROWS} rows: make a smaller network");
+            let text = format!("there are more than {MOST_ROWS} rows; generate a smaller network");
             return Err(at_line(line, text));
         }
         rows.push(Row { line, numbers: [x, y, z], removed });
@@ -197,14 +197,14 @@ pub fn parse_families(bytes: &[u8]) -> Result<BTreeMap<i64, Family>, FileError> 
             }
             "Global Family" => {
                 let number = value.parse().ok().filter(|number: &i64| *number > 0);
-                let number = number.ok_or_else(|| wrong("no number of a family"))?;
+                let number = number.ok_or_else(|| wrong("not a family number"))?;
                 families.insert(number, shape);
                 current = Some(number);
             }
             "Number of Vertices" => {
                 let count = value.parse().ok();
                 let count = count.filter(|count| (3..=MOST_CORNERS).contains(count));
-                let what = "no number of corners: three at least, and at most 1000";
+                let what = "not a number of corners from 3 to 1000";
                 let count = count.ok_or_else(|| wrong(what))?;
                 if let Some(family) = current.and_then(|number| families.get_mut(&number)) {
                     family.corners = Some(count);
@@ -272,7 +272,7 @@ impl Lists {
             network.fractures.push((one.shape(), radii.line));
         }
         network.leave(isolated[0].max(isolated[1]), "dfnGen removed them as isolated (R)");
-        let why = "they were given by their corners, which stand in polygons.dat alone";
+        let why = "they were given by their corners, which only polygons.dat contains";
         network.leave(by_corners, why);
         let files = [&self.radii, &self.normals, &self.centres];
         network.files = files.into_iter().chain(&self.families).map(|f| named(f)).collect();
@@ -284,7 +284,7 @@ impl Lists {
         }
         if turned > 0 {
             network.remarks.push(format!(
-                "the angle in its plane is not in these files for {turned}, taken as 0 ({POLYGONS} has it)"
+                "these files do not give the in-plane angle of {turned} fractures; it is taken as 0 ({POLYGONS} has it)"
             ));
         }
         Ok(network)
@@ -312,13 +312,13 @@ impl Lists {
         if let Some(said) = said {
             message.push_str(&format!(", and {PARAMS} says {said}"));
         }
-        Err(Refused { message, help: Some("all are to be of one run of dfnGen".to_owned()) })
+        Err(Refused { message, help: Some("all files must be from one run of dfnGen".to_owned()) })
     }
 
     fn normal(&self, row: &Row) -> Result<Vec3, Refused> {
         let normal = Vec3::from_array(row.numbers);
         normal.try_normalize().ok_or_else(|| {
-            let what = "a normal has a length that is not 0";
+            let what = "a normal must have non-zero length";
             refused(&self.normals, row, what)
         })
     }
@@ -326,10 +326,10 @@ impl Lists {
     fn radii(&self, row: &Row) -> Result<[f64; 2], Refused> {
         let [x, y, family] = row.numbers;
         if x <= 0.0 || y <= 0.0 {
-            return Err(refused(&self.radii, row, "radii are above 0"));
+            return Err(refused(&self.radii, row, "radii must be above 0"));
         }
         if family.fract() != 0.0 || family.abs() > 1e9 {
-            let what = "the third number of a row is that of the family, a whole one";
+            let what = "the third number of a row must be the family number, an integer";
             return Err(refused(&self.radii, row, what));
         }
         Ok([x, y])

@@ -112,7 +112,7 @@ pub fn parse_dxf(bytes: &[u8], sagitta: Option<f64>) -> Result<Drawing, FileErro
             if code == 999 {
                 continue;
             }
-            return Err(pairs.wrong("a section should begin here: this is no DXF drawing"));
+            return Err(pairs.wrong("a section should begin here: this is not a DXF drawing"));
         }
         match value.text().as_ref() {
             "EOF" => {
@@ -120,7 +120,7 @@ pub fn parse_dxf(bytes: &[u8], sagitta: Option<f64>) -> Result<Drawing, FileErro
                 return Ok(drawing);
             }
             "SECTION" => {}
-            _ => return Err(pairs.wrong("a section should begin here: this is no DXF drawing")),
+            _ => return Err(pairs.wrong("a section should begin here: this is not a DXF drawing")),
         }
         let name = match pairs.next()? {
             Some((2, name)) => name.text().into_owned(),
@@ -453,7 +453,7 @@ impl Reading {
     fn check(&self, points: usize, wrong: &dyn Fn(String) -> FileError) -> Result<(), FileError> {
         if points > self.room {
             return Err(wrong(format!(
-                "the lines of the drawing have more than {MAX_POINTS} points, arcs in pieces and blocks inserted: use a larger sagitta"
+                "the lines of the drawing have more than {MAX_POINTS} points, with divided arcs and expanded blocks; use a larger sagitta"
             )));
         }
         Ok(())
@@ -466,7 +466,7 @@ fn flatten(pairs: &Pairs, entity: &Entity, points: &mut [[f64; 2]]) -> Result<()
         return Ok(());
     }
     let [a, b, n] = axes(entity.normal)
-        .ok_or_else(|| pairs.wrong("a polyline has an extrusion without direction"))?;
+        .ok_or_else(|| pairs.wrong("a polyline has an extrusion vector of zero length"))?;
     let elevation = if matches!(entity.kind, Kind::Arc | Kind::Circle) {
         entity.points.first().map_or(0.0, |p| p[2])
     } else {

@@ -146,7 +146,7 @@ impl<'a> Pairs<'a> {
                 let Some(number) = number else {
                     let code = shown(&String::from_utf8_lossy(code));
                     return Err(self.wrong(format!(
-                        "{code:?} stands where a group code should be: this is no DXF drawing, or it is damaged"
+                        "a group code is expected, not {code:?}: this is not a DXF drawing, or it is damaged"
                     )));
                 };
                 match self.text_line() {
@@ -206,12 +206,12 @@ impl<'a> Pairs<'a> {
     pub(super) fn whole(&self, value: Value) -> Result<i64, FileError> {
         value.whole().ok_or_else(|| {
             let text = shown(&value.text());
-            self.wrong(format!("a whole number is expected, not {text:?}"))
+            self.wrong(format!("an integer is expected, not {text:?}"))
         })
     }
 
     pub(super) fn cut_off(&self) -> FileError {
-        self.wrong("the drawing ends here, before its EOF: it is cut off, or no DXF drawing")
+        self.wrong("the drawing ends here, before its EOF: it is truncated, or not a DXF drawing")
     }
 
     /// The next line, without blanks around it.

@@ -20,7 +20,7 @@ fn number(line: usize, word: &str) -> Result<f64, FileError> {
     };
     let number = word.parse().ok().or_else(written);
     let number = number.filter(|x: &f64| x.is_finite());
-    number.ok_or_else(|| at_line(line, format!("`{}` is no finite number", shown(word))))
+    number.ok_or_else(|| at_line(line, format!("`{}` is not a finite number", shown(word))))
 }
 
 /// The numbers of a row that has `N`.
@@ -54,22 +54,22 @@ pub fn parse_itasca(bytes: &[u8]) -> Result<Network, FileError> {
     let mut lines = lines.filter(|(_, text)| words(text).next().is_some());
     let (begin, head) = lines.next().unwrap_or((1, ""));
     let [claimed] = whole(head).ok_or_else(|| {
-        let text = "behind a header line the number of fractures is expected: this is no DFN file of Itasca; files of FracMan \
-                    (BEGIN FORMAT) are read by the key `fab`";
+        let text = "the number of fractures is expected after a header line: this is not an Itasca DFN file; FracMan files (BEGIN FORMAT) are read \
+                    by the key `fab`";
         at_line(begin, text)
     })?;
     let mut network = Network::default();
     while let Some((line, text)) = lines.next() {
         let [_, _, count] = whole(text).ok_or_else(|| {
-            let text = "a fracture begins with three whole numbers: its own, that of its properties and how many corners it has";
+            let text = "a fracture begins with three integers: its number, that of its properties and its number of corners";
             at_line(line, text)
         })?;
         let shape = match count {
             1 => disk(&mut lines, line)?,
             0 | 2 => {
                 let text = format!(
-                    "a fracture in space has one corner (a disk) or three and more, not {count}: with two it is of a model in the \
-                     plane; export the network from 3DEC or PFC3D"
+                    "a fracture in space has one corner (a disk) or at least three, not {count}; two corners belong to a model in the plane; export \
+                     the network from 3DEC or PFC3D"
                 );
                 return Err(at_line(line, text));
             }
@@ -79,14 +79,14 @@ pub fn parse_itasca(bytes: &[u8]) -> Result<Network, FileError> {
     }
     let found = network.fractures.len();
     if found != claimed {
-        let text = format!("{claimed} fractures are announced, and {found} are there");
+        let text = format!("{claimed} fractures are declared, but the file has {found}");
         return Err(at_line(begin, text));
     }
     Ok(network)
 }
 
 fn cut_off(begin: usize) -> FileError {
-    let text = "the fracture that begins here is not complete: the file is cut off";
+    let text = "the fracture that begins here is incomplete: the file is truncated";
     at_line(begin, text)
 }
 
@@ -95,14 +95,14 @@ fn disk<'a>(
     begin: usize,
 ) -> Result<Shape, FileError> {
     let (line, text) = lines.next().ok_or_else(|| cut_off(begin))?;
-    let what = "a disk has x, y, z, dip, dip direction and diameter";
+    let what = "a disk needs x, y, z, dip, dip direction and diameter";
     let [x, y, z, dip, direction, diameter] = row(line, text, what)?;
     if !(0.0..=180.0).contains(&dip) {
-        let text = format!("a disk has a dip from 0 to 180 degrees, not {dip}");
+        let text = format!("the dip of a disk must be from 0 to 180 degrees, not {dip}");
         return Err(at_line(line, text));
     }
     if diameter <= 0.0 {
-        let text = format!("a disk has a diameter above 0, not {diameter}");
+        let text = format!("the diameter of a disk must be above 0, not {diameter}");
         return Err(at_line(line, text));
     }
     Ok(Shape::Disk {
@@ -121,11 +121,11 @@ fn polygon<'a>(
     let mut corners = Vec::new();
     for _ in 0..count {
         let (line, text) = lines.next().ok_or_else(|| cut_off(begin))?;
-        let corner = row(line, text, "a corner has x, y and z")?;
+        let corner = row(line, text, "a corner needs x, y and z")?;
         corners.push(Vec3::from_array(corner));
     }
     let (line, text) = lines.next().ok_or_else(|| cut_off(begin))?;
-    let what = "a row with dip and dip direction is expected behind the corners of a fracture";
+    let what = "a row with dip and dip direction is expected after the corners of a fracture";
     let [_dip, _direction] = row(line, text, what)?;
     Ok(Shape::Corners(corners))
 }
@@ -172,28 +172,36 @@ mod tests {
         };
         for text in ["", "hello", "BEGIN FORMAT\n Format = Ascii\n"] {
             let error = parse_itasca(text.as_bytes()).unwrap_err().to_string();
-            assert!(error.contains("no DFN file of Itasca"), "{error}");
+            assert!(error.contains("not an Itasca DFN file"), "{error}");
         }
         for (from, to, says) in [
-            ("\n3\n", "\n4\n", "line 2: 4 fractures are announced, and 3 are there"),
-            ("\n3\n", "\n99999999999999999999\n", "line 2: behind a header line"),
-            ("1 2 1 ", "1 2", "line 3: a fracture begins with three whole numbers"),
+            ("\n3\n", "\n4\n", "line 2: 4 fractures are declared, but the file has 3"),
+            (
+                "\n3\n",
+                "\n99999999999999999999\n",
+                "line 2: the number of fractures is expected after a header line",
+            ),
+            ("1 2 1 ", "1 2", "line 3: a fracture begins with three integers"),
             (
                 "2 2 3\n",
                 "2 2 2\n",
-                "line 5: a fracture in space has one corner (a disk) or three and more, not 2",
+                "line 5: a fracture in space has one corner (a disk) or at least three, not 2",
             ),
-            ("2 2 3\n", "2 2 0\n", "three and more, not 0"),
-            ("2 2 3\n", "2 2 18446744073709551615\n", "line 9: a corner has x, y and z"),
-            ("7 1 1", "7 1 3", "line 11: a corner has x, y and z"),
-            ("5.0-01", "", "line 4: a disk has x, y, z, dip, dip direction and diameter"),
-            ("5.0-01", "-5.0-01", "line 4: a disk has a diameter above 0, not -0.5"),
-            ("9.0+01", "9.1+02", "line 4: a disk has a dip from 0 to 180 degrees, not 910"),
-            ("1.0+00 0 0", "1.0+00 0 x", "line 7: `x` is no finite number"),
-            ("1.0+00 0 0", "inf 0 0", "line 7: `inf` is no finite number"),
-            ("1.0+00 0 0", "1.0+999 0 0", "line 7: `1.0+999` is no finite number"),
+            ("2 2 3\n", "2 2 0\n", "at least three, not 0"),
+            ("2 2 3\n", "2 2 18446744073709551615\n", "line 9: a corner needs x, y and z"),
+            ("7 1 1", "7 1 3", "line 11: a corner needs x, y and z"),
+            ("5.0-01", "", "line 4: a disk needs x, y, z, dip, dip direction and diameter"),
+            ("5.0-01", "-5.0-01", "line 4: the diameter of a disk must be above 0, not -0.5"),
+            (
+                "9.0+01",
+                "9.1+02",
+                "line 4: the dip of a disk must be from 0 to 180 degrees, not 910",
+            ),
+            ("1.0+00 0 0", "1.0+00 0 x", "line 7: `x` is not a finite number"),
+            ("1.0+00 0 0", "inf 0 0", "line 7: `inf` is not a finite number"),
+            ("1.0+00 0 0", "1.0+999 0 0", "line 7: `1.0+999` is not a finite number"),
             ("90 0\n", "", "line 9: a row with dip and dip direction is expected"),
-            ("0 0 0 135 270 2\n", "", "line 10: the fracture that begins here is not complete"),
+            ("0 0 0 135 270 2\n", "", "line 10: the fracture that begins here is incomplete"),
         ] {
             let error = said(from, to);
             assert!(error.contains(says), "{error}");

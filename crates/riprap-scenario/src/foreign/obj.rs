@@ -77,7 +77,7 @@ pub fn parse_obj(bytes: &[u8]) -> Result<Obj, FileError> {
     if obj.points.is_empty() {
         return Err(at_line(
             1,
-            "there are no corners: an OBJ file has lines `v x y z` and `f 1 2 3`",
+            "there are no vertices: an OBJ file has lines `v x y z` and `f 1 2 3`",
         ));
     }
     obj.objects.retain(|object| !object.faces.is_empty());
@@ -94,7 +94,7 @@ impl Obj {
         let number = |k: usize| {
             let number = words.get(k).and_then(|word| word.parse::<f64>().ok());
             let number = number.filter(|x| x.is_finite());
-            number.ok_or_else(|| at_line(line, "a corner needs three numbers"))
+            number.ok_or_else(|| at_line(line, "a vertex needs three numbers"))
         };
         self.points.push([number(0)?, number(1)?, number(2)?]);
         Ok(())
@@ -112,11 +112,11 @@ impl Obj {
             };
             // A face may come before its corners; `whole` looks at that.
             u32::try_from(index)
-                .map_err(|_| at_line(line, format!("`{}` is not a corner", shown(first))))
+                .map_err(|_| at_line(line, format!("`{}` is not a vertex", shown(first))))
         };
         let corners: Vec<u32> = words.iter().map(corner).collect::<Result<_, _>>()?;
         if corners.len() < 3 {
-            return Err(at_line(line, "a face needs three corners"));
+            return Err(at_line(line, "a face needs three vertices"));
         }
         for list in [&mut self.objects, &mut self.groups] {
             if list.is_empty() {
@@ -174,7 +174,10 @@ impl Obj {
                     let point = self.points.get(*corner as usize);
                     let missing = || {
                         let (corner, count) = (*corner + 1, self.points.len());
-                        at_line(*line, format!("`{corner}` is not a corner: the file has {count}"))
+                        at_line(
+                            *line,
+                            format!("vertex `{corner}` does not exist: the file has {count}"),
+                        )
                     };
                     // -0 is 0.
                     point.map(|p| Vec3::from_array(*p) + Vec3::ZERO).ok_or_else(missing)
@@ -271,13 +274,13 @@ mod tests {
             Ok(obj) => obj.solids().unwrap_err().to_string(),
             Err(error) => error.to_string(),
         };
-        assert!(wrong("").contains("no corners"));
+        assert!(wrong("").contains("no vertices"));
         assert!(wrong("v 0 0 0\n").contains("no faces"));
-        assert!(wrong("v 0 0\n").contains("line 1: a corner needs three numbers"));
-        assert!(wrong("v 0 0 0\nf 1 2\n").contains("line 2: a face needs three corners"));
-        assert!(wrong("v 0 0 0\nf 1 0 1\n").contains("`0` is not a corner"));
-        assert!(wrong("v 0 0 0\nf -1 -2 -1\n").contains("`-2` is not a corner"));
-        assert!(wrong("v 0 0 0\nf 1 9 1\n").contains("`9` is not a corner: the file has 1"));
+        assert!(wrong("v 0 0\n").contains("line 1: a vertex needs three numbers"));
+        assert!(wrong("v 0 0 0\nf 1 2\n").contains("line 2: a face needs three vertices"));
+        assert!(wrong("v 0 0 0\nf 1 0 1\n").contains("`0` is not a vertex"));
+        assert!(wrong("v 0 0 0\nf -1 -2 -1\n").contains("`-2` is not a vertex"));
+        assert!(wrong("v 0 0 0\nf 1 9 1\n").contains("vertex `9` does not exist: the file has 1"));
         let open = cube("o box", 0.0, None).replace("f -4 -3 -2 -1\n", "");
         assert!(wrong(&open).contains("object `box`, part 1 is not closed"), "{}", wrong(&open));
     }

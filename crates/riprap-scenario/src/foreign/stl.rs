@@ -98,17 +98,17 @@ fn binary(bytes: &[u8]) -> Result<Option<Triangles>, FileError> {
             Some((count, whole)) if length > whole => Err(at_byte(
                 whole as usize,
                 format!(
-                    "{count} triangles end here, and {} more bytes follow: this is no STL file, or something was put behind them",
+                    "{count} triangles end here, but {} more bytes follow: this is not an STL file, or data were appended",
                     length - whole
                 ),
             )),
             Some((count, whole)) => Err(at_byte(
                 bytes.len(),
                 format!(
-                    "{count} triangles need {whole} bytes: this is no STL file, or it is cut off"
+                    "{count} triangles need {whole} bytes: this is not an STL file, or it is truncated"
                 ),
             )),
-            None => Err(at_byte(bytes.len(), "this is no STL file, or it is cut off")),
+            None => Err(at_byte(bytes.len(), "this is not an STL file, or it is truncated")),
         };
     }
     let mut triangles =
@@ -123,7 +123,7 @@ fn binary(bytes: &[u8]) -> Result<Option<Triangles>, FileError> {
         let mut next = || numbers.next().unwrap_or(f64::NAN);
         let corners = [(); 3].map(|()| Vec3::new(next(), next(), next()));
         if corners.iter().any(|c| !c.is_finite()) {
-            let text = format!("triangle {} has coordinates that are no numbers", k + 1);
+            let text = format!("triangle {} has non-finite coordinates", k + 1);
             return Err(triangles.wrong(k, text));
         }
         triangles.corners.push(corners);
@@ -151,7 +151,7 @@ fn text(bytes: &[u8]) -> Result<Triangles, FileError> {
             }
             Some("endloop") => {
                 let Ok(corners) = <[Vec3; 3]>::try_from(std::mem::take(&mut ring)) else {
-                    return Err(at_line(line, "a loop has three corners"));
+                    return Err(at_line(line, "a loop needs three vertices"));
                 };
                 triangles.corners.push(corners);
                 triangles.lines.push(line);
@@ -161,7 +161,7 @@ fn text(bytes: &[u8]) -> Result<Triangles, FileError> {
         }
     }
     if !ends || !ring.is_empty() {
-        let text = "the file ends without `endsolid`: it is cut off";
+        let text = "the file ends without `endsolid`: it is truncated";
         return Err(at_byte(bytes.len(), text));
     }
     Ok(triangles)
@@ -242,7 +242,7 @@ fn part(
     edges.sort_unstable();
     // A closed surface of one piece has 2 V - 4 triangles with different corners.
     if edges.len() > 6 * own.len() {
-        let text = format!("part {number} is no simple surface: triangles are there twice");
+        let text = format!("part {number} is not a simple surface: it has duplicate triangles");
         return Err(triangles.wrong(list[0], text));
     }
     // Two triangles that turn alike run along their common edge in opposite directions.
@@ -254,7 +254,7 @@ fn part(
         edges.iter().filter(|(a, b, _)| !there(*a, *b)).map(|(_, _, t)| *t).collect();
     if let Some(&t) = lone.iter().min() {
         let text = format!(
-            "part {number} is not closed: {} edges have a triangle on one side only",
+            "part {number} is not closed: {} edges have a triangle on only one side",
             lone.len()
         );
         return Err(triangles.wrong(t, text));
@@ -274,7 +274,7 @@ fn part(
         let normal = normal / length;
         if own.iter().any(|k| (at(k) - a).dot(normal) > slack) {
             let text = format!(
-                "part {number} is not convex, or its triangles are turned inside; cut it into convex parts, which `mesh.glued` makes one block"
+                "part {number} is not convex, or its triangles face inwards; divide it into convex parts, which `mesh.glued` joins to one block"
             );
             return Err(triangles.wrong(t, text));
         }

@@ -63,11 +63,11 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
     let words = without_mark(bytes);
     let text = std::str::from_utf8(words).map_err(|error| {
         let mark = bytes.len() - words.len();
-        at_byte(mark + error.valid_up_to(), "this is no text")
+        at_byte(mark + error.valid_up_to(), "this is not a text file")
     })?;
     let mut reader = Reader::new(text);
     if reader.lines.first().map(|line| line.trim()) != Some("***tess") {
-        return Err(at_line(1, "`***tess` is expected: this is no tessellation of Neper"));
+        return Err(at_line(1, "`***tess` is expected: this is not a Neper tessellation"));
     }
     reader.section("**general")?;
     let general = reader.next()?;
@@ -76,7 +76,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
         Some("3") => false,
         other => {
             let other = shown(other.unwrap_or_default());
-            return Err(reader.wrong(format!("cells of dimension {other} are no blocks")));
+            return Err(reader.wrong(format!("cells of dimension {other} cannot be blocks")));
         }
     };
     // By their numbers, which a file may give as large and as scattered as it likes.
@@ -142,7 +142,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
             // Each use copies all corners: without a limit a small file could ask for any memory.
             if face.uses > SIDES {
                 return Err(reader.wrong(format!(
-                    "face {number} is used for the third time; it lies between two polyhedra at most"
+                    "face {number} is used for the third time; it can lie between two polyhedra at most"
                 )));
             }
             let mut corners: Vec<u32> = Vec::with_capacity(face.ring.len());
@@ -211,7 +211,7 @@ impl<'a> Reader<'a> {
             }
             None => {
                 self.at = self.lines.len();
-                let why = "the file is cut off, or its cells are not polyhedra (a raster)";
+                let why = "the file is truncated, or its cells are not polyhedra (a raster)";
                 Err(self.wrong(format!("there is no section {name}: {why}")))
             }
         }
@@ -225,7 +225,7 @@ impl<'a> Reader<'a> {
                 return Ok(line);
             }
         }
-        Err(self.wrong("the file ends here: it is cut off"))
+        Err(self.wrong("the file ends here: it is truncated"))
     }
 
     /// Number of entries of a section, which is not larger than the file.
@@ -244,7 +244,7 @@ impl<'a> Reader<'a> {
     fn row(&mut self) -> Result<std::str::SplitWhitespace<'a>, FileError> {
         let line = self.next()?;
         if line.trim_start().starts_with('*') {
-            return Err(self.wrong("more entries were announced, but the next section begins"));
+            return Err(self.wrong("more entries were declared, but the next section begins"));
         }
         Ok(line.split_whitespace())
     }
@@ -259,7 +259,7 @@ impl<'a> Reader<'a> {
             return Err(self.wrong(format!("{count} numbers are expected, not {}", list.len())));
         }
         if count < 3 {
-            return Err(self.wrong("three or more are expected"));
+            return Err(self.wrong("at least three are expected"));
         }
         Ok(list)
     }
@@ -267,7 +267,7 @@ impl<'a> Reader<'a> {
     fn integer(&self, word: Option<&str>) -> Result<i64, FileError> {
         let word = word.unwrap_or_default();
         word.parse()
-            .map_err(|_| self.wrong(format!("a whole number is expected, not {:?}", shown(word))))
+            .map_err(|_| self.wrong(format!("an integer is expected, not {:?}", shown(word))))
     }
 
     fn number(&self, word: Option<&str>) -> Result<f64, FileError> {

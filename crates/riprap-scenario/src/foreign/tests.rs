@@ -110,7 +110,7 @@ fn broken_surfaces_have_their_line_or_byte() {
     assert!(wrong(b"").starts_with("byte 0"));
     assert!(wrong(&[b'x'; 200]).starts_with("byte 200"));
     let cut = &good.as_bytes()[..good.len() / 2];
-    assert!(wrong(cut).contains("cut off"), "{}", wrong(cut));
+    assert!(wrong(cut).contains("truncated"), "{}", wrong(cut));
     assert!(
         wrong(&STL[1][..300]).starts_with("byte 300: 16 triangles need 884 bytes"),
         "{}",
@@ -127,7 +127,7 @@ fn broken_surfaces_have_their_line_or_byte() {
     let mut long = STL[1].to_vec();
     long.extend([0; 7]);
     assert!(
-        wrong(&long).starts_with("byte 884: 16 triangles end here, and 7 more bytes follow"),
+        wrong(&long).starts_with("byte 884: 16 triangles end here, but 7 more bytes follow"),
         "{}",
         wrong(&long)
     );
@@ -227,7 +227,7 @@ fn broken_drawings_have_their_line_or_byte() {
     for bytes in DXF {
         for length in [bytes.len() / 3, bytes.len() - 12] {
             assert!(
-                wrong(&bytes[..length]).contains("cut off")
+                wrong(&bytes[..length]).contains("truncated")
                     || wrong(&bytes[..length]).contains("group code")
             );
         }

@@ -16,11 +16,62 @@ use crate::quantity::{
 /// Most blocks that one generator may make.
 pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 
-/// One block or a generator of blocks. Exactly one shape: in `[space.planar]` `polygon`, `polygons`,
-/// `rectangle`, `regular`, `wall`, `arch`, `cut`, `voronoi` or `pour`; in `[space.spatial]` `brick`,
-/// `grid`, `polyhedron`, `mesh` or `pour`, which `cut` may divide, `parts` or `terrain`.
+/// One block or a generator of blocks.
+#[expect(clippy::duplicated_attributes, reason = "two rules hold under one condition")]
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of(
+    "polygon",
+    "polygons",
+    "rectangle",
+    "regular",
+    "wall",
+    "arch",
+    "cut@planar",
+    "voronoi",
+    "pour",
+    "brick",
+    "grid",
+    "polyhedron",
+    "parts",
+    "mesh",
+    "terrain"
+))]
+#[keys(excludes(
+    "cut",
+    "copies",
+    "mechanics",
+    "rotate",
+    "velocity",
+    "spin",
+    "mass",
+    "inertia",
+    when = "terrain",
+    help = "terrain is one fixed body: leave them out"
+))]
+#[keys(excludes(
+    "cut",
+    "mechanics",
+    when = "parts | mesh.glued",
+    help = "a block of glued parts is rigid and stays whole: leave them out"
+))]
+#[keys(excludes(
+    "mass",
+    "inertia",
+    when = "polygons | wall | arch | cut | voronoi | pour | grid | mesh & !mesh.glued",
+    help = "they are those of one body: give the material its density, or write a [[blocks]] for each shape"
+))]
+#[keys(excludes(
+    "mass",
+    "inertia",
+    when = "mechanics.deformable",
+    help = "they are those of a rigid body: give the material its density"
+))]
+#[keys(excludes(
+    "copies",
+    when = "polygons | wall | arch | cut | voronoi | pour | grid | mesh & !mesh.glued",
+    help = "`copies` is for single shapes; write another [[blocks]] with `shift`"
+))]
 pub struct Block {
     /// Name of the block, once in the file. Blocks of a generator or of `copies` are called
     /// name.1, name.2, ... and form the group `name`.
@@ -196,7 +247,7 @@ impl Block {
     }
 }
 
-/// Corners of a polygon, in either sense of rotation. Exactly one form.
+/// Corners of a polygon, in either sense of rotation.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Polygon {
@@ -206,9 +257,10 @@ pub enum Polygon {
     Csv(Name),
 }
 
-/// A rectangle with sides along x and y. Give `corner` or `centre`.
+/// A rectangle with sides along x and y.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("corner", "centre"))]
 pub struct Rectangle {
     /// Width and height, m.
     pub size: [Quantity<PositiveLength>; 2],
@@ -284,6 +336,24 @@ pub struct Arch {
 /// Joints that divide a region of the plane, or blocks in space: sets of them, or one by one.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(required(
+    "region",
+    space = "planar",
+    help = "give the corners of the region to cut: region = [[\"0 m\", \"0 m\"], ...]"
+))]
+#[keys(any_of(
+    "joint_sets",
+    "traces",
+    "joints",
+    space = "planar",
+    help = "add joint_sets = [{ dip = \"60 deg\", spacing = \"1 m\" }]"
+))]
+#[keys(any_of(
+    "joint_sets",
+    "joints",
+    space = "spatial",
+    help = "add joint_sets = [{ dip = \"60 deg\", dip_direction = \"90 deg\", spacing = \"1 m\" }]"
+))]
 pub struct Cut {
     /// Corners of the region [x, y], m.
     #[key(
@@ -357,10 +427,17 @@ pub struct Copies {
     pub step: Vector<Length>,
 }
 
-/// Turns a shape by an angle. In space exactly one of `axis` and `dip_direction`, or a `quaternion` in place of the angle; a brick whose
-/// edges leave the axes is a polyhedron.
+/// Turns a shape by an angle; a brick whose edges leave the axes is a polyhedron.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("angle", "quaternion"))]
+#[keys(one_of("axis", "dip_direction", when = "angle"))]
+#[keys(excludes(
+    "axis",
+    "dip_direction",
+    when = "quaternion",
+    help = "a quaternion contains its axis: leave the others out"
+))]
 pub struct Rotate {
     /// Angle: in the plane anticlockwise, in space right-handed about `axis`.
     pub angle: Option<Quantity<Angle>>,

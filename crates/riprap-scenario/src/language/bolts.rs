@@ -8,20 +8,24 @@ use crate::quantity::{
     PositiveForce, PositiveLength, Quantity, SpringStiffness, Vector,
 };
 
-/// A bolt, anchor or cable, or many alike: an axial bar in grout. `head` and `toe`, or `csv`.
+/// A bolt, anchor or cable, or many alike: an axial bar in grout.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("head", "csv", when = "!toe"))]
 pub struct Bolt {
     /// Name; several are called name.1, name.2, ...
     pub name: Name,
     /// Where it enters the rock, on a face where it has a plate, m.
+    #[key(needs("toe", help = "give both ends"))]
     pub head: Option<Vector<Length>>,
     /// Its end in the rock, m.
+    #[key(needs("head", help = "give both ends"))]
     pub toe: Option<Vector<Length>>,
     /// Repeats it: rows of it, and rows of these.
     #[serde(default)]
     pub repeat: Vec<Repeat>,
     /// CSV file with columns `head_x`, `head_y`, `head_z`, `toe_x`, `toe_y`, `toe_z` (no z in the plane), each with its unit behind an underscore.
+    #[key(excludes("repeat", help = "write all ends into the file"))]
     pub csv: Option<Name>,
     /// Distance of such bolts out of the plane, m; all numbers are those of one bolt.
     #[key(space = "planar")]
@@ -33,7 +37,8 @@ pub struct Bolt {
     pub grout: Grout,
     /// Plate at the head: ties it to the rock.
     pub plate: Option<Plate>,
-    /// Force to which the bar is stretched when it is installed, N; needs a plate.
+    /// Force to which the bar is stretched when it is installed, N.
+    #[key(needs("plate", help = "a plate holds the stretched bar: add plate = {}"))]
     pub pretension: Option<Quantity<PositiveForce>>,
     /// Shear where it crosses joints. Default none.
     pub dowel: Option<Dowel>,
@@ -55,9 +60,10 @@ pub struct Repeat {
     pub count: u64,
 }
 
-/// The bar of a bolt. Exactly one of `diameter` and `area`.
+/// The bar of a bolt.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("diameter", "area"))]
 pub struct Steel {
     /// Diameter, m.
     pub diameter: Option<Quantity<PositiveLength>>,
@@ -72,6 +78,7 @@ pub struct Steel {
     #[key(default = "0")]
     pub hardening: Option<Quantity<NotNegativePlain>>,
     /// Plastic elongation at one place at which it breaks, m. Default: it does not.
+    #[key(needs("yield_force"))]
     pub rupture: Option<Quantity<PositiveLength>>,
 }
 

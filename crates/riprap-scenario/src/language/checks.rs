@@ -26,9 +26,11 @@ pub struct Bisect {
     pub fails_when: Criterion,
 }
 
-/// A field compared with a limit. Exactly one of `above` and `below`.
+/// A field compared with a limit.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("above", "below"))]
+#[keys(at_most_one("of", "at_point"))]
 pub struct Criterion {
     /// Field, for example `model.max_displacement`.
     pub field: Name,
@@ -47,9 +49,18 @@ pub struct Criterion {
     pub below: Option<Quantity<Any>>,
 }
 
-/// A number that the run must reproduce. Exactly one of `value`, `formula`, `csv`, `between`.
+/// A number that the run must reproduce.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("value", "formula", "csv", "between"))]
+#[keys(at_most_one("of", "at_point"))]
+#[keys(at_most_one("at", "over"))]
+#[keys(any_of(
+    "relative",
+    "absolute",
+    when = "!between",
+    help = "write for example relative = 1e-3"
+))]
 pub struct Check {
     /// What is checked, in words; printed by `riprap verify`.
     pub name: Name,
@@ -62,15 +73,25 @@ pub struct Check {
     /// Direction in which a vector is measured: in the plane an angle from the x axis, in space a
     /// vector such as `[0, 0, 1]`.
     pub along: Option<Direction>,
-    /// Name of a phase: `"start"`, `"end"` and the interval of `reduce` are then those of the phase. Not with `over`.
+    /// Name of a phase: `"start"`, `"end"` and the interval of `reduce` are then those of the phase.
+    #[key(excludes(
+        "over",
+        help = "keep one of them: at = \"start\" and \"end\" go with `phase`, and `reduce`"
+    ))]
     pub phase: Option<Name>,
-    /// Moment of the check: a time, `"start"` or `"end"`. Default `"end"`. Not with `over`.
+    /// Moment of the check: a time, `"start"` or `"end"`. Default `"end"`.
     pub at: Option<Moment>,
-    /// First and last time of an interval, s. Default the whole run, if `reduce` is given.
+    /// First and last time of an interval, s. Default the whole run.
+    #[key(needs(
+        "reduce",
+        help = "say how the values become one number, for example reduce = \"max\""
+    ))]
     pub over: Option<[Quantity<NotNegativeTime>; 2]>,
-    /// How values over an interval become one number. Needed with `over`.
+    /// How values over an interval become one number.
     pub reduce: Option<Reduce>,
-    /// Limit for `first_above` and `share_above`, in the unit of the field.
+    /// Limit, in the unit of the field.
+    #[key(needs("reduce = first_above, first_below, share_above"))]
+    #[key(required("reduce = first_above, first_below, share_above"))]
     pub threshold: Option<Quantity<Any>>,
     /// Expected number, in the unit of the field.
     pub value: Option<Quantity<Any>>,
@@ -97,8 +118,12 @@ pub struct Check {
     #[serde(default)]
     pub only: Vec<Name>,
     /// Reason why this check is known to fail: it is run and shown, but does not count as failed.
+    #[key(excludes(
+        "exact",
+        help = "an exact check cannot be known to fail: remove `known` and correct the cause"
+    ))]
     pub known: Option<Name>,
-    /// The quantity is exact or conserved: the check can't be marked `known`. Default false.
+    /// The quantity is exact or conserved. Default false.
     #[serde(default)]
     pub exact: bool,
 }

@@ -5,9 +5,11 @@ use serde::Deserialize;
 
 use crate::quantity::{Name, PositiveLength, Quantity};
 
-/// Polygons of a file, each a block. Exactly one of `dxf` and `tess`.
+/// Polygons of a file, each a block.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("dxf", "tess"))]
+#[keys(needs("layers", "sagitta", when = "dxf", help = "only drawings have it: leave it out"))]
 pub struct Polygons {
     /// Path of a DXF drawing (text or binary): its closed polylines. Each layer becomes a
     /// group of its blocks.
@@ -22,10 +24,11 @@ pub struct Polygons {
     pub sagitta: Option<Quantity<PositiveLength>>,
 }
 
-/// Mapped joints. The part of a trace that ends within a block divides nothing and is left out. Exactly one of `csv` and
-/// `dxf`.
+/// Mapped joints. The part of a trace that ends within a block divides nothing and is left out.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("csv", "dxf"))]
+#[keys(needs("layers", "sagitta", when = "dxf", help = "only drawings have it: leave it out"))]
 pub struct Traces {
     /// Path of a CSV file, with the ends of a trace in each row: columns `x1_m`, `y1_m`, `x2_m`
     /// and `y2_m`.

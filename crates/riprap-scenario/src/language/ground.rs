@@ -14,11 +14,20 @@ use crate::quantity::{
 use crate::time_function::TimeFunction;
 use crate::words::{OneWord, WordOr};
 
-/// A condition on free faces: faces, or parts of them, on which no other block lies. At most one of
-/// `held`, `roller`, `moved`, `viscous`, `pressure`, `traction`; of several conditions for one face
+/// A condition on free faces: faces, or parts of them, on which no other block lies. Of several conditions for one face
 /// the last counts, and a condition left without a face is an error.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of(
+    "held",
+    "roller",
+    "moved",
+    "viscous",
+    "pressure",
+    "traction",
+    when = "!in_situ",
+    help = "keep one; or in_situ = true for the stress alone"
+))]
 pub struct Boundary {
     /// Name for messages. Default the plane or the blocks.
     pub name: Option<Name>,
@@ -47,12 +56,17 @@ pub struct Boundary {
     /// Whether the in-situ stress acts on these faces from outside.
     /// Default true for `held`, `roller`, `moved` and `viscous` if there is
     /// `[in_situ]`, else false.
+    #[key(required(
+        space = "planar",
+        help = "write in_situ = true: the stress of the rock outside acts on this side"
+    ))]
     pub in_situ: Option<bool>,
 }
 
-/// Which free faces. Exactly one of `plane`, `block`, `blocks`, `group`, `box`, `surface`; in the plane `plane` with a word.
+/// Which free faces; in the plane `plane` with a word.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("plane", "block", "blocks", "group", "box", "surface"))]
 pub struct Faces {
     /// The faces on a plane: a side of the whole model, or a normal and an offset.
     pub plane: Option<WordOr<Side, FacePlane>>,
@@ -67,7 +81,12 @@ pub struct Faces {
     pub region: Option<BoxRegion>,
     /// The faces of a physical surface of a mesh of Gmsh, by its name.
     pub surface: Option<Name>,
-    /// Only faces that look to this side. Default all. Not with `plane` or `surface`.
+    /// Only faces that look to this side. Default all.
+    #[key(excludes(
+        "plane",
+        "surface",
+        help = "these faces have normals already: leave `side` out"
+    ))]
     pub side: Option<OneWord<Side>>,
 }
 
@@ -133,6 +152,7 @@ pub struct FacePressure {
     pub gradient: Option<Quantity<PressureGradient>>,
     /// Height at which `value` holds, m.
     #[key(default = "0 m")]
+    #[key(only_with("gradient"))]
     pub datum: Option<Quantity<Length>>,
     /// Factor over time. Default constant 1.
     pub time: Option<TimeFunction<Plain>>,
@@ -148,7 +168,7 @@ pub struct FaceTraction {
     pub time: Option<TimeFunction<Plain>>,
 }
 
-/// Stress that all joints carry at the start. Exactly one form; the sign stands in its name. Heights are along z, in the plane along y.
+/// Stress that all joints carry at the start. The sign stands in its name. Heights are along z, in the plane along y.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum InSitu {
@@ -175,6 +195,15 @@ pub struct GravityK0 {
 /// Stress along the axes, compression positive.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(any_of(
+    "vertical",
+    "vertical_gradient",
+    "x",
+    "x_gradient",
+    "y",
+    "y_gradient",
+    help = "write for example vertical = \"2 MPa\"; or use gravity_k0 = { k0 = 0.333 } for the weight of the rock"
+))]
 pub struct Compressive {
     /// Height at which the stresses hold, m. Default the top of the model.
     pub surface: Option<Quantity<Length>>,

@@ -18,6 +18,29 @@ use riprap_core::laws::softening_curve::{Curve, CurveError};
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 #[keys(change = InterfaceChange, path = "interfaces.*")]
+#[keys(one_of("friction_angle", "friction_coefficient", when = "!elastic & !brittle_bond"))]
+#[keys(at_most_one("stiffness", "normal_stiffness"))]
+#[keys(at_most_one("softening", "barton_bandis"))]
+#[keys(at_most_one(
+    "damping_ratio",
+    "restitution",
+    help = "keep one of them: dashpots of found contacts follow from either"
+))]
+#[keys(only_with(
+    reader = "sliding",
+    when = "!elastic",
+    help = "an elastic joint neither opens nor slides"
+))]
+#[keys(needs(
+    "dilation_angle",
+    "softening",
+    "barton_bandis",
+    "closure",
+    when = "bond",
+    space = "planar",
+    help = "found contacts in the plane are linear springs with Coulomb friction; give the interface `bond`, which makes joints \
+            of shared edges"
+))]
 pub struct Interface {
     /// The two materials that meet, for example `["rock", "steel"]`. Required, except in
     /// `default`, where it is forbidden.
@@ -26,9 +49,10 @@ pub struct Interface {
     #[key(space = "planar", instead = "joints are elastic up to their strength; leave it out")]
     #[key(default, changes)]
     pub law: Option<NormalLaw>,
-    /// How `penetration_potential` treats a reflex (inward) corner.
+    /// How a reflex (inward) corner acts.
     #[key(space = "planar")]
     #[key(default, changes)]
+    #[key(only_with("law = penetration_potential"))]
     pub reflex: Option<Reflex>,
     /// Where the stiffness of joints comes from, without `normal_stiffness`.
     #[key(
@@ -43,6 +67,11 @@ pub struct Interface {
     #[key(changes, read_by("joints"))]
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Shear stiffness per area of contact, Pa/m. Default half the normal one.
+    #[key(needs(
+        "normal_stiffness",
+        space = "spatial",
+        help = "give both, or neither: then they come from the materials"
+    ))]
     #[key(changes, read_by("joints"))]
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Whether joints neither open nor slide; found contacts do, by the friction given. Default false: Mohr-Coulomb, tension
@@ -51,11 +80,11 @@ pub struct Interface {
     #[serde(default)]
     #[key(read_by("joints"))]
     pub elastic: bool,
-    /// Angle of friction. Give this or `friction_coefficient`.
-    #[key(changes, read_by("joints", "sliding"))]
+    /// Angle of friction.
+    #[key(changes, read_by("joints"))]
     pub friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Tangent of the friction angle. Give this or `friction_angle`.
-    #[key(changes, read_by("joints", "sliding"))]
+    /// Tangent of the friction angle.
+    #[key(changes, read_by("joints"))]
     pub friction_coefficient: Option<Quantity<NotNegativePlain>>,
     /// Cohesion, Pa.
     #[key(default = "0 Pa", changes, read_by("joints", "sliding"))]
@@ -75,8 +104,9 @@ pub struct Interface {
     /// Angle of dilation of joints that slide; in the plane of `bond`.
     #[key(default = "0 deg", read_by("joints", "sliding"))]
     pub dilation_angle: Option<Quantity<FrictionAngle>>,
-    /// Slip at which dilation ends, m; joints that slide back close again. Needed with `dilation_angle`.
+    /// Slip at which dilation ends, m; joints that slide back close again.
     #[key(read_by("joints"))]
+    #[key(only_with("dilation_angle"))]
     pub dilation_end: Option<Quantity<PositiveLength>>,
     /// Lets joints (in the plane `bond`) weaken gradually.
     #[key(read_by("sliding"))]
@@ -98,9 +128,11 @@ pub struct Interface {
     #[key(space = "planar")]
     #[key(default, changes)]
     pub friction_law: Option<FrictionLaw>,
-    /// Slip speed below which `clipped` friction grows linearly, m/s; needed by it.
+    /// Slip speed below which `clipped` friction grows linearly, m/s.
     #[key(space = "planar")]
     #[key(changes)]
+    #[key(required("friction_law = clipped"))]
+    #[key(only_with("friction_law = clipped"))]
     pub clip_speed: Option<Quantity<Speed>>,
     /// Share of critical damping of found contacts; of closed joints in `[space.spatial]` dashpots with the time
     /// constant `damping_ratio` times distance of the centroids over c_P, that of the materials where `young` and `poisson` are
@@ -169,41 +201,82 @@ pub struct Closure {
 /// friction.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of(
+    "thickness",
+    "normal_stiffness",
+    help = "springs follow from thickness = \"0.3 mm\" and moduli, or are given as normal_stiffness = \"10 GPa/m\""
+))]
+#[keys(required(
+    "tension",
+    "cohesion",
+    "friction_angle",
+    when = "!elastic",
+    help = "give its strength, for example tension = \"2 MPa\", cohesion = \"10 MPa\", friction_angle = \"30 deg\"; or elastic = true"
+))]
+#[keys(only_with(
+    "tension",
+    "cohesion",
+    "friction_angle",
+    "residual_friction_angle",
+    "residual_cohesion",
+    "cohesive",
+    "failure",
+    when = "!elastic",
+    help = "an elastic bond never breaks"
+))]
 pub struct BrittleBond {
     /// Thickness L of the interface, m: springs E/L and G/L per area. One for all facets; 0.01 of the smallest block
-    /// adds 1 % of compliance. Needed without `normal_stiffness`.
+    /// adds 1 % of compliance.
     #[key(read_by("bonds"))]
     pub thickness: Option<Quantity<PositiveLength>>,
     /// Young's modulus of the interface, Pa. Default those of the two materials in series.
     #[key(read_by("bonds"))]
+    #[key(needs(
+        "poisson",
+        help = "give both, or neither: then they are those of the two materials"
+    ))]
     pub young: Option<Quantity<Modulus>>,
-    /// Poisson's ratio of the interface. Needed with `young`.
+    /// Poisson's ratio of the interface.
     #[key(read_by("bonds"))]
+    #[key(needs(
+        "young",
+        help = "give both, or neither: then they are those of the two materials"
+    ))]
     pub poisson: Option<Quantity<Poisson>>,
-    /// Normal stiffness per area, Pa/m, in place of `thickness`.
+    /// Normal stiffness per area, Pa/m.
     #[key(read_by("bonds"))]
+    #[key(excludes("young", "poisson", help = "moduli go with `thickness`: leave them out"))]
     pub normal_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Shear stiffness per area, Pa/m. Default half `normal_stiffness`.
+    #[key(needs("normal_stiffness", help = "give both, in place of `thickness`"))]
     #[key(read_by("bonds"))]
     pub shear_stiffness: Option<Quantity<StiffnessPerArea>>,
     /// Whether bonds never break. Default false.
     #[serde(default)]
     pub elastic: bool,
-    /// Tensile strength, Pa. Needed unless `elastic`.
+    /// Tensile strength, Pa.
     pub tension: Option<Quantity<Strength>>,
-    /// Cohesion, Pa. Needed unless `elastic`.
+    /// Cohesion, Pa.
     pub cohesion: Option<Quantity<Strength>>,
-    /// Angle of friction. Needed unless `elastic`.
+    /// Angle of friction.
     pub friction_angle: Option<Quantity<FrictionAngle>>,
     /// Angle of friction of broken bonds. Default `friction_angle`.
     pub residual_friction_angle: Option<Quantity<FrictionAngle>>,
-    /// Cohesion of broken bonds under pressure, Pa; not with `cohesive`.
+    /// Cohesion of broken bonds under pressure, Pa.
+    #[key(excludes(
+        "cohesive",
+        help = "a bond that softens loses all of its cohesion: leave one out"
+    ))]
     #[key(default = "0 Pa", read_by("bonds"))]
     pub residual_cohesion: Option<Quantity<Strength>>,
     /// Lets bonds soften: the work of separation is then that of the material and not of the mesh.
     #[key(read_by("bonds"))]
+    #[key(excludes(
+        "failure = facet, block_stress & !elastic",
+        help = "bonds that soften do so spring by spring: leave out `failure`"
+    ))]
     pub cohesive: Option<Cohesive>,
-    /// What fails as one; `cohesive` goes with `spring` only.
+    /// What fails as one.
     #[key(default, read_by("bonds"))]
     pub failure: Option<BondFailure>,
 }
@@ -211,6 +284,7 @@ pub struct BrittleBond {
 /// Energies of separation of softening bonds.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(at_most_one("softening", "curve"))]
 pub struct Cohesive {
     /// Fracture energy of opening, J/m2 = N/m; above tension^2 thickness/(2 E), below which the bond cannot resolve it.
     pub mode_1: Quantity<FractureEnergy>,
@@ -220,7 +294,7 @@ pub struct Cohesive {
     #[key(default)]
     pub softening: Option<Softening>,
     /// Curve by points [opening past the peak in any unit, share of the strength], from [0, 1] down to [.., 0], 2 to 8; with two lines
-    /// it is bilinear. Its length follows from the fracture energy. In the place of `softening`.
+    /// it is bilinear. Its length follows from the fracture energy.
     pub curve: Option<Vec<[Quantity<NotNegativePlain>; 2]>>,
 }
 

@@ -17,6 +17,10 @@ pub struct JointSet {
     pub dip: Quantity<Angle>,
     /// Bearing of the line of dip: clockwise from north (y) seen from above.
     #[key(space = "spatial", instead = "give `dip` alone")]
+    #[key(required(
+        space = "spatial",
+        help = "write for example dip_direction = \"90 deg\": dipping to the east (x)"
+    ))]
     pub dip_direction: Option<Quantity<Angle>>,
     /// Distance between neighbours, measured across the joints, m.
     pub spacing: Quantity<PositiveLength>,
@@ -40,9 +44,10 @@ pub struct JointSet {
     pub offset: Option<Quantity<Length>>,
 }
 
-/// Joints in space. Exactly one of `csv`, `fab`, `dfnworks` and `itasca`.
+/// Joints in space.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("csv", "fab", "dfnworks", "itasca"))]
 pub struct JointPlanes {
     /// Path of a CSV file, a joint in each row (`x_m`, `y_m`, `z_m`, `dip_deg`, `dip_direction_deg`, perhaps `radius_m`) or a corner
     /// of a polygon (`fracture`, `x_m`, `y_m`, `z_m`); others: `coming-from-3dec.md`. Disks and polygons cut the blocks that they
@@ -55,7 +60,8 @@ pub struct JointPlanes {
     pub dfnworks: Option<Name>,
     /// Path of a network in space as 3DEC and PFC3D write it with `fracture export` (`.dat`): disks and polygons.
     pub itasca: Option<Name>,
-    /// What the length 1 in `fab`, `dfnworks` or `itasca` stands for, m. Default as the file says (`Length_Unit`), else 1 m.
+    /// What the length 1 in the file stands for, m. Default as the file says (`Length_Unit`), else 1 m.
+    #[key(excludes("csv", help = "the columns of a CSV file have their units in their names"))]
     pub unit: Option<Quantity<PositiveLength>>,
     /// Interface of rock bridges, the parts of cuts beyond disks and polygons.
     pub bridges: Option<Name>,

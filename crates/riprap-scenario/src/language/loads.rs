@@ -12,7 +12,7 @@ use crate::quantity::{
 };
 use crate::time_function::TimeFunction;
 
-/// Which blocks. Exactly one form.
+/// Which blocks.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Target {
@@ -29,9 +29,10 @@ pub enum Target {
     Nodes(Nodes),
 }
 
-/// Nodes in a box; at most one of `block` and `group`.
+/// Nodes in a box.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(at_most_one("block", "group", help = "keep one of them; a group may name the block"))]
 pub struct Nodes {
     /// Corner with the lowest coordinates, m.
     pub min: Vector<Length>,
@@ -43,9 +44,10 @@ pub struct Nodes {
     pub group: Option<Name>,
 }
 
-/// Blocks that are held or moved. Exactly one of `fixed` and `motion`.
+/// Blocks that are held or moved.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("fixed", "motion"))]
 pub struct Support {
     /// Name for its work. Default the blocks.
     pub name: Option<Name>,
@@ -85,7 +87,7 @@ pub struct Fixed {
     pub rotation_z: Option<bool>,
 }
 
-/// Prescribed motion. Exactly one form.
+/// Prescribed motion.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Motion {
@@ -99,6 +101,22 @@ pub enum Motion {
 /// Components of a prescribed motion; a component that is not given is free.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields, bound(deserialize = "L: Kind, R: Kind"))]
+#[keys(any_of(
+    "x",
+    "y",
+    "z",
+    "spin",
+    "spin_x",
+    "spin_y",
+    "spin_z",
+    help = "write for example x = { constant = \"0.1 m/s\" }"
+))]
+#[keys(at_most_one(
+    "about",
+    "each",
+    help = "keep `about` for one body, or `each` for every block by itself"
+))]
+#[keys(only_with("about", "each", when = "spin | spin_x | spin_y | spin_z"))]
 pub struct MotionComponents<L: Kind, R: Kind> {
     /// Along x.
     pub x: Option<TimeFunction<L>>,
@@ -127,9 +145,10 @@ pub struct MotionComponents<L: Kind, R: Kind> {
     pub each: Option<bool>,
 }
 
-/// A load. Exactly one of `point`, `edge`, `moment`, `body`.
+/// A load.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("point", "edge", "moment", "body"))]
 pub struct Load {
     /// Name for its work. Default the blocks.
     pub name: Option<Name>,
@@ -162,10 +181,10 @@ pub struct PointLoad {
     pub follows: bool,
 }
 
-/// A pressure or traction between two points of the boundary. Exactly one of `pressure` and
-/// `traction`.
+/// A pressure or traction between two points of the boundary.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("pressure", "traction"))]
 pub struct EdgeLoad {
     /// First point on the boundary at the start [x, y], m.
     pub from: Point,

@@ -8,7 +8,7 @@ use serde::Deserialize;
 use crate::moments::{read_interval, read_period};
 use crate::quantity::{Direction, Length, Name, Names, Raw, Span, Vector, When};
 
-/// Something that is written to the run folder. Exactly one form.
+/// Something that is written to the run folder.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Output {
@@ -23,6 +23,7 @@ pub enum Output {
 /// A column of `histories.csv`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(at_most_one("of", "at_point"))]
 pub struct History {
     /// Name of the column, once in the file.
     pub name: Name,

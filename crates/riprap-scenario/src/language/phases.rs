@@ -26,9 +26,10 @@ pub struct Phase {
     pub until: Until,
     /// Time step, s. Default automatic: `safety` times the stable one.
     pub time_step: Option<Quantity<TimeStep>>,
-    /// Share of the stable time step that is used without `time_step`. Contacts that are found in space have a share of their own, which
+    /// Share of the stable time step that is used. Contacts that are found in space have a share of their own, which
     /// goes down with this one below 0.5 and does not grow above.
     #[key(planar = "0.2", spatial = "0.5")]
+    #[key(only_with("!time_step"))]
     pub safety: Option<Quantity<Share>>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
     pub damping: Option<Damping>,
@@ -40,6 +41,7 @@ pub struct Phase {
     pub remove: Vec<Name>,
     /// Time over which the forces that removed blocks gave to those that stay fade to nothing, s; rest before that does not end
     /// the phase. Default 0 s: at once.
+    #[key(only_with("remove"))]
     pub removal_ramp: Option<Quantity<NotNegativeTime>>,
     /// Groups or blocks that are fixed when the phase begins.
     #[serde(default)]
@@ -68,14 +70,20 @@ pub struct Phase {
     /// Measure of strain of all deformable blocks from this phase on. Default: that of the blocks, or of the phase before.
     #[key(space = "spatial")]
     pub strain: Option<Strain>,
-    /// Number of steps in which time passes in a `static` phase of deformable blocks with `until.time`: loads and
+    /// Number of steps in which time passes for deformable blocks: loads and
     /// driven nodes follow it, and each step is relaxed to `until.unbalanced`.
     #[key(space = "spatial")]
     #[key(default = 1, min = 1, max = 1_000_000)]
+    #[key(needs(
+        "until.time",
+        help = "say how much time passes in these steps: until = { time = \"1 s\" }"
+    ))]
+    #[key(only_with("kind = static"))]
     pub load_steps: Option<u64>,
     /// Iterations after which a load step of deformable blocks that does not converge ends a `static` phase.
     #[key(space = "spatial")]
     #[key(default = 200_000, min = 1)]
+    #[key(only_with("kind = static"))]
     pub iterations: Option<u64>,
     /// Rules of Han, Liu & Li (2010) for a `static` phase of deformable blocks. Default: adaptive damping, equilibrium by forces, breaking event by event.
     #[key(space = "spatial")]
@@ -126,8 +134,9 @@ pub struct Cutting {
     /// Where the planes lie.
     #[key(default)]
     pub anchor: Option<CutAnchor>,
-    /// With `anchor = "tip"`: whether only facets between parts of one block break. Default false.
+    /// Whether only facets between parts of one block break. Default false.
     #[serde(default)]
+    #[key(only_with("anchor = tip"))]
     pub only_cut: bool,
     /// Axis that lies in all planes of cuts, for plane strain across it. Default: the direction of the middle principal
     /// stress.
@@ -154,9 +163,10 @@ pub enum CutAxis {
     Z,
 }
 
-/// End of a phase; at least one condition, the first that is reached counts.
+/// End of a phase: the first condition that is reached counts.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(any_of("time", "unbalanced", "kinetic", "steps"))]
 pub struct Until {
     /// Duration of the phase in model time, s.
     pub time: Option<Quantity<PositiveTime>>,

@@ -10,9 +10,10 @@ use crate::quantity::{
 };
 use riprap_core::laws::tetrahedron::Strain;
 
-/// A box with faces normal to the axes. Give `corner` or `centre`.
+/// A box with faces normal to the axes.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("corner", "centre"))]
 pub struct Brick {
     /// Lengths of the edges along x, y, z, m.
     pub size: [Quantity<PositiveLength>; 3],
@@ -22,7 +23,7 @@ pub struct Brick {
     pub centre: Option<Point3>,
 }
 
-/// A region filled with equal bricks. Exactly one form.
+/// A region filled with equal bricks.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Grid {
@@ -36,6 +37,13 @@ pub enum Grid {
 /// about one cell thick has one layer: the cells of a plate are prisms.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(excludes(
+    "seed",
+    "relax",
+    "smallest_edge",
+    when = "turned | site",
+    help = "`turned` and `site` make a lattice; the others belong to random cells"
+))]
 pub struct GridCells {
     /// Lengths of the edges of the whole box along x, y, z, m.
     pub size: [Quantity<PositiveLength>; 3],
@@ -65,6 +73,7 @@ pub struct GridCells {
 /// A box of bricks. The size must be whole cells.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(at_most_one("corner", "centre"))]
 pub struct GridBox {
     /// Lengths of the edges of the whole box along x, y, z, m.
     pub size: [Quantity<PositiveLength>; 3],
@@ -76,23 +85,25 @@ pub struct GridBox {
     pub centre: Option<Point3>,
 }
 
-/// A convex polyhedron: corners with faces, corners alone (their convex hull), or a file. Exactly
-/// one of `vertices` and `obj`.
+/// A convex polyhedron: corners with faces, corners alone (their convex hull), or a file.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("vertices", "obj"))]
 pub struct Polyhedron {
     /// Corners [x, y, z], m.
     pub vertices: Option<Vec<Point3>>,
     /// Corners of each face by their place in `vertices`, from 0, in order along its boundary.
     /// Default: the faces of the convex hull.
+    #[key(needs("vertices", help = "give the corners too"))]
     pub faces: Option<Vec<Vec<u32>>>,
     /// Path of an OBJ file; coordinates in metres. Several closed parts are several blocks, as with `mesh.obj`.
     pub obj: Option<Name>,
 }
 
-/// A convex part of a block. Exactly one of `brick` and `polyhedron`.
+/// A convex part of a block.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("brick", "polyhedron"))]
 pub struct Part {
     /// A box with faces normal to the axes.
     pub brick: Option<Brick>,
@@ -100,9 +111,10 @@ pub struct Part {
     pub polyhedron: Option<Polyhedron>,
 }
 
-/// Cells of a file, each a block. Exactly one of `msh`, `tess`, `stl` and `obj`.
+/// Cells of a file, each a block.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("msh", "tess", "stl", "obj"))]
 pub struct Mesh {
     /// A .msh file of Gmsh (4.1 or 2.2, text or binary): volume elements of first order (tetrahedra, hexahedra, prisms,
     /// pyramids). Physical volumes become groups of their blocks, physical surfaces groups of the blocks with a face in them and sets of
@@ -117,16 +129,18 @@ pub struct Mesh {
     pub obj: Option<Name>,
     /// What the length 1 in the file stands for, m. Default 1 m.
     pub unit: Option<Quantity<PositiveLength>>,
-    /// Name of the physical volume whose elements are taken (`msh`). Default all.
+    /// Name of the physical volume whose elements are taken. Default all.
+    #[key(needs("msh", help = "only meshes of Gmsh have it: leave it out"))]
     pub volume: Option<Name>,
     /// Whether all cells are one block (`parts`).
     #[key(default = false)]
     pub glued: Option<bool>,
 }
 
-/// Fixed ground with one height per place; upright walls are bricks. Exactly one of `asc`, `csv` and `stl`.
+/// Fixed ground with one height per place; upright walls are bricks.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("asc", "csv", "stl"))]
 pub struct Terrain {
     /// Path of an ASCII grid of ESRI.
     pub asc: Option<Name>,
@@ -134,12 +148,13 @@ pub struct Terrain {
     pub csv: Option<Name>,
     /// Path of an STL file: one open surface.
     pub stl: Option<Name>,
-    /// Length of 1 in `asc` or `stl`.
+    /// Length of 1 in the file.
     #[key(default = "1 m")]
+    #[key(excludes("csv", help = "the columns of a CSV file have their units in their names"))]
     pub unit: Option<Quantity<PositiveLength>>,
 }
 
-/// How blocks deform. Exactly one form.
+/// How blocks deform.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Mechanics {

@@ -19,7 +19,7 @@ use crate::quantity::{
 use crate::time_function::TimeFunction;
 use crate::words::WordOr;
 
-/// A cavity that pushes on the faces around it. Exactly one form.
+/// A cavity that pushes on the faces around it.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Source {
@@ -30,10 +30,10 @@ pub enum Source {
 }
 
 /// A charge of explosive. The blocks that it touches are removed at the start, after splitting; the
-/// faces that they shared with others are pushed. Exactly one of `centre`, `line`, `group`,
-/// `pattern`.
+/// faces that they shared with others are pushed.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("centre", "line", "group", "pattern"))]
 pub struct GasCavity {
     /// Centre of a concentrated charge [x, y, z], m.
     pub centre: Option<Point3>,
@@ -43,7 +43,9 @@ pub struct GasCavity {
     pub group: Option<Name>,
     /// Many holes from a CSV file; the sources are called name.1, name.2, ...
     pub pattern: Option<Pattern>,
-    /// Mass of the charge, kg. Needed, except with `pattern`.
+    /// Mass of the charge, kg.
+    #[key(excludes("pattern", help = "the masses are in the file, in its column charge_kg"))]
+    #[key(required("!pattern"))]
     pub mass: Option<Quantity<Mass>>,
     /// The explosive: a name from `[explosives]`, or its constants.
     pub explosive: WordOr<Name, Explosive>,
@@ -106,7 +108,7 @@ pub struct CouplingScale {
     pub scaled: Quantity<NotNegativePlain>,
 }
 
-/// How gas escapes. Exactly one form.
+/// How gas escapes.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Venting {
@@ -138,9 +140,10 @@ pub struct Pattern {
     pub csv: Name,
 }
 
-/// A cavity with a given pressure. Exactly one of `centre`, `line`, `group`.
+/// A cavity with a given pressure.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("centre", "line", "group"))]
 pub struct PressureCavity {
     /// Centre [x, y, z], m: the blocks that touch it are removed.
     pub centre: Option<Point3>,
@@ -179,7 +182,7 @@ pub struct Octree {
     pub levels: Option<u8>,
 }
 
-/// A place in space. Exactly one form.
+/// A place in space.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Place {
@@ -273,9 +276,10 @@ impl JsonSchema for Around {
     }
 }
 
-/// Criterion of splitting while the model runs. Exactly one of `stress`, `strain_rate`, `broken`.
+/// Criterion of splitting while the model runs.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("stress", "strain_rate", "broken"))]
 pub struct During {
     /// Splits where the largest magnitude of a principal stress is above this, Pa.
     pub stress: Option<Quantity<Strength>>,

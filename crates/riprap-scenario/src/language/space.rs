@@ -12,7 +12,7 @@ use crate::quantity::{
     PositiveLength, Quantity,
 };
 
-/// The space in which the blocks move. Exactly one form.
+/// The space in which the blocks move.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Space {
@@ -51,8 +51,9 @@ pub struct Spatial {
     /// How blocks turn.
     #[key(default)]
     pub kinematics: Option<Kinematics>,
-    /// Angle at which a block changes over to finite rotations, rad. For `automatic` only.
+    /// Angle at which a block changes over to finite rotations, rad.
     #[key(default = "0.01 rad")]
+    #[key(only_with("!kinematics", "kinematics = automatic"))]
     pub rotation_bound: Option<Quantity<PositiveAngle>>,
     /// Periods of the model along x, y, z: a length, or `"none"`. Blocks at opposite ends are
     /// neighbours. Default none.

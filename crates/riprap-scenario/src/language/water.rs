@@ -8,9 +8,10 @@ use super::solids::BoxRegion;
 use crate::quantity::{Angle, Density, Length, Name, PositiveLength, Quantity, Viscosity};
 use crate::vectors::Vector;
 
-/// Below the table all faces of blocks are pressed by `density` times gravity times depth. Exactly one of `level`, `points` and `csv`.
+/// Below the table all faces of blocks are pressed by `density` times gravity times depth.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("level", "points", "csv"))]
 pub struct Water {
     /// Height of a level table, m.
     pub level: Option<Quantity<Length>>,
@@ -21,11 +22,16 @@ pub struct Water {
     pub csv: Option<Name>,
     /// Bearing, clockwise from north (y), in which distances from the origin grow: 90 deg is along x.
     #[key(default = "90 deg", space = "spatial", instead = "distances run along x")]
+    #[key(only_with("points"))]
     pub azimuth: Option<Quantity<Angle>>,
     /// Density of the water, kg/m3.
     #[key(default = "1000 kg/m3")]
     pub density: Option<Quantity<Density>>,
     /// Box in which faces of blocks lie at the start that the table presses on. Default everywhere.
+    #[key(excludes(
+        "seepage",
+        help = "with seepage the table is the head on all open faces: leave one of them out"
+    ))]
     pub within: Option<BoxRegion>,
     /// Steady flow through the joints: the table is then the head on open faces alone.
     pub seepage: Option<Seepage>,

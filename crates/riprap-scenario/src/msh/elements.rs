@@ -110,11 +110,11 @@ fn kind(reader: &Reader, number: i32) -> Result<Kind, FileError> {
         15 => Kind::Passed(1),
         8..=14 | 16..=31 => {
             return Err(reader.wrong(format!(
-                "elements of type {number} are of higher order: save the mesh with Mesh.ElementOrder = 1"
+                "elements of type {number} are of higher order; save the mesh with Mesh.ElementOrder = 1"
             )));
         }
         other => {
-            return Err(reader.wrong(format!("elements of type {other} are not known")));
+            return Err(reader.wrong(format!("unknown element type {other}")));
         }
     })
 }
@@ -155,9 +155,10 @@ fn two_binary(file: &mut File, reader: &mut Reader) -> Result<(), FileError> {
         let kind = kind(reader, number)?;
         let here = reader.int("a number of elements")?;
         let tags = reader.int("a number of tags")?;
-        let here = usize::try_from(here).ok().filter(|here| (1..=left).contains(here)).ok_or_else(
-            || reader.wrong(format!("{here} elements where at most {left} are left")),
-        )?;
+        let here = usize::try_from(here)
+            .ok()
+            .filter(|here| (1..=left).contains(here))
+            .ok_or_else(|| reader.wrong(format!("{here} elements where at most {left} remain")))?;
         for _ in 0..here {
             reader.int("the number of an element")?;
             let group = first_tag(reader, tags)?;

@@ -107,7 +107,7 @@ impl<'a> Reader<'a> {
     /// A whole number of 4 bytes.
     pub(super) fn int(&mut self, what: &str) -> Result<i32, FileError> {
         match self.coding {
-            Coding::Text => self.text(what, "a whole number"),
+            Coding::Text => self.text(what, "an integer"),
             Coding::Binary { swapped } => Ok(i32::from_le_bytes(self.binary(what, swapped)?)),
         }
     }
@@ -115,7 +115,7 @@ impl<'a> Reader<'a> {
     /// A count or tag of 8 bytes.
     pub(super) fn size(&mut self, what: &str) -> Result<u64, FileError> {
         match self.coding {
-            Coding::Text => self.text(what, "a whole number, 0 or above"),
+            Coding::Text => self.text(what, "an integer, 0 or above"),
             Coding::Binary { swapped } => Ok(u64::from_le_bytes(self.binary(what, swapped)?)),
         }
     }
@@ -127,7 +127,7 @@ impl<'a> Reader<'a> {
             Coding::Binary { swapped } => f64::from_le_bytes(self.binary(what, swapped)?),
         };
         if !f64::is_finite(x) {
-            return Err(self.wrong(format!("{what} is {x}, which is no number to work with")));
+            return Err(self.wrong(format!("{what} is {x}, which is not finite")));
         }
         Ok(x)
     }
@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
         let left = (self.bytes.len() - self.at) as u64;
         if count > left / bytes {
             return Err(self.wrong(format!(
-                "{count} {what} are announced, but only {left} bytes follow: the file is cut off or broken"
+                "{count} {what} are declared, but only {left} bytes follow: the file is truncated or damaged"
             )));
         }
         Ok(count as usize)
@@ -152,8 +152,7 @@ impl<'a> Reader<'a> {
             Some(name) if !name.is_empty() => Ok(Some(name)),
             _ => {
                 let shown: String = word.chars().take(40).collect();
-                Err(self
-                    .wrong(format!("{shown:?} stands where a section such as $Nodes should begin")))
+                Err(self.wrong(format!("a section such as $Nodes is expected, not {shown:?}")))
             }
         }
     }
@@ -165,7 +164,7 @@ impl<'a> Reader<'a> {
             return Ok(());
         }
         let found: String = word.unwrap_or("the end of the file").chars().take(40).collect();
-        Err(self.wrong(format!("{found:?} stands where $End{name} should be")))
+        Err(self.wrong(format!("$End{name} is expected, not {found:?}")))
     }
 
     /// Goes behind the end of a section that is not needed.

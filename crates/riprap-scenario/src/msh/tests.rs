@@ -91,12 +91,12 @@ fn errors_name_the_line_and_what_to_do() {
     let good = std::str::from_utf8(BRICKS[0]).unwrap();
     assert_eq!(
         error("OFF\n3 1 0"),
-        "line 1: this is no .msh file: it does not begin with $MeshFormat"
+        "line 1: this is not a .msh file: it does not begin with $MeshFormat"
     );
-    assert!(error("").starts_with("line 1: this is no .msh file"));
+    assert!(error("").starts_with("line 1: this is not a .msh file"));
     let old = good.replacen("2.2 0 8", "4.0 0 8", 1);
     assert!(
-        error(&old).starts_with("line 2: the format is \"4.0\"; 4.1 and 2.2 can be read"),
+        error(&old).starts_with("line 2: the format is \"4.0\", but only 4.1 and 2.2 can be read"),
         "{}",
         error(&old)
     );
@@ -115,14 +115,14 @@ fn errors_name_the_line_and_what_to_do() {
     assert!(error(head).contains("the mesh has no volume elements"));
     let huge = format!("{head}$Elements\n18446744073709551615\n");
     assert!(
-        error(&huge).contains("18446744073709551615 elements are announced"),
+        error(&huge).contains("18446744073709551615 elements are declared"),
         "{}",
         error(&huge)
     );
     let second = format!("{head}$Elements\n1\n1 11 0 1 2 3 4 1 2 3 4 1 2\n$EndElements\n");
     assert!(error(&second).contains("Mesh.ElementOrder = 1"));
     let gone = format!("{head}$Elements\n1\n1 4 0 1 2 3 99\n$EndElements\n");
-    assert!(error(&gone).contains("the node 99, which is not there"));
+    assert!(error(&gone).contains("node 99, which does not exist"));
     let open = format!("{head}$Comment\nno end\n");
     assert!(error(&open).contains("has no $EndComment"));
 }
@@ -167,7 +167,7 @@ fn entities_in_several_groups_keep_all_of_them() {
     assert_eq!(mesh.facets.len(), whole.facets.len());
     let many = text.replacen(" 3 8 5 -5", " 33 8 5 -5", 1);
     let found = error(&many);
-    assert!(found.contains("in 33 physical groups; 32 at most"), "{found}");
+    assert!(found.contains("in 33 physical groups; at most 32"), "{found}");
 }
 
 /// Files cut off anywhere and with any byte changed: an error or a mesh, never a panic, and no memory for made-up counts.

@@ -2,7 +2,7 @@
 
 use super::Rules;
 use crate::language::{BartonBandis, Interface, JointSoftening, curve};
-use crate::quantity::{FrictionAngle, Kind, Quantity, Span};
+use crate::quantity::{FrictionAngle, Quantity, Span};
 use crate::vectors::InSpace;
 
 /// What the joints of an interface have, in either space: those of the plane are its `bond`.
@@ -57,33 +57,12 @@ impl Joint {
     }
 }
 
-fn span<K: Kind>(of: &Option<Quantity<K>>) -> Option<&Span> {
-    of.as_ref().map(|value| &value.span)
-}
-
 impl Rules {
     pub(super) fn behaviour(&mut self, of: &str, interface: &Interface) {
-        self.dilation(of, interface);
-        let keys = [
-            ("dilation_angle", span(&interface.dilation_angle)),
-            ("softening", interface.softening.as_ref().map(|s| &s.slip.span)),
-            ("barton_bandis", interface.barton_bandis.as_ref().map(|b| &b.jrc.span)),
-            ("closure", interface.closure.as_ref().map(|c| &c.limit.span)),
-        ];
         if self.space == InSpace::Planar && interface.bond.is_none() {
-            for (key, span) in keys {
-                let Some(span) = span else { continue };
-                let message = format!("`{key}` in {of} is of joints, and there is no `bond`");
-                let help = "found contacts in the plane are linear springs with Coulomb friction; give the interface \
-                            `bond`, which makes joints of shared edges";
-                self.error("key.missing", span, message, help);
-            }
             return;
         }
-        if let (Some(_), Some(rough)) = (&interface.softening, &interface.barton_bandis) {
-            let message = format!("{of} has `softening` and `barton_bandis`");
-            self.error("key.one_of", &rough.jrc.span, message, "keep one of them");
-        }
+        self.dilation(of, interface);
         if !self.values_sound {
             return;
         }

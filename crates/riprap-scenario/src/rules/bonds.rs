@@ -1,15 +1,10 @@
 //! Rules of deformable blocks and their bonds.
 
-use riprap_keys::Words;
-
 use super::Rules;
-use crate::diagnostic::{Diagnostic, list};
 use crate::language::{
     Block, BrittleBond, Cohesive, Cutting, Load, Mechanics, Phase, Scenario, Support, Target, curve,
 };
 use crate::quantity::{NotNegativePlain, Quantity, Span};
-use riprap_core::dynamics::relaxation::PhaseKind;
-use riprap_core::laws::parameters::{BondFailure, CutAnchor};
 
 /// Most parts that a block may be cut into.
 const MOST_PARTS: u64 = 4096;
@@ -36,89 +31,14 @@ impl Rules {
     }
 
     /// Bonds of an interface.
-    pub(super) fn bond(
-        &mut self,
-        span: &Span,
-        of: &str,
-        bond: &BrittleBond,
-        materials: &[(f64, f64)],
-    ) {
+    pub(super) fn bond(&mut self, of: &str, bond: &BrittleBond, materials: &[(f64, f64)]) {
         let of = format!("{of}.brittle_bond");
-        let strengths = [
-            ("tension", bond.tension.is_some()),
-            ("cohesion", bond.cohesion.is_some()),
-            ("friction_angle", bond.friction_angle.is_some()),
-        ];
-        self.bond_springs(span, &of, bond);
-        if bond.young.is_some() != bond.poisson.is_some() {
-            let message = format!("{of} has only one of `young` and `poisson`");
-            let help = "give both, or neither: then they are those of the two materials";
-            self.error("key.missing", span, message, help);
-        }
         if bond.elastic {
-            let broken = [
-                ("residual_friction_angle", bond.residual_friction_angle.is_some()),
-                ("residual_cohesion", bond.residual_cohesion.is_some()),
-                ("cohesive", bond.cohesive.is_some()),
-                ("failure", bond.failure.is_some()),
-            ];
-            let given = strengths.iter().chain(&broken).filter(|s| s.1);
-            let given: Vec<&str> = given.map(|s| s.0).collect();
-            if !given.is_empty() {
-                let message = format!("{of} is elastic and has {}", list(&given));
-                let note = Diagnostic::warning("key.unused", message).at(span.clone());
-                let help = "an elastic bond never breaks: these keys have no effect";
-                self.found.push(note.help(help));
-            }
-            return;
-        }
-        let lacking: Vec<&str> = strengths.iter().filter(|s| !s.1).map(|s| s.0).collect();
-        if !lacking.is_empty() {
-            let message = format!("{of} lacks {}", list(&lacking));
-            let help = "give its strength, for example tension = \"2 MPa\", cohesion = \"10 MPa\", \
-                        friction_angle = \"30 deg\"; or elastic = true";
-            self.error("key.missing", span, message, help);
             return;
         }
         if self.values_sound {
             self.cut_off(&of, bond);
             self.toughness(&of, bond, materials);
-        }
-    }
-
-    /// Springs come from a thickness or are given.
-    fn bond_springs(&mut self, span: &Span, of: &str, bond: &BrittleBond) {
-        match (&bond.thickness, &bond.normal_stiffness) {
-            (None, None) => {
-                let message = format!("{of} has neither `thickness` nor `normal_stiffness`");
-                let help =
-                    "write for example thickness = \"0.3 mm\", or normal_stiffness = \"10 GPa/m\"";
-                self.error("key.missing", span, message, help);
-            }
-            (Some(thickness), Some(_)) => {
-                let message = format!("{of} has `thickness` and `normal_stiffness`");
-                let help =
-                    "springs follow from a thickness and moduli, or are given: leave one out";
-                self.error("key.one_of", &thickness.span, message, help);
-            }
-            (None, Some(normal)) if bond.young.is_some() => {
-                let message = format!("{of} has `normal_stiffness` and `young`");
-                let help = "moduli go with `thickness`: leave them out";
-                self.error("key.one_of", &normal.span, message, help);
-            }
-            (Some(_), None) => {
-                if let Some(shear) = &bond.shear_stiffness {
-                    let message = format!("{of} has `shear_stiffness` and no `normal_stiffness`");
-                    let help = "give both, in place of `thickness`";
-                    self.error("key.missing", &shear.span, message, help);
-                }
-            }
-            (None, Some(_)) => {}
-        }
-        if let (Some(_), Some(residual)) = (&bond.cohesive, &bond.residual_cohesion) {
-            let message = format!("{of} has `cohesive` and `residual_cohesion`");
-            let help = "a bond that softens loses all of its cohesion: leave one out";
-            self.error("key.one_of", &residual.span, message, help);
         }
     }
 
@@ -145,12 +65,6 @@ impl Rules {
         let Some(cohesive) = &bond.cohesive else {
             return;
         };
-        if let Some(failure) = bond.failure.filter(|f| *f != BondFailure::Spring) {
-            let word = failure.word();
-            let message = format!("{of} has `cohesive` and failure = \"{word}\"");
-            let help = "bonds that soften do so spring by spring: leave out `failure`";
-            self.error("key.one_of", &cohesive.mode_1.span, message, help);
-        }
         self.curve(of, cohesive);
         let [normal, shear] = least_stiffness(bond, materials);
         for (key, energy, strength, stiffness) in [
@@ -179,10 +93,6 @@ impl Rules {
             return;
         };
         let span = curve.first().map_or(&cohesive.mode_1.span, |point| &point[0].span);
-        if cohesive.softening.is_some() {
-            let message = format!("{of} has `softening` and `curve`");
-            self.error("key.one_of", span, message, "keep one of them");
-        }
         self.points_of_curve(of, curve, span);
     }
 
@@ -207,11 +117,6 @@ impl Rules {
             return;
         };
         self.corners_of_box(&nodes.min, &nodes.max);
-        if let (Some(_), Some(group)) = (&nodes.block, &nodes.group) {
-            let message = "nodes of a `block` and of a `group`".to_owned();
-            let help = "keep one of them; a group may name the block";
-            self.error("key.one_of", &group.span, message, help);
-        }
     }
 
     /// See [`Rules::nodes`].
@@ -226,19 +131,8 @@ impl Rules {
     /// Keys of phases that only deformable blocks have.
     pub(super) fn relaxing(&mut self, phase: &Phase) {
         let of = format!("phase `{}`", phase.name);
-        if phase.load_steps.is_some() && phase.until.time.is_none() {
-            let message = format!("{of} has `load_steps` and no `until.time`");
-            let help = "say how much time passes in these steps: until = { time = \"1 s\" }";
-            self.error("key.missing", &phase.name.span, message, help);
-        }
         if let Some(cut) = &phase.cut {
             self.cutting(&phase.name.span, &of, cut);
-        }
-        let relaxes = phase.kind == Some(PhaseKind::Static);
-        if !relaxes && (phase.load_steps.is_some() || phase.iterations.is_some()) {
-            let message = format!("{of} is dynamic: `load_steps` and `iterations` have no effect");
-            let note = Diagnostic::warning("key.unused", message).at(phase.name.span.clone());
-            self.found.push(note.help("they belong to kind = \"static\""));
         }
     }
 
@@ -258,11 +152,6 @@ impl Rules {
             );
             let help = "(planes + 1)^generations may be 4096 at most: take fewer `planes` or `generations`";
             self.error("value.range", span, message, help);
-        }
-        if cut.only_cut && cut.anchor != Some(CutAnchor::Tip) {
-            let message = format!("`only_cut` of {of} has no effect");
-            let note = Diagnostic::warning("key.unused", message).at(span.clone());
-            self.found.push(note.help("it belongs to anchor = \"tip\""));
         }
     }
 }

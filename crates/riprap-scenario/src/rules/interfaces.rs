@@ -1,11 +1,11 @@
 //! Rules of interfaces.
 
-use riprap_core::laws::parameters::{FrictionLaw, NormalLaw};
+use riprap_core::laws::parameters::FrictionLaw;
 
 use super::Rules;
-use crate::diagnostic::Diagnostic;
 use crate::language::{Interface, Scenario};
-use crate::quantity::{Name, NotNegativePlain, Quantity, Restitution, Span};
+use crate::quantity::{Name, Span};
+use crate::rule::no_effect;
 use crate::vectors::InSpace;
 
 /// Whether the rock bridges of some blocks have this interface.
@@ -40,7 +40,6 @@ impl Rules {
             }
             (Some(_), false) | (None, true) => {}
         }
-        self.rebound(&of, &interface.damping_ratio, &interface.restitution);
         match self.space {
             InSpace::Planar => self.contact(span, &of, interface, scenario),
             InSpace::Spatial => self.joint(span, &of, interface, scenario),
@@ -48,41 +47,8 @@ impl Rules {
     }
 
     fn contact(&mut self, span: &Span, of: &str, interface: &Interface, scenario: &Scenario) {
-        self.friction(span, of, interface);
-        self.friction_law(span, of, interface.friction_law, interface.clip_speed.is_some());
         self.behaviour(of, interface);
-        if interface.reflex.is_some() && interface.law != Some(NormalLaw::PenetrationPotential) {
-            let message = format!("`reflex` in {of} has no effect");
-            let help = "it belongs to law = \"penetration_potential\"";
-            self.found.push(Diagnostic::warning("key.unused", message).at(span.clone()).help(help));
-        }
         self.elastic_constants(span, of, interface, scenario);
-    }
-
-    /// Found contacts have one pair of dashpots, said in one way.
-    pub(super) fn rebound(
-        &mut self,
-        of: &str,
-        ratio: &Option<Quantity<NotNegativePlain>>,
-        restitution: &Option<Quantity<Restitution>>,
-    ) {
-        if let (Some(_), Some(second)) = (ratio, restitution) {
-            let message = format!("{of} has `damping_ratio` and `restitution`");
-            let help = "keep one of them: dashpots of found contacts follow from either";
-            self.error("key.one_of", &second.span, message, help);
-        }
-    }
-
-    /// Exactly one way to give friction.
-    pub(super) fn friction(&mut self, span: &Span, of: &str, interface: &Interface) {
-        self.one_of(
-            span,
-            of,
-            &[
-                ("friction_angle", interface.friction_angle.is_some()),
-                ("friction_coefficient", interface.friction_coefficient.is_some()),
-            ],
-        );
     }
 
     /// Speeds that phases give to interfaces whose friction is not clipped then.
@@ -95,38 +61,14 @@ impl Rules {
                 };
                 law = change.friction_law.or(law);
                 if let Some(speed) = change.clip_speed.as_ref() {
-                    let of = format!("phases.{}.interfaces.{name}", phase.name);
                     // A phase that brings the law without a speed has been refused.
-                    self.friction_law(&speed.span, &of, law, true);
+                    if law != Some(FrictionLaw::Clipped) {
+                        let of = format!("phases.{}.interfaces.{name}", phase.name);
+                        let help = "it applies only with friction_law = \"clipped\"";
+                        self.found.push(no_effect(&of, &["clip_speed"], speed.span.clone(), help));
+                    }
                 }
             }
-        }
-    }
-
-    pub(super) fn friction_law(
-        &mut self,
-        span: &Span,
-        of: &str,
-        law: Option<FrictionLaw>,
-        speed: bool,
-    ) {
-        match (law == Some(FrictionLaw::Clipped), speed) {
-            (true, false) => {
-                let message = format!("the key `clip_speed` is missing in {of}");
-                self.error(
-                    "key.missing",
-                    span,
-                    message,
-                    "write for example clip_speed = \"1 mm/s\"",
-                );
-            }
-            (false, true) => {
-                let message = format!("`clip_speed` in {of} has no effect");
-                let help = "it belongs to friction_law = \"clipped\"";
-                self.found
-                    .push(Diagnostic::warning("key.unused", message).at(span.clone()).help(help));
-            }
-            (true, true) | (false, false) => {}
         }
     }
 }

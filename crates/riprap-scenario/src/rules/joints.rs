@@ -1,7 +1,7 @@
 //! Rules of joints in `[space.spatial]`.
 
 use super::Rules;
-use crate::diagnostic::{Diagnostic, list};
+use crate::diagnostic::Diagnostic;
 use crate::language::{Interface, Scenario};
 use crate::names::Name;
 use crate::quantity::{Quantity, Span};
@@ -14,15 +14,6 @@ impl Rules {
         interface: &Interface,
         scenario: &Scenario,
     ) {
-        if interface.elastic {
-            self.no_strength(span, of, interface);
-        // A bond has friction of its own; beside it that of the interface need not be given.
-        } else if interface.brittle_bond.is_none()
-            || interface.friction_angle.is_some()
-            || interface.friction_coefficient.is_some()
-        {
-            self.friction(span, of, interface);
-        }
         if let Some(bond) = &interface.brittle_bond {
             let meant = |name: &str| {
                 let between = interface.between.as_ref();
@@ -34,16 +25,7 @@ impl Rules {
                 .filter(|(name, _)| meant(name.as_str()))
                 .filter_map(|(_, m)| Some((m.young.as_ref()?.si(), m.poisson.as_ref()?.si())))
                 .collect();
-            self.bond(span, of, bond, &materials);
-        }
-        if let (Some(_), Some(given)) = (&interface.stiffness, &interface.normal_stiffness) {
-            let message = format!("{of} has `stiffness` and `normal_stiffness`");
-            self.error("key.one_of", &given.span, message, "keep one of them");
-        }
-        if let (None, Some(shear)) = (&interface.normal_stiffness, &interface.shear_stiffness) {
-            let message = format!("{of} has `shear_stiffness` without `normal_stiffness`");
-            let help = "give both, or neither: then they come from the materials";
-            self.error("key.missing", &shear.span, message, help);
+            self.bond(of, bond, &materials);
         }
         self.behaviour(of, interface);
         self.tension(of, interface);
@@ -52,38 +34,12 @@ impl Rules {
 
     /// Dilation has an end.
     pub(super) fn dilation(&mut self, of: &str, interface: &Interface) {
-        match (&interface.dilation_angle, &interface.dilation_end) {
-            (Some(angle), None) if angle.si() > 0.0 => {
-                let message = format!("the key `dilation_end` is missing in {of}");
-                let help = "say after which slip the joint dilates no more: for example \
-                            dilation_end = \"5 mm\"";
-                self.error("key.missing", &angle.span, message, help);
-            }
-            (None, Some(end)) => {
-                let message = format!("`dilation_end` in {of} has no effect");
-                self.found.push(
-                    Diagnostic::warning("key.unused", message)
-                        .at(end.span.clone())
-                        .help("it belongs to `dilation_angle`"),
-                );
-            }
-            (Some(_), _) | (None, None) => {}
-        }
-    }
-
-    /// An elastic joint has no strength; a scene may have one all the same, for its variants.
-    fn no_strength(&mut self, span: &Span, of: &str, interface: &Interface) {
-        let given: Vec<&str> = interface
-            .read_by("sliding")
-            .into_iter()
-            .filter(|(_, there)| *there)
-            .map(|(key, _)| key)
-            .collect();
-        if !given.is_empty() {
-            let message = format!("{of} is elastic and has {}", list(&given));
-            let help = "an elastic joint neither opens nor slides: these keys have no effect";
-            let note = Diagnostic::warning("key.unused", message).at(span.clone());
-            self.found.push(note.help(help));
+        if let (Some(angle), None) = (&interface.dilation_angle, &interface.dilation_end)
+            && angle.si() > 0.0
+        {
+            let message = format!("the key `dilation_end` is missing in {of}");
+            let help = "write the slip at which dilation ends, for example dilation_end = \"5 mm\"";
+            self.error("key.missing", &angle.span, message, help);
         }
     }
 

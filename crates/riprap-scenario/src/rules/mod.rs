@@ -1,5 +1,5 @@
-//! What the schema cannot say about one table: exactly one of several keys, keys that need each
-//! other, numbers that must be in order. References between tables are in [`super::references`].
+//! What the attributes of keys cannot say: values that depend on each other, and rules about several tables. Rules about
+//! keys of one table are in [`super::rule`], references between tables in [`super::references`].
 
 mod behaviour;
 mod blocks;
@@ -17,7 +17,7 @@ mod water;
 
 use toml::de::DeTable;
 
-use super::diagnostic::{Diagnostic, list};
+use super::diagnostic::Diagnostic;
 use super::language::{Output, Scenario, Space, Target};
 use super::quantity::{Density, Kind, Name, Quantity, Span};
 use super::references;
@@ -67,24 +67,6 @@ struct Rules {
 impl Rules {
     fn error(&mut self, code: &'static str, span: &Span, message: String, help: &str) {
         self.found.push(Diagnostic::error(code, message).at(span.clone()).help(help));
-    }
-
-    /// Exactly one of the keys must be there.
-    fn one_of(&mut self, span: &Span, of: &str, keys: &[(&str, bool)]) {
-        let given: Vec<&str> = keys.iter().filter(|(_, there)| *there).map(|(k, _)| *k).collect();
-        let all: Vec<&str> = keys.iter().map(|(key, _)| *key).collect();
-        match given.len() {
-            1 => {}
-            0 => {
-                let help = format!("give one of {}", list(&all));
-                let message = format!("{of} needs one of {}", list(&all));
-                self.error("key.one_of", span, message, &help);
-            }
-            _ => {
-                let message = format!("{of} has {}: only one is possible", list(&given));
-                self.error("key.one_of", span, message, "keep one and remove the others");
-            }
-        }
     }
 
     /// A whole number of things must lie in a range.
@@ -174,8 +156,6 @@ impl Rules {
         for output in &scenario.outputs {
             if let Output::History(history) = output {
                 self.name(&history.name, "a history");
-                let at = (history.of.as_ref(), history.at_point.as_ref());
-                self.of_or_point(at, &history.name.span);
             }
         }
         if let Some(bisect) = &scenario.bisect {

@@ -25,31 +25,8 @@ impl Rules {
 
     fn gas(&mut self, name: &Name, gas: &GasCavity) {
         let of = format!("sources.{name}.gas_cavity");
-        self.one_of(
-            &name.span,
-            &of,
-            &[
-                ("centre", gas.centre.is_some()),
-                ("line", gas.line.is_some()),
-                ("group", gas.group.is_some()),
-                ("pattern", gas.pattern.is_some()),
-            ],
-        );
         if let Some(line) = &gas.line {
             self.segment(line);
-        }
-        match (&gas.pattern, &gas.mass) {
-            (None, None) => {
-                let message = format!("the key `mass` is missing in {of}");
-                let help = "write for example mass = \"0.03 kg\"";
-                self.error("key.missing", &name.span, message, help);
-            }
-            (Some(_), Some(mass)) => {
-                let message = format!("{of} has `pattern` and `mass`");
-                let help = "the masses stand in the file, in its column charge_kg";
-                self.error("key.forbidden", &mass.span, message, help);
-            }
-            (None, Some(_)) | (Some(_), None) => {}
         }
         if let Some(WordOr::Word(CouplingWord::Fitted, span)) = &gas.coupling
             && gas.centre.is_none()
@@ -61,15 +38,6 @@ impl Rules {
     }
 
     fn pressure_cavity(&mut self, name: &Name, cavity: &PressureCavity) {
-        self.one_of(
-            &name.span,
-            &format!("sources.{name}.pressure_cavity"),
-            &[
-                ("centre", cavity.centre.is_some()),
-                ("line", cavity.line.is_some()),
-                ("group", cavity.group.is_some()),
-            ],
-        );
         if let Some(line) = &cavity.line {
             self.segment(line);
         }
@@ -107,15 +75,6 @@ impl Rules {
             }
         }
         let Some(during) = &refine.during else { return };
-        self.one_of(
-            &span,
-            "refine.during",
-            &[
-                ("stress", during.stress.is_some()),
-                ("strain_rate", during.strain_rate.is_some()),
-                ("broken", during.broken.is_some()),
-            ],
-        );
         if let Some(every) = &during.every {
             match every.read() {
                 Every::Steps(_) => {}

@@ -19,28 +19,10 @@ impl Rules {
                 let help = "it is the word of phases without water: give another name";
                 self.error("name.form", &name.span, message, help);
             }
-            let keys = [
-                ("level", water.level.is_some()),
-                ("points", water.points.is_some()),
-                ("csv", water.csv.is_some()),
-            ];
-            self.one_of(&name.span, &of, &keys);
             if let Some(seepage) = &water.seepage {
                 self.seepage(&of, seepage);
-                if let Some(within) = &water.within {
-                    let message = format!("{of} seeps and has a box (`within`)");
-                    let help =
-                        "a table that seeps is the head on all open faces: leave one of them out";
-                    self.error("key.conflict", &within.min.span, message, help);
-                }
             }
             let Some(points) = &water.points else {
-                if let Some(azimuth) = &water.azimuth {
-                    let message = format!("`azimuth` of {of} has no effect");
-                    let note = crate::Diagnostic::warning("key.unused", message);
-                    let help = "it is the direction of `points`; a level has none";
-                    self.found.push(note.at(azimuth.span.clone()).help(help));
-                }
                 continue;
             };
             if points.len() < 2 {

@@ -2,7 +2,7 @@
 //! quantity with its unit and range. Collects everything that is wrong, with its place.
 //!
 //! The parser's own errors stop at the first; here the user sees all of them at once. What the
-//! schema cannot say (one of several keys, references between tables) is in [`super::rules`].
+//! schema cannot say (values that depend on each other, references between tables) is in [`super::rules`].
 
 mod forms;
 
@@ -14,6 +14,7 @@ use super::diagnostic::{Diagnostic, closest, list, one_of, suggest};
 use super::moments::{read_interval, read_period};
 use super::path::resolve;
 use super::quantity::{KindInfo, Raw, Span, When};
+use super::rule::Checked;
 use super::schema::{Node, description, example, takes};
 use super::units;
 use super::values::{assignment, check_quantity, short};
@@ -24,15 +25,19 @@ const MOST: usize = 50;
 /// Unknown keys of one table for which the known ones are listed.
 const LISTED: usize = 10;
 
-/// Everything that is wrong with a parsed text.
-pub(super) fn validate(root: &Spanned<DeTable<'_>>) -> Vec<Diagnostic> {
+/// Everything that is wrong with a parsed text; and what the rules of its tables find, for a text whose keys and values are
+/// otherwise those of the language.
+pub(super) fn validate(root: &Spanned<DeTable<'_>>) -> [Vec<Diagnostic>; 2] {
     let table = root.get_ref();
     let si = table.get("units").and_then(|units| units.get_ref().as_str()) == Some("SI");
-    let mut walk = Walk { si, space: forms::space(table), path: Vec::new(), found: Vec::new() };
+    let space = forms::space(table);
+    let mut walk = Walk { si, space, path: Vec::new(), found: Vec::new(), by_rules: Vec::new() };
     let place = 0..0;
     walk.object(table, &place, Node::root());
+    // Changed scenes are read as a whole, each by itself.
+    let by_rules = std::mem::take(&mut walk.by_rules);
     walk.changes(table);
-    walk.found
+    [walk.found, by_rules]
 }
 
 struct Walk {
@@ -41,6 +46,7 @@ struct Walk {
     space: Option<InSpace>,
     path: Vec<String>,
     found: Vec<Diagnostic>,
+    by_rules: Vec<Diagnostic>,
 }
 
 impl Walk {
@@ -66,7 +72,8 @@ impl Walk {
     }
 
     fn here(&self) -> String {
-        if self.path.is_empty() { "the scenario".to_owned() } else { self.path.join(".") }
+        let words: Vec<String> = self.path.iter().map(|word| short(word)).collect();
+        if words.is_empty() { "the scenario".to_owned() } else { words.join(".") }
     }
 
     /// Keys and values of `sweep`, `variants`, `bisect` and `when`.
@@ -231,6 +238,11 @@ impl Walk {
                     self.report(diagnostic);
                 }
             }
+        }
+        if node.value.get("x-rules").is_some() && self.by_rules.len() < MOST {
+            let (of, span) = (self.here(), span.clone());
+            let checked = Checked { table, node, space: self.space, of, span };
+            self.by_rules.extend(checked.rules());
         }
         for key in node.required().filter(|key| !table.contains_key(*key)) {
             // Said already: "did you mean ...".

@@ -188,26 +188,26 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
     let refused =
         |block: usize, reason: &'static str| BuildError::Glued { block: name(block), reason };
     let model = [
-        (!setup.found_contacts, "is held by found contacts alone: leave `found_contacts` on"),
+        (!setup.found_contacts, "interacts only by contact: set `found_contacts = true`"),
         (
             !setup.deform.sets.is_empty(),
-            "finds no contact with deformable blocks yet: make all blocks rigid",
+            "cannot touch deformable blocks yet: make all blocks rigid",
         ),
         (
             !setup.sources.is_empty(),
-            "is not pushed by [[sources]] yet: leave them out, or make the block convex",
+            "cannot be loaded by [[sources]] yet: remove them, or make the block convex",
         ),
         (
             !setup.bolts.is_empty(),
-            "cannot be bolted yet: leave the bolts out, or make the block convex",
+            "cannot be bolted yet: remove the bolts, or make the block convex",
         ),
         (
             setup.in_situ.is_some(),
-            "carries no in-situ stress, which is in joints: leave it out, or make the block convex",
+            "has no joints to carry in-situ stress: remove the stress, or make the block convex",
         ),
         (
             !setup.refinements.is_empty(),
-            "cannot stand beside blocks that are split yet: leave `refine` out",
+            "cannot be combined with split blocks yet: remove `refine`",
         ),
         (setup.periodic.iter().any(Option::is_some), "cannot be in a periodic model"),
     ];
@@ -215,7 +215,7 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
         return Err(refused(first, reason));
     }
     let reason =
-        "has no free faces for [[boundaries]] yet: hold it by [[supports]] or push it by [[loads]]";
+        "has no free faces for [[boundaries]] yet: hold it by [[supports]] or load it by [[loads]]";
     for (b, block) in blocks() {
         let Shape::Glued(parts) = &block.shape else {
             continue;

@@ -7,8 +7,8 @@ use crate::exec::Exec;
 use crate::kernel::offset::{Carried, Offset};
 use crate::query::view::View;
 use crate::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Material, Motion, Points,
-    Setup, Shape, Solid, Stiffness, Strength, Support,
+    BlockName, BlockSpec, InterfaceLaw, JointLaw, Material, Motion, Setup, Shape, Solid, Stiffness,
+    Strength, Support,
 };
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
@@ -49,12 +49,9 @@ pub(crate) fn joint(friction: f64, damping: f64) -> JointLaw {
             dilation: 0.0,
             dilation_end: 1.0,
         }),
-        behaviour: Default::default(),
-        failure: Failure::Point,
-        points: Points::Gauss,
         damping,
         contact_damping: damping,
-        dashpots: Dashpots::Sticking,
+        ..JointLaw::default()
     }
 }
 

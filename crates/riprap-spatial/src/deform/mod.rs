@@ -9,7 +9,7 @@
 //! One evaluation: points (jump, law, force to its slot) -> blocks (stress, gathered slots, loads, velocity change). Every sum is
 //! in a fixed order. [`Deform`] is state, [`Workspace`] can be dropped and rebuilt.
 //!
-//! Cutting ([`cut`]) appends the nodes of the parts and makes their facets anew; [`store::Deform::retire`] takes blocks out.
+//! Cutting (the room `topology`) appends the nodes of the parts and makes their facets anew; [`store::Deform::retire`] takes blocks out.
 
 pub(crate) mod area;
 pub mod bonds;

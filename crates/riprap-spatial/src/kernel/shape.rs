@@ -47,7 +47,7 @@ pub enum ShapeError {
         distance: f64,
     },
     /// No ball fits into it.
-    #[error("the block has no room inside: no ball fits into it")]
+    #[error("the block has no inscribed sphere")]
     NoRoom,
 }
 

@@ -1,5 +1,5 @@
 //! What can be read from a model: readings, pictures and after-thoughts. Nothing here changes a world, and no step needs it but
-//! edits, which plan with what a [`view::View`] says.
+//! edits, which plan with what a [`crate::query::view::View`] says.
 
 pub mod bars;
 pub mod beyond;

@@ -6,7 +6,7 @@ use crate::laws::explosive::ExplosiveError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BuildError {
     /// A stiffness from the material needs moduli that it lacks.
-    #[error("the material `{material}` needs `young` and `poisson` for {need}")]
+    #[error("material `{material}` needs `young` and `poisson` for {need}")]
     NoModulus {
         /// Name of the material.
         material: String,
@@ -14,7 +14,7 @@ pub enum BuildError {
         need: &'static str,
     },
     /// A block has no volume.
-    #[error("the block `{block}` has no volume: {reason}")]
+    #[error("block `{block}` has no volume: {reason}")]
     Shape {
         /// Name of the block.
         block: String,
@@ -22,7 +22,7 @@ pub enum BuildError {
         reason: String,
     },
     /// A block of glued parts beside something that does not know such blocks.
-    #[error("the block `{block}`, of glued parts, {reason}")]
+    #[error("block `{block}`, made of glued parts, {reason}")]
     Glued {
         /// Name of the block.
         block: String,
@@ -37,8 +37,7 @@ pub enum BuildError {
     Source(#[from] CavityError),
     /// Deformable blocks that touch need a bond law.
     #[error(
-        "the blocks `{}` and `{}` touch and one of them is deformable, but the interface `{interface}` says nothing \
-         about bonds: give it `brittle_bond`", .blocks[0], .blocks[1]
+        "blocks `{}` and `{}` touch and one of them is deformable, but interface `{interface}` defines no bonds; give it `brittle_bond`", .blocks[0], .blocks[1]
     )]
     NoBond {
         /// Name of the interface.
@@ -48,8 +47,8 @@ pub enum BuildError {
     },
     /// A notch that is not on a face.
     #[error(
-        "a notch finds no shared face of deformable blocks whose centre is in its box, whose lowest corner is \
-         ({}, {}, {}) m: cracks that are there at the start lie on faces between blocks", .at[0], .at[1], .at[2]
+        "the box of a notch, with lowest corner ({}, {}, {}) m, contains no centre of a face shared by deformable blocks: initial cracks lie on \
+         faces between blocks", .at[0], .at[1], .at[2]
     )]
     NoFacet {
         /// Lowest corner of the box, m (global).
@@ -57,8 +56,8 @@ pub enum BuildError {
     },
     /// A support for nodes finds none.
     #[error(
-        "a support finds no node of its deformable blocks in its box, whose lowest corner is ({}, {}, {}) m: nodes are the \
-         corners, the face centres and the centroid of a block", .at[0], .at[1], .at[2]
+        "the box of a support, with lowest corner ({}, {}, {}) m, contains no node of its deformable blocks: nodes are the corners, the face centres \
+         and the centroid of a block", .at[0], .at[1], .at[2]
     )]
     NoNode {
         /// Lowest corner of the box, m (global).
@@ -66,7 +65,7 @@ pub enum BuildError {
     },
     /// A condition for faces finds none.
     #[error(
-        "the boundary `{boundary}` finds no free face: check its plane, its blocks or its box, and the outward normal"
+        "boundary `{boundary}` selects no free face; check its plane, its blocks or its box, and the outward normal"
     )]
     NoFace {
         /// Name of the boundary.
@@ -74,8 +73,7 @@ pub enum BuildError {
     },
     /// A condition whose faces all have a later one.
     #[error(
-        "the boundary `{boundary}` has no effect: all its faces belong to boundaries that stand later (`{later}`), and a \
-         face has one condition, the last; take it away, or give them other faces"
+        "boundary `{boundary}` has no effect: later boundaries (`{later}`) override it on all its faces; remove it, or select other faces"
     )]
     Overruled {
         /// Name of the boundary.
@@ -89,14 +87,14 @@ pub enum BuildError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CavityError {
     /// Nothing there.
-    #[error("the source `{source}` touches no block; move it into the model", source = .name)]
+    #[error("source `{source}` touches no block; move it into the model", source = .name)]
     NoBlock {
         /// Name of the source.
         name: String,
     },
     /// Two sources on one block.
     #[error(
-        "the sources `{name}` and `{other}` remove the same block {block}; move them apart or refine around them"
+        "sources `{name}` and `{other}` remove the same block {block}; move them apart or refine around them"
     )]
     Shared {
         /// Name of one source.
@@ -107,19 +105,19 @@ pub enum CavityError {
         block: String,
     },
     /// Nobody to push.
-    #[error("the blocks of the source `{name}` share no face with any other block")]
+    #[error("the blocks of source `{name}` share no face with any other block")]
     NoWall {
         /// Name of the source.
         name: String,
     },
     /// Heave needs a surface.
-    #[error("the source `{name}` vents by heave, but no free face lies above it (against gravity)")]
+    #[error("source `{name}` vents by heave, but no free face lies above it (against gravity)")]
     NoSurface {
         /// Name of the source.
         name: String,
     },
     /// No adiabat.
-    #[error("the source `{name}`: {reason}")]
+    #[error("source `{name}`: {reason}")]
     Explosive {
         /// Name of the source.
         name: String,
@@ -145,7 +143,7 @@ pub enum RefineError {
         name: String,
     },
     /// More levels than coordinates can resolve.
-    #[error("{levels} levels are asked for; at most {MAX_LEVELS} can be told apart")]
+    #[error("{levels} levels are requested; at most {MAX_LEVELS} are allowed")]
     TooDeep {
         /// Levels asked for.
         levels: u8,

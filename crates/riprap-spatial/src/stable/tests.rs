@@ -6,7 +6,7 @@ use riprap_geom::polyhedron::voronoi;
 use crate::exec::Exec;
 use crate::lanes::Width;
 use crate::laws::bolt::Design;
-use crate::laws::parameters::{Dashpots, Failure, JointLaw, Points, Stiffness};
+use crate::laws::parameters::{JointLaw, Stiffness};
 use crate::setup::{
     BlockName, BlockSpec, Bolt, Boundary, BoundaryKind, FaceSet, InterfaceLaw, Material, Setup,
     Shape, Solid, StiffnessRule,
@@ -79,16 +79,7 @@ fn dot(a: &[Part], b: &[Part]) -> f64 {
 }
 
 fn joint(stiffness: Stiffness, damping: f64) -> JointLaw {
-    JointLaw {
-        stiffness,
-        strength: None,
-        behaviour: Default::default(),
-        failure: Failure::default(),
-        points: Points::default(),
-        damping,
-        contact_damping: damping,
-        dashpots: Dashpots::default(),
-    }
+    JointLaw { stiffness, damping, contact_damping: damping, ..JointLaw::default() }
 }
 
 fn rock(shapes: Vec<Shape>, damping: f64) -> Setup {

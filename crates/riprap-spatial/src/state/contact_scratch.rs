@@ -451,7 +451,7 @@ pub struct Workspace {
 pub struct PairSums {
     /// Heat of friction, J.
     pub friction: f64,
-    /// What contacts store beyond what their forces have taken up ([`crate::kernel::ContactOutput::booked`]), J.
+    /// What contacts store beyond what their forces have taken up ([`crate::kernel::friction::ContactOutput::booked`]), J.
     pub booked: f64,
     /// Energy of the normal springs of joints from which they have just taken over, J.
     pub left: f64,

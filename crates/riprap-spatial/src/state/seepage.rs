@@ -28,7 +28,7 @@ pub struct Seepage {
     pub inflow: f64,
     /// Numbers of blocks and of living ones for which it was built.
     pub blocks: [usize; 2],
-    /// Largest share of what a joint conducts that its shape leaves out ([`crate::laws::seepage::sheet::PackedFacet::lost`]), and its blocks.
+    /// Largest share of what a joint conducts that its shape leaves out ([`crate::laws::seepage::sheet::Sheet::lost`]), and its blocks.
     pub lost: (f64, [u32; 2]),
     /// Step at which pressures were found.
     pub found_at: u64,

@@ -87,7 +87,7 @@ impl World {
         below("class of patches", patches.class.iter().copied(), self.classes.len())?;
         // Lists of which a model without what they hold has none.
         for (what, length) in [
-            ("tractions at rest", patches.prestress.len()),
+            ("initial tractions", patches.prestress.len()),
             ("slips", patches.slip.len()),
             ("normal offsets", patches.normal_offset.len()),
             ("accumulated slips", patches.accumulated_slip.len()),
@@ -113,13 +113,13 @@ impl World {
         let ends = ends.map(|body| u64::from(body.first) + u64::from(body.count));
         let last = ends.max().unwrap_or(0);
         if last > nodes as u64 {
-            return Err(format!("node {last} of {nodes} is not there"));
+            return Err(format!("node {last} is out of range ({nodes})"));
         }
         let points = deform.facets.iter();
         let points = points.map(|facet| u64::from(facet.first) + u64::from(facet.count));
         let (last, points) = (points.max().unwrap_or(0), deform.points.len());
         if last > points as u64 {
-            return Err(format!("point {last} of {points} is not there"));
+            return Err(format!("point {last} is out of range ({points})"));
         }
         let surfaces = deform.surfaces.iter();
         below("body", surfaces.clone().map(|surface| surface.body), deform.bodies.len())?;

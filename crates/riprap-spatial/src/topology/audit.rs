@@ -67,7 +67,7 @@ pub(super) fn splits(world: &World, plan: &Plan) -> Result<(), EditError> {
             unchanged(world, root, what, [before, after], exact * scale)
         };
         check("the mass", before.mass, after.mass, before.mass)?;
-        check("the energy of motion", before.kinetic, after.kinetic, before.kinetic)?;
+        check("the kinetic energy", before.kinetic, after.kinetic, before.kinetic)?;
         for k in 0..3 {
             check("the momentum", before.momentum[k], after.momentum[k], scale)?;
             let moment = scale * radius;

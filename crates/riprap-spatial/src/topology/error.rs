@@ -17,7 +17,7 @@ pub enum EditError {
     #[error(transparent)]
     Refine(#[from] RefineError),
     /// What must not change has changed: our mistake.
-    #[error("{what} changed from {before:e} to {after:e} while block {block} was edited")]
+    #[error("{what} changed from {before:e} to {after:e} when block {block} was edited")]
     Audit {
         /// What.
         what: &'static str,

@@ -164,21 +164,20 @@ impl Book {
                 self.notes.extend(damaged);
             }
             self.notes.push(format!(
-                "The replay has one frame of {count} only and shows no motion: two frames would take more than {} MiB. \
-                 Look at the motion with `riprap view`.",
+                "The replay has only one of {count} frames and shows no motion: two frames would exceed {} MiB. View the motion with `riprap view`.",
                 limits.bytes >> 20
             ));
         }
         if sound.is_empty() {
             return Err(Problem::missing(
-                "There is no frame that could be shown.",
-                "Ask for frames in the scene: [[outputs]] frames = { every = ... }",
+                "The run has no frames to show.",
+                "Request frames in the scene: [[outputs]] frames = { every = ... }",
             ));
         }
         Ok(sound)
     }
 
-    /// Begins anew with motion and shapes of the chosen frames, until they are too large; the sound ones among them.
+    /// Restarts with motion and shapes of the chosen frames, until they are too large; the sound ones among them.
     fn moved(&mut self, run: &Run, chosen: &[usize], limits: Limits) -> Vec<usize> {
         *self = Book::default();
         let mut sound = Vec::new();
@@ -189,7 +188,7 @@ impl Book {
                 .and_then(|()| self.ask(run, &format!("shape/{k}"), None, &format!("shape/{n}")));
             match done {
                 Ok(()) => sound.push(k),
-                Err(problem) => self.notes.push(format!("frame {} is left out: {problem}", k + 1)),
+                Err(problem) => self.notes.push(format!("frame {} was left out: {problem}", k + 1)),
             }
             if self.bytes > limits.bytes {
                 break;
@@ -310,7 +309,7 @@ mod tests {
             assert_eq!(book.fill(&Run::new(&path), limits).unwrap(), 1);
             let told = book.notes.iter().any(|n| n.contains("shows no motion"));
             assert_eq!(told, frames > 1, "{:?}", book.notes);
-            let left_out = book.notes.iter().any(|n| n.contains("frame 5 is left out"));
+            let left_out = book.notes.iter().any(|n| n.contains("frame 5 was left out"));
             assert_eq!(left_out, damaged.is_some(), "{:?}", book.notes);
         }
     }

@@ -34,7 +34,7 @@ pub(super) fn short(v: f64) -> String {
     }
 }
 
-/// Shares of the largest number below which nothing but round-off is told.
+/// Shares of the largest number below which nothing but round-off is reported.
 const ROUND_OFF: f64 = 1e-12;
 
 /// A number with four digits; 0 where it is nothing beside `largest`.

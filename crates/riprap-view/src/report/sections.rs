@@ -176,7 +176,7 @@ pub(super) fn energy(out: &mut String, run: &Run) {
             escape(&column.unit)
         );
     }
-    out.push_str("</table>\n<p><small>The residual is zero but for the error of time integration and rounding.</small></p>\n");
+    out.push_str("</table>\n<p><small>The residual is zero except for the errors of time integration and rounding.</small></p>\n");
 }
 
 /// Work of boundaries, supports and loads.
@@ -211,7 +211,7 @@ pub(super) fn events(out: &mut String, run: &Run) {
     if counts.is_empty() && read.is_ok() {
         return;
     }
-    out.push_str("<h2>Events</h2>\n<table class=\"grid\"><tr><th>event</th><th>how often</th><th>first [s]</th><th>last [s]</th></tr>\n");
+    out.push_str("<h2>Events</h2>\n<table class=\"grid\"><tr><th>event</th><th>count</th><th>first [s]</th><th>last [s]</th></tr>\n");
     for (event, (count, first, last)) in counts {
         let _ = writeln!(
             out,
@@ -239,7 +239,7 @@ pub(super) fn scene(out: &mut String, run: &Run, manifest: &Manifest) {
     }
     let _ = writeln!(
         out,
-        "<h2>The scene as run</h2>\n<p>{} with all changes; it runs as it stands.</p>\n<pre>{}</pre>",
+        "<h2>The scene as run</h2>\n<p>{} with all changes; it can be run unchanged.</p>\n<pre>{}</pre>",
         escape(&manifest.scenario),
         escape(&String::from_utf8_lossy(&bytes))
     );
@@ -318,9 +318,9 @@ mod tests {
         let mut none = String::new();
         events(&mut none, &run);
         assert!(none.is_empty());
-        // What cannot be read is told.
+        // What cannot be read is reported.
         std::fs::create_dir(path.join("events.jsonl")).unwrap();
         events(&mut none, &run);
-        assert!(none.contains("not a plain file"), "{none}");
+        assert!(none.contains("not a regular file"), "{none}");
     }
 }

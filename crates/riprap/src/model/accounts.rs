@@ -1,4 +1,4 @@
-//! Conditions whose work is told: an account for every boundary, support and load.
+//! Conditions whose work is reported: an account for every boundary, support and load.
 
 use super::builder::Builder;
 use crate::accounts::{Condition, Holder};
@@ -56,8 +56,8 @@ impl Builder<'_> {
         match (found.next(), found.next()) {
             (Some((account, condition)), None) => Some(vec![condition.holder.number(account)]),
             (Some(_), Some(_)) => {
-                let message = format!("there are several {word}s `{one}`");
-                let help = format!("give each {word} a `name` of its own");
+                let message = format!("{word} name `{one}` is ambiguous");
+                let help = format!("give each {word} a unique `name`");
                 self.error_at("name.ambiguous", one, message, &help);
                 None
             }

@@ -56,7 +56,10 @@ impl Builder<'_> {
     /// The limit as a field: in the unit of the interval that is searched, read once it is found.
     fn limit_use(&mut self, said: &language::Check) -> Option<(FieldUse, String)> {
         let Some(bisect) = &self.parsed.scenario.bisect else {
-            let message = format!("check `{}` reads `{LIMIT}` and there is no [bisect]", said.name);
+            let message = format!(
+                "check `{}` reads `{LIMIT}`, but the scene has no [bisect] table",
+                said.name
+            );
             let help = "add a [bisect] table; `riprap explain bisect` says what to write";
             self.error_at("field.bisect", &said.field, message, help);
             return None;
@@ -67,7 +70,7 @@ impl Builder<'_> {
             || said.at.is_some()
             || said.reduce.is_some()
         {
-            let message = format!("`{LIMIT}` is one number for all runs of the search");
+            let message = format!("`{LIMIT}` is one number for the whole search");
             let help = "leave out `of`, `along`, `at`, `over` and `reduce`";
             self.error_at("field.bisect", &said.field, message, help);
             return None;
@@ -222,10 +225,11 @@ impl Builder<'_> {
             return;
         };
         if time > total * (1.0 + 1e-9) {
-            let message =
-                format!("check `{name}` reads at {time} s, but the phases last {total} s in all");
+            let message = format!(
+                "check `{name}` reads at {time} s, after the end of the last phase ({total} s)"
+            );
             let error = Diagnostic::error("check.late", message).at(span);
-            self.found.push(error.help("choose an earlier moment, or a longer phase"));
+            self.found.push(error.help("choose an earlier time, or a longer phase"));
         }
     }
 
@@ -241,7 +245,7 @@ impl Builder<'_> {
             };
             if low > high_value {
                 let error =
-                    Diagnostic::error("value.order", "the lower bound is above the upper one");
+                    Diagnostic::error("value.order", "the lower bound exceeds the upper bound");
                 self.found.push(error.at(high.span.clone()).help("between = [lowest, highest]"));
             }
             return Some(Expected::Between(low, high_value));
@@ -252,7 +256,7 @@ impl Builder<'_> {
             return Some(Expected::Table { t, v });
         }
         let Some(text) = &said.formula else {
-            let message = format!("check `{}` expects nothing", said.name);
+            let message = format!("check `{}` has no expected value", said.name);
             let help = "give `value`, `formula`, `csv` or `between`";
             self.error_at("key.one_of", &said.name, message, help);
             return None;
@@ -271,7 +275,7 @@ impl Builder<'_> {
                 Err(reason) => {
                     let error =
                         Diagnostic::error("key.path", format!("`{name}` in `let`: {reason}"));
-                    let help = "give a number, a value with unit, or a key of this file";
+                    let help = "give a number, a value with a unit, or a key of this scene";
                     self.found.push(error.at(value.span.clone()).help(help));
                     return None;
                 }

@@ -33,7 +33,7 @@ impl Builder<'_> {
             let peak_slip = match length {
                 Some(length) => {
                     let of_length = slip_at_peak(jrc, length);
-                    let why = "L/500 (JRC/L)^0.33, JRC that of the length";
+                    let why = "L/500 (JRC/L)^0.33, JRC corrected for the length";
                     Some(read.peak_slip_or(of_length, Provenance::Derived, why))
                 }
                 None => read.peak_slip(),

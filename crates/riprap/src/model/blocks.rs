@@ -50,7 +50,7 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
 /// Code and help of cells whose edges stay too short.
 pub(super) const SHORT_EDGES: (&str, &str) = (
     "geometry.edges",
-    "give a smaller `smallest_edge` (up to a tenth of `cell` can be had), or more rounds of `relax`",
+    "give a smaller `smallest_edge` (at most a tenth of `cell` is attainable), or more rounds of `relax`",
 );
 
 /// Columns of the corners of a polygon.
@@ -229,12 +229,15 @@ impl Builder<'_> {
             self.found.push(note.at(block.name.span.clone()));
         };
         if changes.reversed {
-            note(format!("the corners of `{}` run clockwise: they were turned round", block.name));
+            note(format!(
+                "the corners of `{}` run clockwise; their order was reversed",
+                block.name
+            ));
         }
         if changes.repeated > 0 {
             let count = changes.repeated;
             note(format!(
-                "`{}` repeats {count} corner(s) within 1e-8 of its size: they were dropped",
+                "`{}` repeats {count} corner(s) within 1e-8 of its size; they were dropped",
                 block.name
             ));
         }
@@ -300,8 +303,7 @@ impl Builder<'_> {
                 with_unit(worst.edge, "m"),
                 self.at_text(worst),
             );
-            let help = "merging them would join large blocks; change the seed, an offset or a \
-                        spacing a little, or accept the smaller time step";
+            let help = "merging them would join large blocks; change the seed, an offset or a spacing slightly, or accept the smaller time step";
             let note = Diagnostic::warning("geometry.sliver", message).help(help);
             self.found.push(note.at(name.span.clone()));
         }
@@ -340,28 +342,28 @@ impl Builder<'_> {
     fn geometry_error(&mut self, block: &Block, error: &GeomError, at: Option<Span>) {
         let (code, help): (&'static str, &str) = match error {
             GeomError::TooFewVertices { .. } => {
-                ("polygon.corners", "a polygon has at least three different corners")
+                ("polygon.corners", "a polygon needs at least three distinct corners")
             }
             GeomError::TooManyVertices { .. } => {
-                ("polygon.corners", "leave out corners that do not matter, or divide the block")
+                ("polygon.corners", "remove redundant corners, or divide the block")
             }
             GeomError::NonFinite { .. } => ("polygon.number", "give finite coordinates in metres"),
             GeomError::ZeroArea { .. } => ("polygon.area", "check the coordinates and their units"),
             GeomError::SelfIntersecting { .. } => {
-                ("polygon.crossing", "give the corners in order along the boundary")
+                ("polygon.crossing", "list the corners in order along the boundary")
             }
-            GeomError::Spike { .. } => ("polygon.spike", "leave out the corner at the tip"),
+            GeomError::Spike { .. } => ("polygon.spike", "remove the corner at the tip"),
             GeomError::BadNumber { .. } => ("value.range", "change the value"),
             GeomError::TooMany { .. } => {
-                ("geometry.count", "make the spacing or size larger, or the region smaller")
+                ("geometry.count", "use a larger spacing or size, or a smaller region")
             }
             GeomError::DoesNotFit { .. } => {
-                ("geometry.fit", "make the region larger, or `count` or `size` smaller")
+                ("geometry.fit", "use a larger region, or a smaller `count` or `size`")
             }
             GeomError::ShortEdges { .. } => SHORT_EDGES,
             GeomError::Arrangement { .. } => ("geometry.joints", "change the seed or a spacing"),
         };
-        // Places are told in the coordinates of the file.
+        // Places are reported in the coordinates of the file.
         let mut error = error.clone();
         match &mut error {
             GeomError::SelfIntersecting { at, .. }

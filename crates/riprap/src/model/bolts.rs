@@ -83,16 +83,16 @@ impl Builder<'_> {
         }
         let message = if longest > MOST_PIECES[0] {
             format!(
-                "the bolt `{}` would have {longest:.1e} pieces, at most {:.0e} are made of one",
+                "bolt `{}` would have {longest:.1e} pieces; at most {:.0e} are allowed for one bolt",
                 said.name, MOST_PIECES[0]
             )
         } else {
-            format!("the bolts `{}` would have {all:.1e} pieces in all", said.name)
+            format!("bolts `{}` would have {all:.1e} pieces in total", said.name)
         };
         let at = said.piece.as_ref().map_or(&said.name.span, |piece| &piece.span);
         let error = Diagnostic::error("bolt.pieces", message).at(at.clone());
         self.found.push(error.help(
-            "give a longer `piece`: a tenth of the length over which the grout hands over the force (`sqrt(E A / k)`) is enough",
+            "give a longer `piece`: a tenth of the load transfer length of the grout (`sqrt(E A / k)`) is fine enough",
         ));
         false
     }
@@ -171,8 +171,8 @@ impl Builder<'_> {
         let count = said.repeat.iter().map(|row| row.count as usize);
         // Before any is made: a slip of the pen in a count must not fill the memory.
         if count.fold(1, usize::saturating_mul) > MOST {
-            let message = format!("the bolts `{}` would be more than {MOST}", said.name);
-            self.error_at("bolt.many", &said.name, message, "make fewer of them");
+            let message = format!("table `{}` would make more than {MOST} bolts", said.name);
+            self.error_at("bolt.many", &said.name, message, "use fewer bolts");
             return None;
         }
         let mut lines = vec![Line {
@@ -215,7 +215,7 @@ impl Builder<'_> {
             let (head, toe) = (end(0), end(3));
             if head == toe {
                 let message = format!("`{csv}`, line {line}: bolt {} has no length", k + 1);
-                self.error_at("file.csv", csv, message, "head and toe must differ");
+                self.error_at("file.csv", csv, message, "head and toe must be different points");
                 return None;
             }
             lines.push(Line { head, toe, span: csv.span.clone() });
@@ -258,12 +258,12 @@ impl Builder<'_> {
         };
         let help = match reason {
             Misplaced::Outside => "check its ends and their units",
-            Misplaced::Head { .. } => "begin it on the face of the rock",
-            Misplaced::Buried => "begin it on the face of the rock, or leave out `plate`",
-            Misplaced::Toe { .. } => "end it in the rock",
-            Misplaced::NoGrout => "make the grouted length larger, or the bolt longer",
+            Misplaced::Head { .. } => "place the head on the rock face",
+            Misplaced::Buried => "place the head on the rock face, or leave out `plate`",
+            Misplaced::Toe { .. } => "place the toe inside the rock",
+            Misplaced::NoGrout => "use a longer grouted length, or a longer bolt",
         };
-        let message = format!("the bolt `{name}`: {reason}");
+        let message = format!("bolt `{name}`: {reason}");
         let error = Diagnostic::error("bolt.place", message).at(line.span.clone());
         self.found.push(error.help(help));
     }

@@ -159,11 +159,16 @@ impl Builder<'_> {
         self.setup.origin = self.origin.into();
         let [x, y] = self.setup.origin;
         let message = format!(
-            "the model lies far from the origin: it is calculated relative to ({x} m, {y} m)"
+            "the model lies far from the origin; it is computed relative to ({x} m, {y} m)"
         );
         let note = Diagnostic::warning("geometry.far", message);
-        self.found.push(note.help("nothing to do: outputs are in the coordinates of the file"));
-        self.explain("origin", format!("[{x} m, {y} m]"), Provenance::Derived, "far coordinates");
+        self.found.push(note.help("no action needed; outputs are in the coordinates of the scene"));
+        self.explain(
+            "origin",
+            format!("[{x} m, {y} m]"),
+            Provenance::Derived,
+            "distant coordinates",
+        );
     }
 
     fn blocks(&mut self) {
@@ -179,7 +184,7 @@ impl Builder<'_> {
             self.enter(block, generated);
         }
         if self.setup.blocks.is_empty() && self.errors() == 0 {
-            let message = "the model is empty: no block was made";
+            let message = "the model has no blocks";
             self.found.push(Diagnostic::error("model.empty", message));
         }
     }

@@ -123,7 +123,7 @@ impl Builder<'_> {
             if let Some(region) = &group.region {
                 blocks = self.inside(region);
                 if blocks.is_empty() {
-                    let message = format!("no block has its centroid in the box of `{name}`");
+                    let message = format!("no block centroid lies in the box of `{name}`");
                     let help = "check the box; the group is empty";
                     let note = Diagnostic::warning("group.empty", message).help(help);
                     self.found.push(note.at(region.min.span.clone()));
@@ -150,7 +150,7 @@ impl Builder<'_> {
                 let blocks = self.inside(region);
                 if blocks.is_empty() {
                     let error =
-                        Diagnostic::error("target.empty", "no block has its centroid in this box");
+                        Diagnostic::error("target.empty", "no block centroid lies in this box");
                     let help = "check the box and its units";
                     self.found.push(error.at(region.min.span.clone()).help(help));
                     return None;

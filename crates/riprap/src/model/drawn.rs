@@ -60,9 +60,9 @@ impl Builder<'_> {
                 self.foreign_file(file, parse_tess, "use `mesh.tess` in [space.spatial]")?;
             let unit = self.reading(key, said).unit_or(1.0, Provenance::Default, "");
             let Cells::Plane(cells) = cells else {
-                let message = format!("`{file}` has cells in three dimensions");
+                let message = format!("`{file}` is a three-dimensional tessellation");
                 let help =
-                    "make them with `neper -T -dim 2`, or use `mesh.tess` in [space.spatial]";
+                    "generate it with `neper -T -dim 2`, or use `mesh.tess` in [space.spatial]";
                 self.error_at("file.tess", file, message, help);
                 return None;
             };
@@ -95,11 +95,12 @@ impl Builder<'_> {
             drawn.groups.entry(line.layer).or_default().push(number);
         }
         if drawn.outlines.is_empty() {
-            let message = format!("`{file}` has no closed polylines there");
+            let message = format!("`{file}` has no closed polylines on the layers read");
             let open = outlines.left_out.iter().chain(&drawing.left_out);
             let open = left_out_text(open);
-            let help =
-                format!("close them in the drawing (flag, or ends that meet); left out {open}");
+            let help = format!(
+                "close them in the drawing (closed flag, or coincident ends); left out {open}"
+            );
             self.error_at("file.dxf", file, message, &help);
             return None;
         }
@@ -110,7 +111,7 @@ impl Builder<'_> {
     fn drawing(&mut self, wanted: &Wanted) -> Option<(OwnUnit, Drawing)> {
         let file = wanted.file;
         // Arcs become pieces in the unit of the drawing, which may stand in the file only.
-        let help = "save it as DXF, text or binary";
+        let help = "save it as ASCII or binary DXF";
         let given = wanted.unit.map(Quantity::si);
         let sagitta = wanted.sagitta.map(Quantity::si);
         let first = self.foreign_file(file, |bytes| parse_dxf(bytes, None), help)?;
@@ -118,9 +119,11 @@ impl Builder<'_> {
             Some(value) => {
                 OwnUnit { value, from: Provenance::Derived, why: "$INSUNITS of the drawing" }
             }
-            None => {
-                OwnUnit { value: 1.0, from: Provenance::Default, why: "the drawing names no unit" }
-            }
+            None => OwnUnit {
+                value: 1.0,
+                from: Provenance::Default,
+                why: "the drawing specifies no unit",
+            },
         };
         let unit = given.unwrap_or(own.value);
         let mut drawing = match sagitta {
@@ -133,7 +136,7 @@ impl Builder<'_> {
             let known = drawing.layers();
             let unknown = layers.iter().find(|l| !known.contains(&l.as_str()));
             if let Some(layer) = unknown {
-                let message = format!("`{file}` has no lines on a layer `{layer}`");
+                let message = format!("`{file}` has no lines on layer `{layer}`");
                 let mut error = Diagnostic::error("file.dxf", message).at(layer.span.clone());
                 error.help = suggest(layer.as_str(), known);
                 self.found.push(error);
@@ -185,7 +188,7 @@ impl Builder<'_> {
                 let number = outlines.len() + 1;
                 let message =
                     format!("`{file}`, {place}: polygon {number} cannot be a block: {error}");
-                let help = "correct it in the drawing; outlines are simple and have an area";
+                let help = "correct it in the drawing; outlines must be simple and enclose an area";
                 self.error_at("file.shape", file, message, help);
                 return None;
             }
@@ -205,7 +208,8 @@ impl Builder<'_> {
         if group == block.name.as_str() || !blocks.any(|b| b.name.as_str() == group) {
             return Some(());
         }
-        let message = format!("the group `{group}` of `{file}` has the name of a [[blocks]] table");
+        let message =
+            format!("group `{group}` of `{file}` has the same name as a [[blocks]] table");
         self.error_at("file.group", file, message, "rename one of them");
         None
     }
@@ -237,8 +241,8 @@ impl Builder<'_> {
         let traces: Vec<[Vec2; 2]> =
             pieces.map(|pair| [place(pair[0]), place(pair[1])]).filter(|[a, b]| a != b).collect();
         if traces.is_empty() {
-            let message = format!("`{file}` has no lines or open polylines there");
-            let help = "closed polylines are outlines: use `polygons.dxf` for them";
+            let message = format!("`{file}` has no lines or open polylines on the layers read");
+            let help = "closed polylines are outlines; read them with `polygons.dxf`";
             self.error_at("file.dxf", file, message, help);
             return None;
         }
@@ -252,9 +256,9 @@ impl Builder<'_> {
         for (k, line) in table.lines.iter().enumerate() {
             let ends = [Vec2::new(x1[k], y1[k]), Vec2::new(x2[k], y2[k])];
             if ends[0] == ends[1] {
-                let message = format!("`{csv}`, line {line}: trace {} has no length", k + 1);
+                let message = format!("`{csv}`, line {line}: trace {} has zero length", k + 1);
                 let found = Diagnostic::error("geometry.joints", message);
-                let help = "give each trace two different ends, or leave it out";
+                let help = "give the trace two different ends, or remove it";
                 self.found.push(found.at(csv.span.clone()).help(help));
                 return None;
             }
@@ -287,7 +291,7 @@ fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
         format!("read {} of {all} entities as {} outlines", outlines.used, outlines.closed.len());
     let [chains, lines] = outlines.joined;
     if chains > 0 {
-        words.push_str(&format!("; {chains} outlines are chains of {lines} lines"));
+        words.push_str(&format!("; {chains} outlines were assembled from {lines} lines"));
     }
     if outlines.over_gaps > 0 {
         words.push_str(&format!("; {} open polylines were closed", outlines.over_gaps));
@@ -297,7 +301,7 @@ fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
         words.push_str(&format!("; ends up to {gap} apart were joined"));
     }
     if drawing.inserted > 0 {
-        words.push_str(&format!("; {} blocks of the drawing inserted", drawing.inserted));
+        words.push_str(&format!("; {} block references were expanded", drawing.inserted));
     }
     let round = outlines.closed.iter().filter(|line| line.kind == "CIRCLE");
     let corners: BTreeSet<usize> = round.clone().map(|line| line.points.len()).collect();
@@ -306,11 +310,11 @@ fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
             true => least.to_string(),
             false => format!("{least} to {most}"),
         };
-        words.push_str(&format!("; {} circles are polygons of {many} corners", round.count()));
+        words.push_str(&format!("; {} circles became polygons with {many} corners", round.count()));
     }
     if outlines.healed > 0 {
         let healed = outlines.healed;
-        words.push_str(&format!("; {healed} edges no longer than round-off became corners"));
+        words.push_str(&format!("; {healed} edges of round-off length were collapsed"));
     }
     if left().next().is_some() {
         words.push_str(&format!("; left out {}", left_out_text(left())));
@@ -326,7 +330,7 @@ fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
 fn traces_text(drawing: &Drawing, open: usize, closed: usize) -> String {
     let mut left = drawing.left_out.clone();
     if closed > 0 {
-        left.insert(("closed lines".to_owned(), "outlines, no traces"), closed);
+        left.insert(("closed lines".to_owned(), "outlines, not traces"), closed);
     }
     let all = open + left.values().sum::<usize>();
     let mut words = format!("read {open} of {all} entities as traces");

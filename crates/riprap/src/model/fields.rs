@@ -61,7 +61,7 @@ impl Builder<'_> {
                         format!("write `{field}.x`, `.y` or `.magnitude`"),
                     ),
                     FieldError::NoComponents { field, .. } => {
-                        (format!("`{field}` is a single number"), format!("write `{field}`"))
+                        (format!("`{field}` is a scalar"), format!("write `{field}`"))
                     }
                 };
                 let help = format!("{help}; `riprap fields` lists all");
@@ -72,14 +72,14 @@ impl Builder<'_> {
         let vector = info.shape != Shape::Scalar && part == Part::Whole;
         if let Some(direction) = said.along.filter(|_| !vector) {
             let error = Diagnostic::error("field.direction", format!("`{name}` has no direction"));
-            let help = "`along` is for vector fields without component; leave it out";
+            let help = "`along` applies to a vector field named without component; leave it out";
             self.found.push(error.at(direction.span.clone()).help(help));
             return None;
         }
         let along = match said.along.map(|along| (along.unit(), along)) {
             Some((None, along)) => {
-                let error = Diagnostic::error("value.direction", "this is no direction");
-                let help = "at least one component is not zero, for example [0, 0, 1]";
+                let error = Diagnostic::error("value.direction", "the direction has zero length");
+                let help = "at least one component must be non-zero, for example [0, 0, 1]";
                 self.found.push(error.at(along.span.clone()).help(help));
                 return None;
             }
@@ -114,7 +114,7 @@ impl Builder<'_> {
         };
         if site != Site::Block {
             let message = format!("`{name}` is not read at a point");
-            let help = "`at_point` is for fields of a block";
+            let help = "`at_point` applies to fields of a block";
             self.found.push(error("field.of", &message, help));
             return None;
         }
@@ -131,8 +131,8 @@ impl Builder<'_> {
             }
         };
         if found.is_none() {
-            let message = "no block holds this point at the start";
-            let help = "give a point inside a block, in the coordinates of the file";
+            let message = "no block contains this point at the start";
+            let help = "give a point inside a block, in the coordinates of the scene";
             self.found.push(error("field.point", message, help));
         }
         found
@@ -176,7 +176,7 @@ impl Builder<'_> {
         let group = site == Site::Group;
         if names.len() != need && !(group && names.len() > 1) {
             let message = match need {
-                0 => format!("`{name}` belongs to the whole model, not to blocks"),
+                0 => format!("`{name}` is a field of the whole model, not of blocks"),
                 1 if group => format!("`{name}` needs a group"),
                 1 => format!("`{name}` needs one block"),
                 _ => format!("`{name}` needs two blocks"),
@@ -191,7 +191,8 @@ impl Builder<'_> {
         for (one, blocks) in lists {
             if !group && blocks.len() != 1 {
                 let count = blocks.len();
-                let message = format!("`{one}` is {count} blocks, and `{name}` needs single ones");
+                let message =
+                    format!("`{one}` stands for {count} blocks, but `{name}` needs single blocks");
                 let first = blocks.first().map(|&b| self.directory.name(b));
                 let first = first.unwrap_or_default();
                 self.error_at("field.of", one, message, &format!("write for example `{first}`"));
@@ -203,8 +204,13 @@ impl Builder<'_> {
             all.sort_unstable();
             all.dedup();
         } else if all.len() == 2 && all[0] == all[1] {
-            let message = "these are the same block".to_owned();
-            self.error_at("field.of", names.last().unwrap_or(name), message, "name two blocks");
+            let message = "both names refer to the same block".to_owned();
+            self.error_at(
+                "field.of",
+                names.last().unwrap_or(name),
+                message,
+                "name two different blocks",
+            );
             return None;
         }
         Some(all)
@@ -267,7 +273,7 @@ impl Builder<'_> {
         }
         let raw = &quantity.raw;
         let error = if bare {
-            Diagnostic::error("unit.missing", format!("{raw} has no unit"))
+            Diagnostic::error("unit.missing", format!("{raw} needs a unit"))
         } else {
             let what = dim.unwrap_or(Dim::NONE).describe();
             Diagnostic::error("unit.dimension", format!("\"{raw}\" is {what}"))

@@ -107,9 +107,8 @@ impl Builder<'_> {
         if (0..3).any(|k| k != up && gravity[k] != 0.0) || gravity[up] > 0.0 {
             let error = Diagnostic::error("in_situ.gravity", "gravity does not point down");
             let axis = ["x", "y", "z"][up];
-            let help = format!(
-                "gravity_k0 is for gravity along -{axis}; give the stress by `compressive`"
-            );
+            let help =
+                format!("gravity_k0 needs gravity along -{axis}; give the stress by `compressive`");
             self.found.push(error.at(said.k0.span.clone()).help(help));
             return None;
         }
@@ -119,8 +118,7 @@ impl Builder<'_> {
             (None, _) => {
                 let error =
                     Diagnostic::error("in_situ.density", "the materials have different densities");
-                let help = "say which the stress is for: in_situ.gravity_k0.density = \
-                            \"2400 kg/m3\"";
+                let help = "specify the density for the stress: in_situ.gravity_k0.density = \"2400 kg/m3\"";
                 self.found.push(error.at(said.k0.span.clone()).help(help));
                 return None;
             }

@@ -102,8 +102,8 @@ fn allowance(b: &Builder<'_>, i: usize, j: usize, size: f64) -> f64 {
 fn overlaps(b: &mut Builder<'_>) {
     let boxes: Vec<Aabb> = b.setup.blocks.iter().map(|block| Aabb::of(&block.vertices)).collect();
     let Some(pairs) = touching_boxes(&boxes, MOST_NEAR * boxes.len() + 1_000_000) else {
-        let message = "many blocks lie on top of each other at the start";
-        let help = "check `copies.step`, and the places of blocks that are given twice";
+        let message = "many blocks coincide at the start";
+        let help = "check `copies.step`, and look for blocks that are given twice";
         let error = Diagnostic::error("geometry.overlap", message).at(entry_span(b, 0));
         b.found.push(error.help(help));
         return;
@@ -146,8 +146,8 @@ fn overlaps(b: &mut Builder<'_>) {
             with_unit(at.y, "m")
         );
         let error = Diagnostic::error("geometry.overlap", message).at(entry_span(b, j)).help(
-            "move one of them; or let a first phase with kind = \"static\" push them apart (up to \
-             1 % of the block); or accept it with allow_overlap = \"...\" in [space.planar]",
+            "move one of them; or let a first phase with kind = \"static\" separate them (up to 1 % of the block size); or accept the overlap \
+             with allow_overlap = \"...\" in [space.planar]",
         );
         b.found.push(error);
     }
@@ -185,19 +185,18 @@ fn slivers(b: &mut Builder<'_>) {
         let name = &b.setup.blocks[report.block].name;
         if found.len() <= NAMED || report.block == found[0].block {
             let more = if found.len() > NAMED {
-                format!(" (and {} more blocks like it)", found.len() - 1)
+                format!(" (and {} more such blocks)", found.len() - 1)
             } else {
                 String::new()
             };
             let message = format!(
-                "block `{name}` is a sliver{more}: its shortest edge is {}, its narrowest measure \
-                 {} % of the median width, {}",
+                "block `{name}` is a sliver{more}: its shortest edge is {}, its smallest width {} % of the median width, {}",
                 with_unit(report.edge, "m"),
                 with_unit((report.ratio * 1e3).round() / 10.0, ""),
                 b.at_text(report)
             );
-            let help = "a narrow block shortens the time step for all (a short edge of a wide one \
-                        does not); generators merge slivers with smallest_edge";
+            let help = "a narrow block reduces the time step of the whole model (a short edge of a \
+                        wide block does not); generators merge slivers with smallest_edge";
             let note = Diagnostic::warning("geometry.sliver", message).help(help);
             b.found.push(note.at(entry_span(b, report.block)));
         }
@@ -212,7 +211,7 @@ fn motion(b: &mut Builder<'_>) {
     let all_fixed = (0..b.setup.blocks.len()).all(|block| is_fixed(b, block));
     let released = b.plan.phases.iter().any(|p| !p.release.is_empty());
     if all_fixed && !released {
-        let message = "all blocks are fixed: nothing can move";
+        let message = "all blocks are fixed; nothing can move";
         b.found.push(Diagnostic::warning("model.fixed", message).help("check [[supports]]"));
     }
 }

@@ -50,7 +50,7 @@ impl Builder<'_> {
             };
             let number = |name: &str| materials.iter().position(|m| m == name);
             let (Some(a), Some(b)) = (number(pair[0].as_str()), number(pair[1].as_str())) else {
-                let message = format!("interfaces.{name} is between materials that do not exist");
+                let message = format!("interfaces.{name} refers to materials that do not exist");
                 let error = Diagnostic::error("name.unknown", message);
                 self.found.push(error.at(pair[0].span.clone()));
                 continue;

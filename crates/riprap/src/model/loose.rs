@@ -5,7 +5,7 @@
 //! the pen, and blocks apart from all others where the first phase looks for rest. What has nothing below it and falls for ever is
 //! told in any static phase. Blocks of grids, cells and pours are left out: they are made side by side, or apart on purpose.
 //!
-//! Whether blocks touch is judged by their boxes: who is told touches nothing for certain, not all who do are told.
+//! Whether blocks touch is judged by their boxes: a block that is reported touches nothing for certain, but not every such block is reported.
 
 use std::collections::BTreeSet;
 
@@ -94,11 +94,13 @@ impl Builder<'_> {
             if let Some(first) = lost.first() {
                 let (names, verb) = self.named(&lost);
                 let message = format!(
-                    "{names} {verb} nothing and {} nothing below: the static phase `{phase}` never comes to rest",
+                    "{names} {verb} nothing and {} nothing below; the static phase `{phase}` cannot reach equilibrium",
                     if lost.len() == 1 { "has" } else { "have" }
                 );
                 let note = Diagnostic::warning("model.falls", message).at(self.table_span(*first));
-                self.found.push(note.help("hold it by [[supports]], or put something under it"));
+                self.found.push(
+                    note.help("hold it by [[supports]], or place a block or terrain under it"),
+                );
             }
         }
         let near: Vec<&&Around> = apart.iter().filter(|a| a.near.is_some()).collect();
@@ -118,7 +120,7 @@ impl Builder<'_> {
                 self.directory.name(*other)
             );
             let note = Diagnostic::warning("model.gap", message).at(self.table_span(*block));
-            let help = "if they are meant to touch, move one of them";
+            let help = "if they should touch, move one of them";
             self.found.push(note.help(help));
         }
         let far = apart.iter().filter(|a| a.near.is_none() && a.below);
@@ -131,7 +133,7 @@ impl Builder<'_> {
             let message =
                 format!("{names} {verb} nothing at the start of the static phase `{phase}`");
             let note = Diagnostic::warning("model.gap", message).at(self.table_span(*first));
-            let help = "it falls until it lands, in a time that is not physical; if it is meant to touch something, move it";
+            let help = "it falls until it lands, in a phase whose time is not physical; if it should touch another block, move it";
             self.found.push(note.help(help));
         }
     }

@@ -114,8 +114,8 @@ impl Builder<'_> {
         let Some(refusal) = refusal(count, before + per * count, available()) else {
             return true;
         };
-        let help = "make the blocks larger or the model smaller, or use a machine with more memory; in space [[refine]] \
-                    gives small bricks where they are needed";
+        let help = "use larger blocks, a smaller model or a machine with more memory; in space [[refine]] gives small bricks only where they are \
+                    needed";
         let error = Diagnostic::error("memory", refusal).at(span.clone());
         self.found.push(error.help(help));
         false
@@ -126,7 +126,7 @@ impl Builder<'_> {
 fn refusal(blocks: f64, needed: f64, available: Option<f64>) -> Option<String> {
     let free = available.filter(|free| needed > *free)?;
     Some(format!(
-        "with these {blocks:.0} blocks the model needs about {:.1} GB of memory, {:.1} GB are free",
+        "a model of {blocks:.0} blocks needs about {:.1} GB of memory; {:.1} GB are free",
         1e-9 * needed,
         1e-9 * free
     ))
@@ -220,7 +220,7 @@ mod tests {
         let text = refusal(15_625_000.0, 23.4e9, Some(4e9)).unwrap();
         assert_eq!(
             text,
-            "with these 15625000 blocks the model needs about 23.4 GB of memory, 4.0 GB are free"
+            "a model of 15625000 blocks needs about 23.4 GB of memory; 4.0 GB are free"
         );
         assert_eq!(refusal(1e6, 1.5e9, Some(4e9)), None);
         assert_eq!(refusal(1e12, 1.5e15, None), None);

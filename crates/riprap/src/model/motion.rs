@@ -103,11 +103,12 @@ impl Builder<'_> {
         sum / mass
     }
 
-    /// An acceleration turns each block about its own centroid, which is told where there are several.
+    /// An acceleration turns each block about its own centroid, which is reported where there are several.
     fn tell_turning_each(&mut self, on: &Target) {
-        let message = "an acceleration turns each of these blocks about its own centroid";
+        let message =
+            "a prescribed angular acceleration rotates each of these blocks about its own centroid";
         let error = Diagnostic::error("supports.turn", message).at(target_span(on));
-        let help = "prescribe the spin by a `velocity`, which turns them as one body, or write each = true";
+        let help = "prescribe the spin by a `velocity`, which rotates them as one body, or write each = true";
         self.found.push(error.help(help));
     }
 
@@ -124,13 +125,13 @@ impl Builder<'_> {
             return;
         };
         let message = match twice.len() {
-            1 => format!("block `{first}` has a support already: this one takes its place"),
-            n => format!(
-                "{n} blocks, first `{first}`, have a support already: this one takes its place"
-            ),
+            1 => format!("block `{first}` already has a support; this one replaces it"),
+            n => {
+                format!("{n} blocks, first `{first}`, already have a support; this one replaces it")
+            }
         };
         let note = Diagnostic::warning("supports.twice", message).at(target_span(on));
-        let help = "what the other one fixes or drives is free now: say all that holds a block in one support";
+        let help = "freedoms that the earlier support fixes or drives are released; give all conditions of a block in one support";
         self.found.push(note.help(help));
     }
 
@@ -231,14 +232,19 @@ impl Builder<'_> {
         // Between two equal times nothing could be interpolated.
         if let Some(k) = times.windows(2).position(|pair| pair[1] <= pair[0]) {
             let message = format!(
-                "`{}`: the time does not grow from {} s to {} s (lines {} and {})",
+                "`{}`: time does not increase from {} s to {} s (lines {} and {})",
                 csv.file,
                 times[k],
                 times[k + 1],
                 table.lines[k],
                 table.lines[k + 1]
             );
-            self.error_at("file.csv", &csv.time, message, "sort the lines by time, each time once");
+            self.error_at(
+                "file.csv",
+                &csv.time,
+                message,
+                "sort the lines by time and give each time once",
+            );
             return None;
         }
         let scale = csv.scale.si_or(1.0);
@@ -247,12 +253,12 @@ impl Builder<'_> {
             && converts(scale, found.factor)
         {
             let message = format!(
-                "`scale` is {scale}, and the column `{}` is read in its unit, which makes {} of 1",
+                "`scale` is {scale}, but the column `{}` has a unit and is already converted (1 becomes {})",
                 found.name, found.factor
             );
             let error = Diagnostic::error("csv.scale", message).at(said.span.clone());
             let help =
-                "take `scale` out; or give `unit`, and the name of the column is not looked at";
+                "remove `scale`; or give `unit`, which overrides the unit in the column name";
             self.found.push(error.help(help));
             return None;
         }
@@ -262,7 +268,7 @@ impl Builder<'_> {
 
     /// Times and values of a record, which are of the dimension `dim`; `None` after an error.
     fn record_function(&mut self, said: &RecordFunction, dim: Dim) -> Option<(Vec<f64>, Vec<f64>)> {
-        let help = "a record of PEER has NPTS and DT in its fourth line, and its unit in the third";
+        let help = "a PEER record has its unit in line 3, and NPTS and DT in line 4";
         let record = self.foreign_file(&said.file, parse_at2, help)?;
         if record.dim != dim {
             let message = format!("`{}` is {}", said.file, record.dim.describe());
@@ -284,10 +290,9 @@ impl Builder<'_> {
         match csv_columns::unit(said.as_str(), dim) {
             Ok(factor) => Some(factor),
             Err(message) => {
-                let help =
-                    format!("{} is expected, for example \"{}\"", dim.describe(), dim.unit());
+                let help = format!("expected {}, for example \"{}\"", dim.describe(), dim.unit());
                 let help = match dim {
-                    Dim::NONE => "the values are plain numbers here: write \"1\"".to_owned(),
+                    Dim::NONE => "the values are dimensionless; write \"1\"".to_owned(),
                     _ => help,
                 };
                 self.error_at("unit.dimension", said, message, &help);
@@ -348,9 +353,9 @@ impl Builder<'_> {
             let size = polygon::Aabb::of(&block.vertices).size();
             let inside = polygon::contains(&block.vertices, at);
             if !inside && polygon::distance_to_boundary(&block.vertices, at) > ON_BOUNDARY * size {
-                let message = format!("this point is outside of block `{}`", block.name);
+                let message = format!("this point is outside block `{}`", block.name);
                 let note = Diagnostic::warning("load.outside", message).at(span.clone());
-                let help = "the force acts there all the same, as if on an arm fixed to the block";
+                let help = "the force still acts there, as if on a rigid arm fixed to the block";
                 self.found.push(note.help(help));
             }
         }
@@ -360,7 +365,7 @@ impl Builder<'_> {
         let (from, to) = (self.point(&edge.from), self.point(&edge.to));
         let span = span_of(&edge.from).start..span_of(&edge.to).end;
         if from == to {
-            let error = Diagnostic::error("load.edge", "`from` and `to` are the same point");
+            let error = Diagnostic::error("load.edge", "`from` and `to` coincide");
             self.found.push(error.at(span).help("give two points of one edge of the block"));
             return None;
         }
@@ -369,10 +374,9 @@ impl Builder<'_> {
             let slack = ON_BOUNDARY * polygon::Aabb::of(&block.vertices).size();
             let on = |p: Vec2, (a, b): (Vec2, Vec2)| polygon::distance_to_segment(p, a, b) <= slack;
             if !polygon::edges(&block.vertices).any(|side| on(from, side) && on(to, side)) {
-                let message =
-                    format!("these two points do not lie on one edge of `{}`", block.name);
+                let message = format!("`from` and `to` do not lie on one edge of `{}`", block.name);
                 let help =
-                    "give two points of the same straight edge, in the place it has at the start";
+                    "give two points of the same straight edge, in its position at the start";
                 self.found.push(Diagnostic::error("load.edge", message).at(span).help(help));
                 return None;
             }

@@ -42,7 +42,7 @@ impl Builder<'_> {
             Some(dt) => TimeStep::Given { dt },
             None => {
                 let safety = read.safety();
-                let text = format!("{} of the stable one", with_unit(safety, ""));
+                let text = format!("{} of the stable step", with_unit(safety, ""));
                 read.note("time_step", text, Provenance::Default, "");
                 TimeStep::Auto { safety }
             }
@@ -73,11 +73,12 @@ impl Builder<'_> {
                 if let Some(strength) = law.strength.filter(|s| s.dilation > s.dilating()) {
                     let least = libm::atan(strength.dilating()).to_degrees();
                     let message = format!(
-                        "phase `{}` lowers the friction of interfaces.{name} below its dilation angle: it dilates by {least:.4} deg from then on",
+                        "phase `{}` lowers the friction of interfaces.{name} below its dilation angle: its dilation angle is limited to {least:.4} \
+                         deg from then on",
                         said.name
                     );
                     let note = Diagnostic::warning("phase.dilation", message);
-                    let help = "with more dilation than friction sliding would make energy";
+                    let help = "sliding with more dilation than friction would create energy";
                     self.found.push(note.at(name.span.clone()).help(help));
                 }
             }
@@ -93,7 +94,7 @@ impl Builder<'_> {
                 block.is_some_and(|block| block.shape.is_terrain())
             };
             if blocks.is_ok_and(|blocks| blocks.iter().any(terrain)) {
-                let message = format!("`{name}` is terrain: nothing can move it");
+                let message = format!("`{name}` is terrain, which cannot move");
                 self.error_at("terrain.release", name, message, "leave it out");
             }
         }
@@ -132,7 +133,10 @@ impl Builder<'_> {
         let deforms = !self.spatial.deform.sets.is_empty() && self.all_free_deform(said);
         let relaxes = deforms && said.kind == Some(PhaseKind::Static);
         if relaxes && said.until.time.is_none() {
-            let message = format!("no time passes in phase `{}`: nothing would fade", said.name);
+            let message = format!(
+                "phase `{}` has no duration; the removed blocks cannot fade out",
+                said.name
+            );
             let error = Diagnostic::error("key.missing", message).at(ramp.span.clone());
             let help = "give `until.time`, as long as `removal_ramp`, and `load_steps`";
             self.found.push(error.help(help));
@@ -222,14 +226,14 @@ impl Builder<'_> {
                 Output::Frames(pictures) => {
                     let every = pictures.every.read();
                     self.plan.frames = Some(every);
-                    let ends = "are written at the start and at the ends of phases alone";
+                    let ends = "are written only at the start and at the end of each phase";
                     self.too_rare(format!("frames {ends}"), every, &pictures.every.span);
                     self.plan.tetrahedra = pictures.tetrahedra;
                 }
                 Output::Checkpoints(schedule) => {
                     let every = schedule.every.read();
                     self.plan.checkpoints = Some(every).filter(|every| *every != Every::Never);
-                    let ends = "are written at the ends of phases, and now and then of themselves";
+                    let ends = "are written at the end of each phase and at automatic intervals";
                     self.too_rare(format!("checkpoints {ends}"), every, &schedule.every.span);
                 }
             }
@@ -254,9 +258,9 @@ impl Builder<'_> {
             Every::Phase | Every::Never => return,
         };
         if let Some(run) = run {
-            let message = format!("{what}: `every`, {rhythm}, is longer than the run, {run}");
+            let message = format!("{what}: `every` ({rhythm}) is longer than the run ({run})");
             let note = Diagnostic::warning("output.rare", message).at(span.clone());
-            self.found.push(note.help("write every = \"phase\" if that is meant"));
+            self.found.push(note.help("write every = \"phase\" if this is intended"));
         }
     }
 
@@ -276,7 +280,7 @@ impl Builder<'_> {
             self.found.push(note.at(said.every.span.clone()));
             return;
         }
-        let ends = "is written at the start and at the ends of phases alone";
+        let ends = "is written only at the start and at the end of each phase";
         let what = format!("history `{}` {ends}", said.name);
         self.too_rare(what, every, &said.every.span);
         let suffixes = used.suffixes;

@@ -98,23 +98,22 @@ impl Builder<'_> {
             };
             if let Some(first) = seen.insert(block, row) {
                 let message = format!(
-                    "`{csv}` has two states of the block `{name}`, in its rows {} and {}",
+                    "`{csv}` gives two states for block `{name}`, in rows {} and {}",
                     first + 1,
                     row + 1
                 );
-                self.error_at("file.csv", csv, message, "keep one of the rows");
+                self.error_at("file.csv", csv, message, "remove one of the rows");
                 return;
             }
             states.push((block, *state));
         }
         if let [first, ..] = unknown[..] {
             let message = format!(
-                "{} of the {} rows of `{csv}` name no block of this scene, `{first}` first",
+                "{} of the {} rows of `{csv}` name blocks that this scene does not have; the first is `{first}`",
                 unknown.len(),
                 rows.len()
             );
-            let help = "the column `block` has the names of single blocks, those of a generator with their number, as `rock.3`; \
-                        take the other rows out";
+            let help = "the column `block` holds the names of single blocks, with their number for a generator (`rock.3`); remove the other rows";
             self.error_at("name.unknown", csv, message, help);
             return;
         }
@@ -129,18 +128,13 @@ impl Builder<'_> {
             };
             if !put {
                 let name = self.directory.name(*block);
-                let message = format!("`{csv}` has a state of `{name}`, which is terrain");
-                self.error_at(
-                    "file.csv",
-                    csv,
-                    message,
-                    "terrain stays where it is: take its row out",
-                );
+                let message = format!("`{csv}` gives a state for `{name}`, which is terrain");
+                self.error_at("file.csv", csv, message, "terrain cannot move; remove its row");
                 return;
             }
         }
         let why = format!(
-            "{} blocks start by their rows, {} as the scene draws them",
+            "{} blocks start from their rows, {} as given in the scene",
             states.len(),
             count - states.len()
         );
@@ -169,10 +163,10 @@ impl Builder<'_> {
                     let quaternion = Quat::from_xyzw(x, y, z, w);
                     if (quaternion.length() - 1.0).abs() > LENGTH {
                         let message = format!(
-                            "`{csv}`: the quaternion of `{label}` has the length {}",
+                            "`{csv}`: the quaternion of `{label}` has length {}",
                             quaternion.length()
                         );
-                        let help = "an attitude is a unit quaternion: qw, qx, qy, qz with squares that add up to 1";
+                        let help = "an orientation is a unit quaternion: the squares of qw, qx, qy and qz add up to 1";
                         self.error_at("file.csv", csv, message, help);
                         return None;
                     }
@@ -217,8 +211,8 @@ impl Builder<'_> {
         let mut names = Vec::with_capacity(table.lines.len());
         for (line, name) in of_states {
             if name.is_empty() {
-                let message = format!("`{csv}`, line {line} says nothing in the column `block`");
-                let help = "give the name of a block, or take the row out";
+                let message = format!("`{csv}`, line {line}: the column `block` is empty");
+                let help = "give the name of a block, or remove the row";
                 self.error_at("file.csv", csv, message, help);
                 return None;
             }
@@ -233,8 +227,8 @@ impl Builder<'_> {
             first += count;
             if let Some(missing) = of_part.iter().position(Option::is_none) {
                 if of_part.iter().any(Option::is_some) {
-                    let message = format!("`{csv}`: there is no column `{}`", wanted[missing]);
-                    let help = format!("give all of {}, or none of them", wanted.join(", "));
+                    let message = format!("`{csv}` has no column `{}`", wanted[missing]);
+                    let help = format!("give all of {}, or none", wanted.join(", "));
                     self.error_at("file.csv", csv, message, &help);
                     return None;
                 }
@@ -243,8 +237,8 @@ impl Builder<'_> {
             *state = Some(of_part.into_iter().flatten().map(|c| c.values).collect());
         }
         if states.iter().all(Option::is_none) {
-            let message = format!("`{csv}` says nothing of its blocks");
-            let help = format!("its columns beside `block` can be {}", list(&heads));
+            let message = format!("`{csv}` has no column with a state of blocks");
+            let help = format!("valid columns besides `block`: {}", list(&heads));
             self.error_at("file.csv", csv, message, &help);
             return None;
         }

@@ -20,10 +20,9 @@ mod start;
 
 use crate::model::builder::Builder;
 use crate::plan::PhaseKind;
-use crate::scenario::diagnostic::list;
 use crate::scenario::language::{Fixed, Interface, Output, Phase, Target};
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{Diagnostic, Span, target_span};
+use crate::scenario::{Diagnostic, Span, no_effect, target_span};
 
 /// A key, and whether it was given.
 type Given = (&'static str, bool);
@@ -48,7 +47,7 @@ impl Builder<'_> {
                     &of,
                     &keys,
                     &ramp.span,
-                    "gravity does not change in this phase: give `gravity`",
+                    "gravity does not change in this phase; give `gravity`",
                 );
             }
         }
@@ -69,12 +68,12 @@ impl Builder<'_> {
                 && !any
             {
                 let keys = [("tetrahedra", true)];
-                let help = "no block is deformable: there are no tetrahedra";
+                let help = "no block is deformable, so there are no tetrahedra";
                 self.no_effect("frames", &keys, &pictures.every.span, help);
             }
         }
         if let Some(notch) = scenario.notches.first().filter(|_| !any) {
-            let help = "no block is deformable: there are no bonds that a notch could break";
+            let help = "no block is deformable, so there are no bonds for a notch to break";
             self.no_effect("the scene", &[("notches", true)], &notch.region.min.span, help);
         }
         for support in &scenario.supports {
@@ -90,15 +89,7 @@ impl Builder<'_> {
                     ("rotation_z", rotation_z.is_some()),
                 ];
                 let span = target_span(&support.on);
-                self.no_effect("`fixed` of nodes", &keys, &span, "nodes do not turn");
-            }
-        }
-        for boundary in &scenario.boundaries {
-            if let Some(pressure) = &boundary.pressure
-                && let (Some(datum), None) = (&pressure.datum, &pressure.gradient)
-            {
-                let help = "the pressure is the same at all heights: it belongs to `gradient`";
-                self.no_effect("a pressure", &[("datum", true)], &datum.span, help);
+                self.no_effect("`fixed` of nodes", &keys, &span, "nodes have no rotation");
             }
         }
     }
@@ -109,10 +100,7 @@ impl Builder<'_> {
         if given.is_empty() {
             return;
         }
-        let verb = if given.len() == 1 { "has" } else { "have" };
-        let message = format!("{} of {of} {verb} no effect", list(&given));
-        let note = Diagnostic::warning("key.unused", message).at(span.clone());
-        self.found.push(note.help(help));
+        self.found.push(no_effect(of, &given, span.clone(), help));
     }
 
     /// Which blocks deform.
@@ -143,7 +131,7 @@ impl Builder<'_> {
         let relaxes = plan.is_some_and(|p| p.deform.is_some_and(|d| d.relax.is_some()));
         let settles = plan.is_some_and(|p| p.kind == PhaseKind::Static);
         if !any {
-            let help = "it is for deformable blocks, and there are none";
+            let help = "these keys apply to deformable blocks, and there are none";
             self.no_effect(&of, &of_nodes, span, help);
             // For dynamic phases the rules of the language have said it.
             let first = if settles { 0 } else { 2 };
@@ -152,10 +140,10 @@ impl Builder<'_> {
         }
         if !relaxes {
             let (first, help) = if settles {
-                let help = "free rigid blocks relax in true time; these keys are for phases in which all free blocks deform";
+                let help = "these keys apply to phases in which all free blocks are deformable; free rigid blocks relax by time steps";
                 (0, help)
             } else {
-                (2, "it belongs to kind = \"static\"")
+                (2, "it applies to kind = \"static\"")
             };
             self.no_effect(&of, &of_relaxing[first..], span, help);
         }
@@ -167,14 +155,14 @@ impl Builder<'_> {
                 ("stiffness", damping.stiffness.is_some()),
                 ("local", damping.local.is_some()),
             ];
-            let help = "deformable blocks relax with a damping of their own: see `relaxation`";
+            let help = "deformable blocks relax with their own damping; see `relaxation`";
             self.no_effect(&of, &keys, span, help);
         } else if self.all_free_deform(said) {
             let keys = [
                 ("rotation", damping.rotation.is_some()),
                 ("stiffness", damping.stiffness.is_some()),
             ];
-            let help = "bonds and nodes of deformable blocks have no such damping: use `mass`";
+            let help = "bonds and nodes of deformable blocks have no such damping; use `mass`";
             self.no_effect(&of, &keys, span, help);
         }
     }
@@ -224,8 +212,8 @@ impl Builder<'_> {
                 _ => true,
             };
             if of_bonds && !of_rigid && !(found && said.brittle_bond.is_none()) {
-                let help = "this interface has no two rigid blocks of which one is free: bonds of deformable blocks, and their contacts where they \
-                            meet anew, are described by `brittle_bond`";
+                let help = "this interface joins no two rigid blocks of which one is free; `brittle_bond` describes the bonds of deformable blocks \
+                            and their new contacts";
                 let keys: Vec<Given> = said.read_by("joints").into_iter().filter(unread).collect();
                 self.no_effect(&of, &keys, &name.span, help);
                 for phase in &self.parsed.scenario.phases {
@@ -238,10 +226,16 @@ impl Builder<'_> {
                 }
             }
             if !self.spatial.found_contacts {
-                let help = "it belongs to found contacts: space.spatial.found_contacts = true";
+                let help = "it applies to contacts: set space.spatial.found_contacts = true";
                 if let Some(wanted) = &said.restitution {
                     self.no_effect(&of, &[("restitution", true)], &wanted.span, help);
                 }
+                // A joint that is elastic does not slide; a contact under its law does.
+                let given = [
+                    ("friction_angle", said.elastic && said.friction_angle.is_some()),
+                    ("friction_coefficient", said.elastic && said.friction_coefficient.is_some()),
+                ];
+                self.no_effect(&of, &given, &name.span, help);
                 for phase in &self.parsed.scenario.phases {
                     let change = phase.interfaces.get(name.as_str());
                     if let Some(wanted) = change.and_then(|change| change.restitution.as_ref()) {
@@ -251,8 +245,8 @@ impl Builder<'_> {
                 }
             }
             if let Some(bond) = said.brittle_bond.as_ref().filter(|_| of_rigid && !of_bonds) {
-                let help = "this interface has only joints of rigid blocks, which take from `brittle_bond` no more \
-                            than the strengths that the interface itself does not give";
+                let help = "this interface has only joints of rigid blocks, which read from `brittle_bond` only the strengths that the interface \
+                            does not give";
                 let of = format!("{of}.brittle_bond");
                 let span = bond.thickness.as_ref().map_or(&name.span, |thickness| &thickness.span);
                 self.no_effect(&of, &bond.read_by("bonds"), span, help);
@@ -273,9 +267,9 @@ impl Builder<'_> {
         ];
         for (key, span) in keys {
             let Some(span) = span else { continue };
-            let message = format!("`{key}` in {of} is of joints between rigid blocks");
-            let help = "a deformable block meets others by this interface: give its material an interface of its own, or \
-                        let the bonds soften (`brittle_bond.cohesive`)";
+            let message = format!("`{key}` in {of} applies to joints between rigid blocks only");
+            let help = "a deformable block uses this interface; give its material a separate interface, or let the bonds soften \
+                        (`brittle_bond.cohesive`)";
             let error = Diagnostic::error("mechanics.deformable", message);
             self.found.push(error.at(span.clone()).help(help));
         }

@@ -77,13 +77,13 @@ impl Builder<'_> {
         if let Some(missing) = read.z.iter().position(Option::is_none) {
             let [x, y] = [read.x[missing % wide] - shift.x, read.y[missing / wide] - shift.y];
             let message = format!("`{file}` has no height at ({x} m, {y} m)");
-            let help = "a water table needs all places of its grid";
+            let help = "a water table needs a height at every point of its grid";
             self.error_at("file.water", file, message, help);
             return None;
         }
         if wide < 2 || read.y.len() < 2 {
-            let message = format!("`{file}` has one line of places only");
-            let help = "two lines along x and along y are needed at least";
+            let message = format!("`{file}` has only one grid line");
+            let help = "at least two grid lines are needed in x and in y";
             self.error_at("file.water", file, message, help);
             return None;
         }
@@ -98,8 +98,8 @@ impl Builder<'_> {
         });
         let short = short.fold(0.0, f64::max);
         if short > room {
-            let message = format!("the heights of water.{name} end {short:.3} m inside the model");
-            let help = "beyond them the table has the height of its rim; give a larger grid";
+            let message = format!("the grid of water.{name} ends {short:.3} m inside the model");
+            let help = "beyond the grid the table keeps the height at its rim; give a larger grid";
             let note = Diagnostic::warning("water.extent", message);
             self.found.push(note.at(file.span.clone()).help(help));
         }
@@ -114,9 +114,9 @@ impl Builder<'_> {
             InSpace::Spatial => 3,
         };
         if (0..axes).any(|k| min[k] >= max[k]) {
-            let message = format!("the box of water.{name} has no inside");
+            let message = format!("the box of water.{name} is empty");
             let error = Diagnostic::error("value.range", message).at(said.min.span.clone());
-            let help = "`min` has the lowest coordinates, `max` the highest";
+            let help = "each coordinate of `min` must be below that of `max`";
             self.found.push(error.help(help));
         }
         let [low, high] = [min, max].map(|at| match self.space {
@@ -193,12 +193,12 @@ impl Builder<'_> {
         let soft = !self.spatial.deform.sets.is_empty();
         let periodic = self.spatial.periodic.iter().any(Option::is_some);
         let why = match (self.space, soft, periodic) {
-            (InSpace::Spatial, true, _) => "deformable blocks",
-            (InSpace::Spatial, _, true) => "a periodic model",
+            (InSpace::Spatial, true, _) => "models with deformable blocks",
+            (InSpace::Spatial, _, true) => "periodic models",
             _ => return,
         };
-        let message = format!("water.{name} seeps in {why}");
-        let help = "in space water seeps between rigid blocks of models with ends: leave `seepage` out, then the table is the head everywhere";
+        let message = format!("seepage of water.{name} is not possible in {why}");
+        let help = "in space seepage needs rigid blocks and a model without periods; leave `seepage` out, and the table gives the head everywhere";
         self.error_at("water.seepage", name, message, help);
     }
 
@@ -234,10 +234,8 @@ impl Builder<'_> {
         let slanted = |g: &[f64; 3]| (0..3).any(|k| k != up && g[k] != 0.0);
         if all.iter().any(|g| slanted(g) || g[up] > 0.0) {
             let axis = ["y", "z"][up - 1];
-            let error = Diagnostic::error(
-                "water.gravity",
-                format!("water needs gravity that points down, along -{axis}"),
-            );
+            let error =
+                Diagnostic::error("water.gravity", format!("water needs gravity along -{axis}"));
             let help = "leave out `tilt` and the other components of `gravity`, here and in phases, or the water";
             self.found.push(error.at(span.clone()).help(help));
         }
@@ -290,10 +288,10 @@ impl Builder<'_> {
                 if let Some((block, _)) = faces.iter().find(|(_, f)| claims(&both, f)) {
                     let block = self.directory.name(*block);
                     let message = format!(
-                        "water tables `{name}` and `{}` both press on faces of block `{block}`",
+                        "water tables `{name}` and `{}` both act on faces of block `{block}`",
                         names[k]
                     );
-                    let help = "give each a box (`within`) that has no face in common with those of the others";
+                    let help = "give each table a box (`within`) that shares no face with the boxes of the others";
                     let error = Diagnostic::error("water.claimed", message);
                     self.found.push(error.at(names[k].span.clone()).help(help));
                     return None;

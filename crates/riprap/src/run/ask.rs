@@ -13,13 +13,13 @@ pub enum AskError {
     #[error(transparent)]
     Field(#[from] FieldError),
     /// Of every contact.
-    #[error("{field} has a value for each contact: read it from the contacts of a frame")]
+    #[error("{field} has one value per contact; read it from the contacts of a frame")]
     Contact {
         /// The field.
         field: &'static str,
     },
     /// Too many or too few names.
-    #[error("{field} is of {of_what}, but `of` has {given} names")]
+    #[error("{field} applies to {of_what}, but `of` has {given} names")]
     Count {
         /// The field.
         field: &'static str,

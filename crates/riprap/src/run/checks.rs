@@ -66,6 +66,7 @@ impl CheckResult {
     /// Of a run that its user stopped at a model time (s): nothing of it is judged, it can go on.
     pub fn left_open(&mut self, time: f64) {
         self.status = Status::Skipped;
-        self.note = format!("not judged: the run was stopped at t = {time:.4e} s and can go on");
+        self.note =
+            format!("not evaluated: the run was stopped at t = {time:.4e} s and can be resumed");
     }
 }

@@ -28,6 +28,14 @@ pub enum Control {
     Stop,
 }
 
+impl Control {
+    /// Stops where somebody wants to.
+    #[must_use]
+    pub fn stop_if(asked: bool) -> Self {
+        if asked { Self::Stop } else { Self::Continue }
+    }
+}
+
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ending {

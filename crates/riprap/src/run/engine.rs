@@ -232,7 +232,7 @@ impl Engine {
     #[must_use]
     pub fn revision(&self) -> u64 {
         match self {
-            // New neighbours or an edit can shorten it, and both build the lists anew.
+            // New neighbours or an edit can shorten it, and both rebuild the lists.
             Self::Planar(e) => e.scratch.rebuilds,
             Self::Spatial(e) => e.scratch.rebuilds,
         }
@@ -274,14 +274,10 @@ impl Engine {
     #[must_use]
     pub fn limited_by(&self, rule: TimeStep) -> &'static str {
         match self {
-            Self::Planar(_) => "a block that is fast for its size",
+            Self::Planar(_) => "a block that moves fast for its size",
             Self::Spatial(e) => {
                 let gas = spatial::charge::step_limit(&e.world) < self.contact_step_limit(rule);
-                if gas {
-                    "gas that expands"
-                } else {
-                    "blocks that touch or are fast for their size"
-                }
+                if gas { "expanding gas" } else { "blocks in contact, or fast for their size" }
             }
         }
     }
@@ -393,7 +389,7 @@ impl Engine {
         }
     }
 
-    /// Cuts the deformable blocks whose criterion is met, after [`Engine::evaluate`] with the same step, and evaluates anew;
+    /// Cuts the deformable blocks whose criterion is met, after [`Engine::evaluate`] with the same step, and re-evaluates;
     /// returns how many.
     ///
     /// # Errors
@@ -435,7 +431,7 @@ impl Engine {
         }
     }
 
-    /// Takes blocks out; the forces that they gave to others fade over `span` (s). Forces must be known, and evaluated anew
+    /// Takes blocks out; the forces that they gave to others fade over `span` (s). Forces must be known, and re-evaluated
     /// after the edit that follows.
     ///
     /// # Errors
@@ -460,7 +456,7 @@ impl Engine {
         }
     }
 
-    /// Applies what a phase changes in blocks, supports, bolts and laws; forces must be evaluated anew afterwards.
+    /// Applies what a phase changes in blocks, supports, bolts and laws; forces must be re-evaluated afterwards.
     ///
     /// # Errors
     /// A bolt that cannot be installed, in words.
@@ -502,35 +498,23 @@ impl Engine {
 
     /// The running sums of the ledger.
     pub fn works(&mut self) -> &mut Works {
-        match self {
-            Self::Planar(e) => &mut e.world.works,
-            Self::Spatial(e) => &mut e.world.works,
-        }
+        either!(self, e => &mut e.world.works)
     }
 
     /// Kinetic and stored energy at the start, once known.
     pub fn start_energy(&mut self) -> &mut Option<f64> {
-        match self {
-            Self::Planar(e) => &mut e.world.start_energy,
-            Self::Spatial(e) => &mut e.world.start_energy,
-        }
+        either!(self, e => &mut e.world.start_energy)
     }
 
     /// Stage times.
     #[must_use]
     pub fn profile(&self) -> &Profile {
-        match self {
-            Self::Planar(e) => &e.scratch.profile,
-            Self::Spatial(e) => &e.scratch.profile,
-        }
+        either!(self, e => &e.scratch.profile)
     }
 
     /// blake3 of the state: equal hashes mean equal bits of motion and contact memory.
     #[must_use]
     pub fn hash(&self) -> String {
-        match self {
-            Self::Planar(e) => e.world.hash(),
-            Self::Spatial(e) => e.world.hash(),
-        }
+        either!(self, e => e.world.hash())
     }
 }

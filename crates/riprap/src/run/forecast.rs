@@ -163,16 +163,6 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let governing_block = stable.block.map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
     let timed = stable.dt.is_finite() && !simulation.relaxes();
-    let most = total(plan, |phase| {
-        let rule = phase.time_step;
-        let limit = rule.of_contacts() * touching;
-        let wanted = rule.wanted(stable.dt, &phase.until, phase.gravity_ramp);
-        Some(wanted.min(limit))
-    });
-    let least = total(plan, |phase| {
-        let wanted = phase.time_step.wanted(stable.dt, &phase.until, phase.gravity_ramp);
-        (!may_rest(phase)).then_some(wanted)
-    });
     let at_most = plan.phases.iter().any(may_rest);
     let relaxed = plan.phases.iter().filter_map(relaxing);
     let iterations = relaxed.map(|relax| relax.iterations).max();
@@ -181,12 +171,9 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     warnings.extend((plan.phases.iter()).filter_map(|p| idle_safety(p, stable.dt, meets)));
     let memory = memory::expected(&parts(&simulation.view(), setup, contacts, found.as_ref()));
     let trial = Trial::of(&mut simulation, stage)?;
-    let (steps, least_steps) = match trial.end {
-        Some(taken) => (Some(taken), Some(taken)),
-        None => {
-            let [most, least] = [most, least].map(|n| n.map(|n| n.max(trial.steps)));
-            (most, least)
-        }
+    let [least_steps, steps] = match trial.end {
+        Some(taken) => [Some(taken); 2],
+        None => total_steps(plan, stable.dt, touching).map(|n| n.map(|n| n.max(trial.steps))),
     };
     Ok(Forecast {
         stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
@@ -242,7 +229,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
     }
     if pulled && !view.holds_something() {
         found.push(
-            "nothing is held or supported: under gravity the whole model falls (`[[supports]]`, in space also `[[boundaries]]`)"
+            "no block is held or supported, so the whole model falls under gravity; add `[[supports]]`, in space also `[[boundaries]]`"
                 .to_owned(),
         );
     }
@@ -254,7 +241,8 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
         let steps = phase.until.time.map_or(f64::INFINITY, |time| time / dt);
         if stable.is_finite() && steps < FEW_STEPS {
             found.push(format!(
-                "the phase `{}` has only {} steps of {dt:.3e} s, in which no motion is followed: look at stiffness, density and sizes, at `time_step` and `until.time`",
+                "phase `{}` has only {} steps of {dt:.3e} s, too few to resolve any motion; check stiffness, density and sizes, `time_step` and \
+                 `until.time`",
                 phase.name,
                 steps.ceil()
             ));
@@ -264,7 +252,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
     let quiet = plan.phases.iter().find(|p| p.kind == PhaseKind::Static && relaxing(p).is_none());
     if let (Some(phase), Some(what)) = (quiet, moved(&view)) {
         found.push(format!(
-            "{what} is moved while the static phase `{}` looks for rest: the time of such a phase is not physical, and it may not end",
+            "{what} is driven in the static phase `{}`, whose time is not physical: the phase may not reach equilibrium",
             phase.name
         ));
     }
@@ -272,7 +260,7 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
     let dt = simulation.dt();
     if stable.is_finite() && !simulation.relaxes() && dt > stable {
         found.push(format!(
-            "the time step of the first phase is {:.1} times the stable one ({stable:.3e} s): leave `time_step` out or make it shorter",
+            "the time step of the first phase is {:.1} times the stable step ({stable:.3e} s); leave `time_step` out or shorten it",
             dt / stable
         ));
     }
@@ -292,8 +280,8 @@ fn idle_safety(phase: &Phase, stable: f64, contacts: f64) -> Option<String> {
     let rules = contacts < wanted(USUAL) && relaxing(phase).is_none();
     (safety > SAFETY_IN_SPACE && rules).then(|| {
         format!(
-            "the `safety` {safety} of phase `{}` gives no longer steps than {SAFETY_IN_SPACE}: contacts that are found allow {contacts:.3e} s, a share of \
-             the stable step that a smaller `safety` makes smaller and a larger one leaves as it is",
+            "`safety` = {safety} in phase `{}` gives no longer steps than {SAFETY_IN_SPACE}: contacts limit the step to {contacts:.3e} s, which a \
+             smaller `safety` reduces and a larger one does not increase",
             phase.name
         )
     })
@@ -317,7 +305,8 @@ fn gravity_cut_off(phase: &Phase, stable: f64) -> Option<String> {
     let time = phase.until.time.into_iter().chain(stepped);
     let time = time.reduce(f64::min).filter(|time| *time < ramp * (1.0 - SAME_TIME))?;
     Some(format!(
-        "the phase `{}` ends after {time:.3e} s, before its gravity is there in full (`gravity_ramp`, {ramp} s): a phase after it has the whole at once",
+        "phase `{}` ends after {time:.3e} s, before its gravity has reached the full value (`gravity_ramp`, {ramp} s): the next phase applies all of \
+         it at once",
         phase.name
     ))
 }
@@ -334,8 +323,8 @@ fn near_limit(view: &View<'_>, phase: &Phase, stable: f64) -> Option<String> {
     };
     (breaks && share > MOST_WITH_BREAKING * (1.0 + 1e-9)).then(|| {
         format!(
-            "the steps of phase `{}` are {:.0} % of the stable one, and bonds can break: above {:.0} % they may set free energy that nobody put in \
-             (1 % of what moves at 90 %, a fifth at 99 %, where a bar spalls); a smaller `safety` or `time_step` avoids it",
+            "the steps of phase `{}` are {:.0} % of the stable step, and bonds can break: above {:.0} % breaking may create energy (in a spalling \
+             bar 1 % of the largest energy at 90 %, a fifth at 99 %); a smaller `safety` or `time_step` avoids it",
             phase.name,
             100.0 * share,
             100.0 * MOST_WITH_BREAKING
@@ -368,6 +357,15 @@ fn relaxing(phase: &Phase) -> Option<Relaxing> {
 fn may_rest(phase: &Phase) -> bool {
     let until = &phase.until;
     until.unbalanced.is_some() || until.kinetic.is_some() || relaxing(phase).is_some()
+}
+
+/// Fewest and most steps of all phases; absent if one has no end. `stable` is the stable step at the start, s, `touching` that of blocks that
+/// touch all the time.
+fn total_steps(plan: &Plan, stable: f64, touching: f64) -> [Option<u64>; 2] {
+    let wanted = |phase: &Phase| phase.time_step.wanted(stable, &phase.until, phase.gravity_ramp);
+    let least = total(plan, |phase| (!may_rest(phase)).then(|| wanted(phase)));
+    let most = |phase: &Phase| Some(wanted(phase).min(phase.time_step.of_contacts() * touching));
+    [least, total(plan, most)]
 }
 
 /// Steps of all phases; absent if one has no end. `step` is the length of the steps of a phase, s, `None` where it may have none.
@@ -528,7 +526,8 @@ mod tests {
         let bond = "brittle_bond = { thickness = \"10 mm\", tension = \"8 MPa\", cohesion = \"80 MPa\", friction_angle = \"30 deg\" }";
         let elastic = "brittle_bond = { thickness = \"10 mm\", elastic = true }";
         let tells = |block: &str, bond: &str, phase: &str| {
-            let wanted = "the steps of phase `run` are 95 % of the stable one, and bonds can break";
+            let wanted =
+                "the steps of phase `run` are 95 % of the stable step, and bonds can break";
             bar(block, bond, phase, "").iter().any(|s| s.starts_with(wanted))
         };
         assert!(tells(soft, bond, "safety = 0.95"));
@@ -549,7 +548,7 @@ mod tests {
                  {more}[[supports]]\non.block = \"floor\"\nfixed = {{}}\n\
                  [[phases]]\nname = \"run\"\nuntil.time = \"0.5 s\"\n{phase}\n"
             );
-            let wanted = "the `safety` 0.8 of phase `run` gives no longer steps than 0.5";
+            let wanted = "`safety` = 0.8 in phase `run` gives no longer steps than 0.5";
             told(text).warnings.iter().any(|s| s.starts_with(wanted))
         };
         let brick = |z: &str| {
@@ -570,7 +569,7 @@ mod tests {
             let more = format!(
                 "[[boundaries]]\nname = \"push\"\non.plane = \"x-min\"\nmoved.velocity.x = {velocity}\n"
             );
-            let wanted = "the boundary `push` is moved while the static phase `run` looks for rest";
+            let wanted = "the boundary `push` is driven in the static phase `run`";
             let told = bar("", "elastic = true", phase, &more);
             told.iter().any(|s| s.starts_with(wanted))
         };

@@ -15,9 +15,8 @@ const MARGIN: f64 = 1.005;
 /// A phase with a time step that is longer than the stable one.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error(
-    "the time step {dt:.4e} s of phase `{name}` is longer than the stable one, {stable:.4e} s{}; \
-     leave `time_step` out or make it shorter",
-    .block.as_ref().map_or(String::new(), |b| format!(" (set by block {b})"))
+    "the time step {dt:.4e} s of phase `{name}` exceeds the stable step, {stable:.4e} s{}; leave `time_step` out or shorten it",
+    .block.as_ref().map_or(String::new(), |b| format!(" (governed by block {b})"))
 )]
 pub struct TooLong {
     /// Index of the phase.

@@ -86,7 +86,7 @@ pub enum JobError {
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
     /// Nothing is left to do.
-    #[error("{} has ended already: {ended}", path.display())]
+    #[error("{} has already ended: {ended}", path.display())]
     Ended {
         /// The folder.
         path: PathBuf,
@@ -250,7 +250,7 @@ impl Live {
         let mut manifest = Manifest::read(folder)?;
         let ended = match manifest.ended {
             Ended::Running | Ended::Interrupted => None,
-            Ended::Finished => Some("all its phases are done".to_owned()),
+            Ended::Finished => Some("all phases are complete".to_owned()),
             Ended::Stopped | Ended::Unstable => Some(manifest.message.clone()),
         };
         if let Some(ended) = ended {
@@ -273,7 +273,7 @@ impl Live {
         let others: Vec<&Path> = latest.broken.iter().filter_map(|e| e.of_another()).collect();
         let (folder, aside) = RunFolder::reopen_beside(folder, &marks, &others)?;
         notes.extend(
-            (aside.iter()).map(|name| format!("what was skipped is kept as {}", name.display())),
+            (aside.iter()).map(|name| format!("the skipped file is kept as {}", name.display())),
         );
         for note in &notes {
             if !manifest.warnings.contains(note) {
@@ -481,7 +481,7 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
     (manifest.ended, manifest.message) = match ending {
         Ending::Finished => (Ended::Finished, String::new()),
         Ending::Stopped => {
-            (Ended::Interrupted, "stopped by the user; it can be resumed".to_owned())
+            (Ended::Interrupted, "stopped by the user; the run can be resumed".to_owned())
         }
         Ending::Unstable(error) => (Ended::Unstable, RunError::to_string(error)),
     };

@@ -74,7 +74,8 @@ pub(super) fn off(view: &View<'_>) -> Option<String> {
     let loose = meeting.seekers > 0 && view.living().nth(1).is_some();
     (loose && !meeting.on).then(|| {
         format!(
-            "found contact is switched off (`space.spatial.found_contacts`): {} blocks that are not joined to the others, or no longer, pass through them",
+            "contact detection is switched off (`space.spatial.found_contacts`): {} blocks that are not, or no longer, joined to others pass through \
+             them",
             meeting.seekers
         )
     })
@@ -86,7 +87,7 @@ pub(super) fn across_ends(view: &View<'_>) -> Option<String> {
     let loose = spatial::meeting(world);
     let periodic = world.setup.periodic.iter().any(Option::is_some);
     (loose.on && loose.seekers > 0 && periodic).then(|| {
-        "blocks that come loose do not meet across the ends of the periodic model: they pass through each other there".to_owned()
+        "loose blocks are not detected across the periodic boundaries: they pass through each other there".to_owned()
     })
 }
 
@@ -95,8 +96,8 @@ pub(super) fn only_dashpots(view: &View<'_>) -> Option<String> {
     let of = view.spatial()?;
     let name = of.sinks_into()?;
     Some(format!(
-        "nothing but the dashpots of the viscous boundary `{name}` carries the weight: the model sinks for ever, at the speed at which they bear it; \
-         hold the base (`held`) or give `[in_situ]`, the stress that viscous faces take up"
+        "only the dashpots of the viscous boundary `{name}` carry the weight: the model sinks without end; hold the base (`held`), or give \
+         `[in_situ]`, the stress that viscous faces balance"
     ))
 }
 
@@ -108,11 +109,11 @@ pub(super) fn idle_bolts(view: &View<'_>) -> Vec<String> {
     };
     let others = match idle.len() {
         1 => String::new(),
-        n => format!(" (nor do {} others)", n - 1),
+        n => format!(" (nor have {} others)", n - 1),
     };
     vec![format!(
-        "bolt `{bolt}` has no effect{others}: all of it lies in block `{block}`, which is rigid, so that it ties nothing to anything; let it cross a \
-         joint, or make the block deformable"
+        "bolt `{bolt}` has no effect{others}: it lies entirely in block `{block}`, which is rigid; let the bolt cross a joint, or make the block \
+         deformable"
     )]
 }
 
@@ -127,7 +128,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
     for (name, keys) in outlook::unjoined(world) {
         let verb = if keys.len() == 1 { "has" } else { "have" };
         found.push(format!(
-            "{} of {name} {verb} no effect: no joint of the model has this interface, and blocks that meet anew do not read it",
+            "{} of {name} {verb} no effect: no joint of the model has this interface, and new contacts do not read these keys",
             list(&keys)
         ));
     }
@@ -138,14 +139,14 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
     found.extend(across_ends(view));
     if meeting.seekers > 0 && !meeting.sticking.is_empty() {
         found.push(format!(
-            "blocks that meet under {} never slide on each other: an elastic interface says nothing of friction; give its `friction_angle`",
+            "blocks in contact under {} never slide: an elastic interface has no friction law; give its `friction_angle`",
             meeting.sticking.join(", ")
         ));
     }
     let glued = world.setup.blocks.iter().any(|b| b.shape.is_glued());
     if !meeting.unread.is_empty() && !glued {
         found.push(format!(
-            "cohesion and tension of {} have no effect: no joint of the model has them, and blocks that meet anew are held by `residual_cohesion`",
+            "cohesion and tension of {} have no effect: no joint of the model uses this interface, and new contacts use `residual_cohesion`",
             meeting.unread.join(", ")
         ));
     }
@@ -154,7 +155,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
     found
 }
 
-/// Phases with a damping of joints in a model in space that has none, in words. Models of deformable blocks alone are told of where they
+/// Phases with a damping of joints in a model in space that has none, in words. Models of deformable blocks alone are reported where they
 /// are made.
 pub(super) fn undamped(view: &View<'_>, plan: &Plan) -> Option<String> {
     let world = view.spatial()?.world;
@@ -164,7 +165,7 @@ pub(super) fn undamped(view: &View<'_>, plan: &Plan) -> Option<String> {
     let phase = plan.phases.iter().find(|p| p.damping.stiffness > 0.0)?;
     (rigid && !joints).then(|| {
         format!(
-            "`damping.stiffness` of phase `{}` has no effect: it acts in joints, and the model has none; blocks that meet have the `damping_ratio` or \
+            "`damping.stiffness` of phase `{}` has no effect: it acts in joints, and the model has none; contacts use the `damping_ratio` or \
              `restitution` of their interface",
             phase.name
         )
@@ -180,7 +181,7 @@ fn unbonded(world: &planar::world::World) -> Vec<String> {
     });
     let said = unused.map(|(_, interface)| {
         format!(
-            "`bond` of interfaces.{} has no effect: no two blocks whose materials meet under it share an edge at the start",
+            "`bond` of interfaces.{} has no effect: no two blocks of its materials share an edge at the start",
             interface.name
         )
     });
@@ -217,7 +218,8 @@ fn soft(
     if let Some((block, share)) = most(&|b| b.pressed(gravity)[0]).filter(|(_, s)| *s > PRESSED) {
         let wanted = block.stiffness * share / PRESSED;
         found.push(format!(
-            "block `{}` is pressed in by {:.1} % of its size under its own weight, flat: `{}` = {:.1e} Pa/m is soft; {wanted:.1e} Pa/m keep it below {:.0} %",
+            "block `{}` penetrates by {:.1} % of its size under its own weight, lying flat: `{}` = {:.1e} Pa/m is too soft; {wanted:.1e} Pa/m keeps \
+             the overlap below {:.0} %",
             name(block.block),
             100.0 * share,
             key(block),
@@ -228,7 +230,8 @@ fn soft(
     if let Some((block, share)) = most(&Meets::impact).filter(|(_, s)| *s > IMPACT) {
         let wanted = limits::least_stiffness(block.mass, block.speed, block.size);
         found.push(format!(
-            "block `{}` starts with {:.3} m/s: a corner that hits would go in by {share:.2} of the radius of the largest ball in the block, where the run stops; `{}` = {wanted:.1e} Pa/m would keep it below a twentieth of its size",
+            "block `{}` starts at {:.3} m/s: on impact a corner would penetrate by {share:.2} of the inscribed radius, and the run would stop; `{}` \
+             = {wanted:.1e} Pa/m keeps the penetration below a twentieth of its size",
             name(block.block),
             block.speed,
             key(block),
@@ -385,12 +388,12 @@ mod tests {
     #[test]
     fn contacts_that_are_too_soft_are_told_with_their_key() {
         let soft = cube_over_floor("1 MPa/m", "-0.1 m/s").warnings.join("\n");
-        assert!(soft.contains("`cube` is pressed in by 2.5 % of its size"), "{soft}");
+        assert!(soft.contains("`cube` penetrates by 2.5 % of its size"), "{soft}");
         assert!(soft.contains("`interfaces.default.normal_stiffness`"), "{soft}");
-        assert!(!soft.contains("starts with"), "{soft}");
+        assert!(!soft.contains("starts at"), "{soft}");
         let fast = cube_over_floor("100 MPa/m", "-40 m/s").warnings.join("\n");
-        assert!(fast.contains("`cube` starts with 40.000 m/s"), "{fast}");
-        assert!(fast.contains("where the run stops"), "{fast}");
+        assert!(fast.contains("`cube` starts at 40.000 m/s"), "{fast}");
+        assert!(fast.contains("and the run would stop"), "{fast}");
         assert!(!fast.contains("own weight"), "{fast}");
     }
 

@@ -1,9 +1,20 @@
-//! Simulation loop: phases, schedule, stop criteria, checks, sweeps.
+//! Simulation loop: phases, schedule, stop criteria, checks; many runs of one scene ([`study`]).
+
+/// The same of either engine: `either!(self, v => v.time())`, of another enum than that of the method `either!(setup: Setup, s => ...)`.
+macro_rules! either {
+    ($of:ident, $it:ident => $all:expr) => {
+        either!($of: Self, $it => $all)
+    };
+    ($of:ident: $kind:ident, $it:ident => $all:expr) => {
+        match $of {
+            $kind::Planar($it) => $all,
+            $kind::Spatial($it) => $all,
+        }
+    };
+}
 
 pub mod ask;
-pub mod bracket;
 pub mod checks;
-pub mod compare;
 pub mod cpu;
 pub mod drive;
 pub mod engine;
@@ -16,13 +27,11 @@ mod overruled;
 pub mod probe;
 pub mod recorder;
 mod rough;
-pub mod safety;
 #[cfg(feature = "scenario")]
 pub mod scene;
 pub mod simulation;
+pub mod study;
+
+pub use study::{bracket, compare, safety};
 #[cfg(feature = "scenario")]
-pub mod sweep;
-#[cfg(feature = "scenario")]
-pub mod trials;
-#[cfg(feature = "scenario")]
-pub mod verify;
+pub use study::{sweep, verify};

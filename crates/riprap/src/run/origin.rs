@@ -78,8 +78,7 @@ impl Origin {
     /// still is, and the files that it reads.
     #[must_use]
     pub fn edits(&self, folder: &Path, manifest: &Manifest) -> Vec<String> {
-        let goes_on =
-            "a run goes on with the values of its checkpoint; for others, run the scene anew";
+        let goes_on = "a resumed run keeps the values of its checkpoint; to use other values, start a new run";
         let mut found = Vec::new();
         let resolved = folder.join("scenario.resolved.toml");
         if let Ok(text) = read_plain_text(&resolved) {
@@ -100,14 +99,14 @@ impl Origin {
                     let differ = differences(&self.resolved, &text);
                     if !differ.is_empty() {
                         found.push(format!(
-                            "{} was edited after the run had begun: {}; {goes_on}",
+                            "{} was edited after the run had started: {}; {goes_on}",
                             scene.display(),
                             listed(&differ)
                         ));
                     }
                 }
                 Err(why) => found.push(format!(
-                    "{} was edited after the run had begun and can not be compared: {why}; {goes_on}",
+                    "{} was edited after the run had started and cannot be compared: {why}; {goes_on}",
                     scene.display()
                 )),
             }
@@ -115,7 +114,7 @@ impl Origin {
             for file in &self.files {
                 if InputFile::read(beside, &file.name).is_some_and(|now| now != *file) {
                     found.push(format!(
-                        "{}, which the scene reads, was edited after the run had begun; {goes_on}",
+                        "{}, which the scene reads, was edited after the run had started; {goes_on}",
                         beside.join(&file.name).display()
                     ));
                 }
@@ -124,7 +123,7 @@ impl Origin {
         let program = env!("CARGO_PKG_VERSION");
         if manifest.riprap != program {
             found.push(format!(
-                "the run was begun by riprap {}, this is {program}: the same bits are not promised",
+                "the run was started by riprap {}, and this is {program}: bitwise identical results are not guaranteed",
                 manifest.riprap
             ));
         }
@@ -168,7 +167,7 @@ fn as_run(text: &str, manifest: &Manifest) -> Result<String, String> {
 
 #[cfg(not(feature = "scenario"))]
 fn as_run(_: &str, _: &Manifest) -> Result<String, String> {
-    Err("this program reads no scenes".to_owned())
+    Err("this program cannot read scenes".to_owned())
 }
 
 /// Dotted keys that have different values in two scenes, or are in one of them only. Comments and order do not count.
@@ -185,7 +184,7 @@ fn differences(old: &str, new: &str) -> Vec<String> {
         Some(leaves)
     };
     let (Some(old), Some(new)) = (read(old), read(new)) else {
-        return vec!["its text, which is no TOML any more".to_owned()];
+        return vec!["its text, which is no longer valid TOML".to_owned()];
     };
     let mut keys: Vec<&String> = old.keys().chain(new.keys()).collect();
     keys.sort();
@@ -238,7 +237,7 @@ mod tests {
             "# said\n[b]\nc = [1, 3]\nf = 2\n[[d]]\nname = \"y\"\n[[d]]\nname = \"x\"\ne = 2\n";
         assert_eq!(differences(old, new), ["a", "b.c", "b.f", "d.x.e"]);
         assert!(differences(old, &format!("# a word\n{old}")).is_empty());
-        assert_eq!(differences(old, "a = "), ["its text, which is no TOML any more"]);
+        assert_eq!(differences(old, "a = "), ["its text, which is no longer valid TOML"]);
     }
 
     #[test]

@@ -12,8 +12,8 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
     lost.map(|lost| {
         let [earlier, later] = lost.boundaries.map(name);
         format!(
-            "the boundary `{later}` takes {} of the {} faces of `{earlier}`: a face has one condition, the last that is given for it; if that is not \
-             meant, give them other faces",
+            "boundary `{later}` overrides `{earlier}` on {} of its {} faces: a face has one condition, the last one given; if this is not intended, \
+             select other faces",
             lost.faces, lost.of
         )
     })
@@ -50,7 +50,7 @@ mod tests {
         let prepared = scene.prepare(&scene.plain()).unwrap();
         let job = prepared.clone().job();
         let told = forecast(&job.setup, &job.plan).unwrap().warnings;
-        let wanted = "the boundary `push` takes 2 of the 4 faces of `absorb`";
+        let wanted = "boundary `push` overrides `absorb` on 2 of its 4 faces";
         assert!(told.iter().any(|w| w.starts_with(wanted)), "{told:?}");
         // At the end of a run too.
         let simulation = prepared.simulation(Exec::serial()).unwrap();

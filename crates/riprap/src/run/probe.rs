@@ -105,82 +105,90 @@ pub fn touches(setup: &Setup, threshold: Option<f64>) -> Result<Vec<Touch>, NonF
     let (mut world, mut scratch) = World::new(setup.clone(), Exec::serial());
     // The forces do not depend on the step; a small one keeps the unused velocity changes finite.
     step::evaluate(&mut world, &mut scratch, &Damping::default(), 1e-9)?;
-    let view = View { world: &world, scratch: &scratch };
-    let shapes = &scratch.shapes;
-    let name = |block: u32| setup.blocks[block as usize].name.clone();
-    let d0 = |i: u32, j: u32| {
-        let smaller = shapes.radius[i as usize].min(shapes.radius[j as usize]);
-        threshold.unwrap_or(THRESHOLD * smaller)
-    };
-    let types = |i: u32, j: u32| {
-        classify(
-            &scratch.turned[shapes.range(i as usize)],
-            &scratch.turned[shapes.range(j as usize)],
-            world.bodies[i as usize].position - world.bodies[j as usize].position,
-            d0(i, j),
-        )
-    };
+    let probe = Probe { view: View { world: &world, scratch: &scratch }, threshold };
     let mut touches: Vec<Touch> = Vec::new();
     let mut joined: BTreeSet<[u32; 2]> = BTreeSet::new();
-    for (i, j, contact) in view.contacts() {
+    for (i, j, contact) in probe.view.contacts() {
         joined.insert([i, j]);
         let other = contact.tangential.plus(&contact.damping);
         let all: Wrench = contact.normal.plus(&other);
-        let centre: Vec2 =
-            Vec2::from(setup.origin) + world.bodies[i as usize].position + contact.centre;
         touches.push(Touch {
-            first: name(i),
-            second: name(j),
             overlap: contact.depth,
-            gap: 0.0,
             length: contact.length,
-            centre: centre.into(),
             force: all.force.into(),
             normal_force: contact.normal.force.length(),
             other_force: other.force.length(),
             moment_first: all.moment_i,
             moment_second: all.moment_j,
-            types: types(i, j),
+            ..probe.untouched([i, j], world.bodies[i as usize].position + contact.centre)
         });
     }
     joined.extend(world.bonds.iter().map(|bond| [bond.i, bond.j]));
-    let outline = |b: usize| -> Vec<Vec2> {
-        let edges = scratch.turned[shapes.range(b)].iter();
-        edges.map(|edge| world.bodies[b].position + edge.start).collect()
-    };
-    let outlines: Vec<Vec<Vec2>> = (0..setup.blocks.len()).map(outline).collect();
-    let boxes: Vec<Aabb> = outlines
-        .iter()
-        .zip(&shapes.radius)
-        .map(|(corners, radius)| {
-            let mut bounds = Aabb::of(corners);
-            // Half of it on either side: together no less than the threshold of the smaller block.
-            let reach = Vec2::splat(0.5 * threshold.unwrap_or(THRESHOLD * radius));
-            (bounds.min, bounds.max) = (bounds.min - reach, bounds.max + reach);
-            bounds
-        })
-        .collect();
-    for (i, j) in touching_boxes(&boxes, usize::MAX).unwrap_or_default() {
-        let (gap, middle) = gap(&outlines[i as usize], &outlines[j as usize]);
-        if gap >= d0(i, j) || joined.contains(&[i, j]) {
-            continue;
-        }
-        touches.push(Touch {
+    touches.extend(probe.near(&joined));
+    Ok(touches)
+}
+
+/// A model whose forces are found.
+struct Probe<'a> {
+    view: View<'a>,
+    /// The source's d0 where one is given, m.
+    threshold: Option<f64>,
+}
+
+impl Probe<'_> {
+    /// The threshold d0 of a pair, m.
+    fn d0(&self, [i, j]: [u32; 2]) -> f64 {
+        let radius = &self.view.scratch.shapes.radius;
+        let smaller = radius[i as usize].min(radius[j as usize]);
+        self.threshold.unwrap_or(THRESHOLD * smaller)
+    }
+
+    /// A pair without forces, about a local place.
+    fn untouched(&self, [i, j]: [u32; 2], centre: Vec2) -> Touch {
+        let View { world, scratch } = self.view;
+        let name = |block: u32| world.setup.blocks[block as usize].name.clone();
+        let outline = |block: u32| &scratch.turned[scratch.shapes.range(block as usize)];
+        let apart = world.bodies[i as usize].position - world.bodies[j as usize].position;
+        Touch {
             first: name(i),
             second: name(j),
             overlap: 0.0,
-            gap,
+            gap: 0.0,
             length: 0.0,
-            centre: (Vec2::from(setup.origin) + middle).into(),
+            centre: (Vec2::from(world.setup.origin) + centre).into(),
             force: [0.0; 2],
             normal_force: 0.0,
             other_force: 0.0,
             moment_first: 0.0,
             moment_second: 0.0,
-            types: types(i, j),
-        });
+            types: classify(outline(i), outline(j), apart, self.d0([i, j])),
+        }
     }
-    Ok(touches)
+
+    /// Pairs that do not touch and are nearer than their threshold, without those that are `joined`.
+    fn near(&self, joined: &BTreeSet<[u32; 2]>) -> Vec<Touch> {
+        let View { world, scratch } = self.view;
+        let outline = |b: usize| -> Vec<Vec2> {
+            let edges = scratch.turned[scratch.shapes.range(b)].iter();
+            edges.map(|edge| world.bodies[b].position + edge.start).collect()
+        };
+        let outlines: Vec<Vec<Vec2>> = (0..world.setup.blocks.len()).map(outline).collect();
+        let boxed = |(corners, radius): (&Vec<Vec2>, &f64)| {
+            let mut bounds = Aabb::of(corners);
+            // Half of it on either side: together no less than the threshold of the smaller block.
+            let reach = Vec2::splat(0.5 * self.threshold.unwrap_or(THRESHOLD * radius));
+            (bounds.min, bounds.max) = (bounds.min - reach, bounds.max + reach);
+            bounds
+        };
+        let boxes: Vec<Aabb> = outlines.iter().zip(&scratch.shapes.radius).map(boxed).collect();
+        let pairs = touching_boxes(&boxes, usize::MAX).unwrap_or_default().into_iter();
+        let near = |(i, j): (u32, u32)| {
+            let (gap, middle) = gap(&outlines[i as usize], &outlines[j as usize]);
+            let shown = gap < self.d0([i, j]) && !joined.contains(&[i, j]);
+            shown.then(|| Touch { gap, ..self.untouched([i, j], middle) })
+        };
+        pairs.filter_map(near).collect()
+    }
 }
 
 /// Shortest distance between two outlines that do not cross, m, and the middle of it.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use super::checks::Watch;
-use super::engine::{Kind, Reading};
+use super::engine::{Kind, Reading, View};
 use super::origin::Origin;
 use super::simulation::{PhaseEnd, Simulation, Snapshot, SnapshotRef, Unconverged};
 use crate::ledger::{Balance, COLUMNS};
@@ -145,50 +145,14 @@ impl Recorder {
             // The first look of a phase is the last one of the phase before.
             return Ok(());
         }
-        let view = simulation.view();
         self.counts.last_step = Some(step);
-        let first = step == 0;
-        // In a relaxing phase time passes in load steps, and states on the way to an equilibrium are not recorded.
-        let (relaxes, settled) = (simulation.relaxes(), simulation.settled());
-        // Of the states on both sides of a mark the nearer one is written:
-        // the first that is within half a step of it.
-        let half = if relaxes { 0.0 } else { 0.5 * simulation.dt() };
-        if view.all_blocks() != self.named {
-            self.folder.write_names(&view.names())?;
-            // A run that goes on finds what was written of the blocks that it has.
-            if self.conditions.blocks < view.all_blocks() {
-                let mut later = view.conditions(self.conditions.blocks);
-                later.standing.clone_from(&self.conditions.standing);
-                self.conditions.extend(later);
-                self.folder.write_conditions(&self.conditions)?;
-            }
-            self.named = view.all_blocks();
-        }
-        let due = |every: &Every, count: &mut u64| {
-            let hit = match every {
-                Every::Time(span) => {
-                    // Load steps sum up to a mark but for round-off, and half a step does not make up for it there.
-                    settled && time + half.max(1e-9 * span) >= *count as f64 * span
-                }
-                Every::Steps(n) => step.is_multiple_of((*n).max(1)),
-                Every::Phase => phase_end || first,
-                Every::Never => false,
-            };
-            if hit {
-                *count = match every {
-                    // Marks that one long step has gone past are left out, not made up for.
-                    Every::Time(span) => {
-                        (((time + half) / span + 1e-9).floor() as u64).saturating_add(1)
-                    }
-                    Every::Steps(_) | Every::Phase | Every::Never => *count + 1,
-                };
-            }
-            hit
-        };
+        let now = Now::of(simulation, phase_end);
+        let view = simulation.view();
+        self.record_names(&view)?;
         let mut row = vec![None; self.readings.len()];
         for (k, (reading, every)) in self.readings.iter().enumerate() {
             // Asked in any case, so that the rhythm goes on where the end of a phase writes the row.
-            if due(every, &mut self.counts.histories[k]) || phase_end {
+            if now.is_due(every, &mut self.counts.histories[k]) || phase_end {
                 row[k] = Some(reading.value(&view));
             }
         }
@@ -196,14 +160,16 @@ impl Recorder {
             self.folder.history_row(step, time, &row)?;
             self.last_rows[0] = Some(step);
         }
-        let edge = first || phase_end;
-        let energy = self.energy.as_ref().is_some_and(|every| due(every, &mut self.counts.energy));
-        if energy || edge {
+        let due = |every: &Option<Every>, count: &mut u64| {
+            every.as_ref().is_some_and(|every| now.is_due(every, count))
+        };
+        let energy = due(&self.energy, &mut self.counts.energy);
+        let frame = due(&self.frames, &mut self.counts.frames);
+        if energy || now.edge {
             let balance = simulation.balance();
             self.energy_row(simulation, &balance)?;
         }
-        let frame = self.frames.as_ref().is_some_and(|every| due(every, &mut self.counts.frames));
-        let wanted = frame || (edge && self.frames != Some(Every::Never));
+        let wanted = frame || (now.edge && self.frames != Some(Every::Never));
         if wanted && self.last_frame != Some(step) {
             let phase = simulation.phase().map_or("", |p| p.name.as_str());
             let view = simulation.view();
@@ -214,6 +180,24 @@ impl Recorder {
             self.folder.frame(&picture, view.exec())?;
             self.last_frame = Some(step);
         }
+        Ok(())
+    }
+
+    /// Writes the names of blocks and their conditions, where there are more than were written.
+    fn record_names(&mut self, view: &View<'_>) -> Result<(), OutputError> {
+        let blocks = view.all_blocks();
+        if blocks == self.named {
+            return Ok(());
+        }
+        self.folder.write_names(&view.names())?;
+        // A run that goes on finds what was written of the blocks that it has.
+        if self.conditions.blocks < blocks {
+            let mut later = view.conditions(self.conditions.blocks);
+            later.standing.clone_from(&self.conditions.standing);
+            self.conditions.extend(later);
+            self.folder.write_conditions(&self.conditions)?;
+        }
+        self.named = blocks;
         Ok(())
     }
 
@@ -386,4 +370,50 @@ pub enum RecordError {
     /// The disk.
     #[error(transparent)]
     Output(#[from] OutputError),
+}
+
+/// A state that may be recorded.
+struct Now {
+    step: u64,
+    time: f64,
+    /// Half the coming step, s: of the states on both sides of a mark the nearer one is written, the first that is within half a step of it.
+    half: f64,
+    /// States on the way to an equilibrium are not recorded.
+    settled: bool,
+    /// The first state of the run, or the last one of a phase.
+    edge: bool,
+}
+
+impl Now {
+    fn of(simulation: &Simulation, phase_end: bool) -> Self {
+        let step = simulation.steps();
+        Self {
+            step,
+            time: simulation.time(),
+            // In a relaxing phase time passes in load steps.
+            half: if simulation.relaxes() { 0.0 } else { 0.5 * simulation.dt() },
+            settled: simulation.settled(),
+            edge: step == 0 || phase_end,
+        }
+    }
+
+    /// Whether a mark has been reached, `count` of which have been.
+    fn is_due(&self, every: &Every, count: &mut u64) -> bool {
+        let (hit, next) = match every {
+            Every::Time(span) => {
+                // Load steps sum up to a mark but for round-off, and half a step does not make up for it there.
+                let reached = self.time + self.half.max(1e-9 * span) >= *count as f64 * span;
+                // Marks that one long step has gone past are left out, not made up for.
+                let marks = ((self.time + self.half) / span + 1e-9).floor() as u64;
+                (self.settled && reached, marks.saturating_add(1))
+            }
+            Every::Steps(n) => (self.step.is_multiple_of((*n).max(1)), *count + 1),
+            Every::Phase => (self.edge, *count + 1),
+            Every::Never => (false, *count),
+        };
+        if hit {
+            *count = next;
+        }
+        hit
+    }
 }

@@ -43,7 +43,7 @@ pub(super) fn crushed(view: &View<'_>) -> Option<String> {
     }
     (above > 0).then(|| {
         format!(
-            "the normal stress is above JCS at {above} of {all} points of rough joints: roughness adds nothing there, and the law was not made for it"
+            "the normal stress exceeds JCS at {above} of {all} points of rough joints, outside the range of the law; roughness adds no strength there"
         )
     })
 }

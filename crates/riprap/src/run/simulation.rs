@@ -80,7 +80,7 @@ impl Simulation {
         let Snapshot { plan, cursor, state } = snapshot;
         let engine = Engine::resume(state, exec);
         Self {
-            // With the engine's present revision, so that it is not looked for anew: joints that have failed
+            // With the engine's present revision, so that it is not searched for again: joints that have failed
             // since then would make it longer than that of a run that was not stopped.
             stable: cursor.stable.map(|stable| (engine.revision(), stable)),
             plan,
@@ -180,7 +180,7 @@ impl Simulation {
         balance
     }
 
-    /// Energy residual over the largest energy that moved when [`Simulation::balance`] was last asked for.
+    /// Energy residual over the largest energy exchanged when [`Simulation::balance`] was last asked for.
     #[must_use]
     pub fn residual(&self) -> Option<f64> {
         self.residual
@@ -405,7 +405,7 @@ impl Simulation {
     }
 
     /// Lets time pass in a relaxing phase whose present load step has converged and breaks nothing more; whether the
-    /// forces must be evaluated anew.
+    /// forces must be re-evaluated.
     fn relax(&mut self, phase: &Rules) -> bool {
         let (Some(rules), Some(now)) = (phase.relax, self.engine.relaxing()) else {
             return false;

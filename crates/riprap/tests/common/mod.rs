@@ -1,5 +1,4 @@
 //! What the tests of the planar engine share: small models by hand, poses, random polygons.
-#![allow(dead_code, reason = "each test file uses its own part of this module")]
 
 use riprap::Vec2;
 use riprap::exec::Exec;

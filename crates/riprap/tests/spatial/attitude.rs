@@ -12,8 +12,8 @@ use riprap::spatial::step::advance;
 use riprap::spatial::topology;
 use riprap::spatial::topology::EditKind;
 
-use crate::blast::AMMONIUM;
-use crate::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
+use crate::spatial::blast::AMMONIUM;
+use crate::spatial::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
 
 const DT: f64 = 0.1 * 0.6325 * 0.25 / CP;
 /// Displacements of a turned lattice differ by less than this share of the largest: places of joints are rounded to 1e-11 of a block, which

@@ -14,8 +14,8 @@ use riprap::spatial::topology;
 use riprap::spatial::topology::EditKind;
 use riprap::spatial::world::{World, flag};
 
-use crate::blast::AMMONIUM;
-use crate::rock::{Draws, Run, elastic, lattice, rock, strength};
+use crate::spatial::blast::AMMONIUM;
+use crate::spatial::rock::{Draws, Run, elastic, lattice, rock, strength};
 
 /// A body with everything: sizes, failure, damping, viscous and held faces, gravity, finite rotations.
 fn everything() -> Setup {

@@ -11,7 +11,7 @@ use riprap::spatial::step::advance;
 use riprap::spatial::topology;
 use riprap::spatial::topology::EditKind;
 
-use crate::rock::{DENSITY, Run, elastic, lattice, rock, strength};
+use crate::spatial::rock::{DENSITY, Run, elastic, lattice, rock, strength};
 
 pub const AMMONIUM: Explosive = Explosive {
     density: 1000.0,

@@ -3,7 +3,7 @@
 use riprap::Vec3;
 use riprap::spatial::setup::{Refinement, Region, Setup};
 
-use crate::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
+use crate::spatial::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
 
 /// A free body with blocks of two sizes.
 fn two_levels(setup: Setup) -> Setup {

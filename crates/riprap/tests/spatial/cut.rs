@@ -11,8 +11,8 @@ use riprap::spatial::topology::EditKind;
 use riprap::spatial::topology::cut;
 use riprap::spatial::topology::cut::Anchor;
 
-use crate::deform::{begin, bonds, deformable, on_plane, pull, roller};
-use crate::rock::{Draws, Run, brick, elastic, lattice, rock};
+use crate::spatial::deform::{begin, bonds, deformable, on_plane, pull, roller};
+use crate::spatial::rock::{Draws, Run, brick, elastic, lattice, rock};
 
 /// Momentum, angular momentum, kinetic energy and mass of all nodes.
 fn sums(run: &Run) -> (Vec3, Vec3, f64, f64) {

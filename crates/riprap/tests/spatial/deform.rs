@@ -11,7 +11,7 @@ use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::topology::fracture;
 
-use crate::rock::{Run, brick, elastic, lattice, rock};
+use crate::spatial::rock::{Run, brick, elastic, lattice, rock};
 
 /// Young's modulus of `rock`, Pa.
 const YOUNG: f64 = 18e9;
@@ -208,7 +208,7 @@ fn momentum_stays_and_a_bar_rings_at_its_frequency() {
     begin(&mut run, &rules);
     let dt = 0.5 * stable_step(&run.world, &run.scratch, 0.0).dt;
     // Velocity of bars: sqrt(E/rho) with the compliance of the bonds.
-    let speed = (YOUNG / 1.01 / crate::rock::DENSITY).sqrt();
+    let speed = (YOUNG / 1.01 / crate::spatial::rock::DENSITY).sqrt();
     let period = 2.0 * length / speed;
     let mut crossings = Vec::new();
     let mut before = 0.0;

@@ -10,7 +10,7 @@ use riprap::spatial::topology;
 use riprap::spatial::topology::EditKind;
 use riprap::spatial::world::flag;
 
-use crate::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
+use crate::spatial::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
 
 const DT: f64 = 0.1 * 0.6325 * 0.25 / CP;
 

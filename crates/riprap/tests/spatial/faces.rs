@@ -8,7 +8,7 @@ use riprap::spatial::setup::{
 };
 use riprap::spatial::world::flag;
 
-use crate::rock::{Run, brick, elastic, lattice, rock, strength};
+use crate::spatial::rock::{Run, brick, elastic, lattice, rock, strength};
 
 /// Pressure on the face, Pa.
 const PRESSURE: f64 = 1e6;

@@ -5,7 +5,7 @@ use riprap::spatial::setup::{
 };
 use riprap::{Vec3, geom};
 
-use crate::rock::{Run, brick, elastic, rock, strength};
+use crate::spatial::rock::{Run, brick, elastic, rock, strength};
 
 type Quat = geom::Quat;
 

@@ -4,8 +4,8 @@ use riprap::Vec3;
 use riprap::exec::Exec;
 use riprap::ledger::Balance;
 use riprap::spatial::setup::{
-    BlockName, BlockSpec, Dashpots, Failure, InterfaceLaw, JointLaw, Kinematics, Material, Points,
-    Setup, Shape, Stiffness, StiffnessRule, Strength,
+    BlockName, BlockSpec, InterfaceLaw, JointLaw, Kinematics, Material, Points, Setup, Shape,
+    Strength,
 };
 use riprap::spatial::step::{Damping, Scratch, advance, evaluate};
 use riprap::spatial::view::View;
@@ -15,16 +15,7 @@ pub const DENSITY: f64 = 2400.0;
 pub const CP: f64 = 3000.0;
 
 pub fn elastic() -> JointLaw {
-    JointLaw {
-        stiffness: Stiffness::Rule(StiffnessRule::Material),
-        strength: None,
-        behaviour: Default::default(),
-        failure: Failure::Point,
-        points: Points::Quarter,
-        damping: 0.0,
-        contact_damping: 0.0,
-        dashpots: Dashpots::Sticking,
-    }
+    JointLaw { points: Points::Quarter, ..JointLaw::default() }
 }
 
 pub fn strength(cohesion: f64, phi_deg: f64, tension: f64) -> Strength {

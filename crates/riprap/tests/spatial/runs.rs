@@ -17,8 +17,8 @@ use riprap::run::job::{self, Job};
 use riprap::spatial::setup::deform::Strain;
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Setup};
 
-use crate::deform::deformable;
-use crate::rock::{elastic, lattice, rock};
+use crate::spatial::deform::deformable;
+use crate::spatial::rock::{elastic, lattice, rock};
 
 fn gauge(field: &str, of: &[u32], at: Option<[f64; 3]>) -> Gauge {
     Gauge { field: field.to_owned(), of: of.to_vec(), at, along: None }

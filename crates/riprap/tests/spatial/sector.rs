@@ -14,8 +14,8 @@ use riprap::spatial::setup::{
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::step::advance;
 
-use crate::blast::AMMONIUM;
-use crate::rock::{DENSITY, Run, brick, elastic, rock};
+use crate::spatial::blast::AMMONIUM;
+use crate::spatial::rock::{DENSITY, Run, brick, elastic, rock};
 
 /// Half the angle of the pyramid, rad.
 const ANGLE: f64 = 0.1;

@@ -7,7 +7,7 @@ use riprap::spatial::setup::{
 use riprap::spatial::step::advance;
 use riprap::spatial::world::flag;
 
-use crate::rock::{CP, DENSITY, Run, brick, elastic, rock, strength};
+use crate::spatial::rock::{CP, DENSITY, Run, brick, elastic, rock, strength};
 
 const G: f64 = 9.81;
 const SLOPE: f64 = 31.0;

@@ -5,7 +5,7 @@ use riprap::spatial::setup::{
 };
 use riprap::{Vec3, geom};
 
-use crate::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
+use crate::spatial::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
 
 type Quat = geom::Quat;
 

@@ -5,7 +5,7 @@ use riprap::spatial::setup::{BlockSpec, JointLaw, Motion, Stiffness, Support};
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::topology::renew_laws;
 
-use crate::rock::{CP, Run, brick, elastic, rock};
+use crate::spatial::rock::{CP, Run, brick, elastic, rock};
 
 /// Two cubes of edge `a`, one on the other, at `x`.
 fn tower(a: f64, x: f64) -> Vec<BlockSpec> {

@@ -3,7 +3,7 @@
 use riprap::Vec3;
 use riprap::spatial::setup::{Kinematics, Setup};
 
-use crate::rock::{CP, Draws, Run, brick, elastic, lattice, rock};
+use crate::spatial::rock::{CP, Draws, Run, brick, elastic, lattice, rock};
 
 /// A bonded body of 4 x 3 x 2 cubes that spins about a slanted axis, with some vibration.
 fn spinning(kinematics: Kinematics, vibration: f64) -> Run {

@@ -6,7 +6,7 @@ use riprap::Vec3;
 use riprap::dynamics::TimeFunction;
 use riprap::spatial::setup::{Boundary, BoundaryKind, FaceSet, Load, LoadKind, Points, Setup};
 
-use crate::rock::{CP, Run, brick, elastic, lattice, rock};
+use crate::spatial::rock::{CP, Run, brick, elastic, lattice, rock};
 
 const CS: f64 = 1_732.050_807_568_877_2;
 
@@ -159,7 +159,7 @@ fn the_stable_step_is_that_of_the_lattice() {
         assert!(ratio <= 1.0005 * expected, "{ratio}");
         for (share, bounded) in [(0.98, true), (1.02, false)] {
             let mut run = Run::new(setup.clone());
-            let mut draws = crate::rock::Draws::new(3);
+            let mut draws = crate::spatial::rock::Draws::new(3);
             for b in 0..64 {
                 run.world.bodies.set_displacement(b, 1e-9 * draws.vector(), 1e-9 * draws.vector());
             }

@@ -118,13 +118,15 @@ pub(super) fn parse(text: &str) -> Result<Program, FormulaError> {
     parser.formula()?;
     match parser.peek() {
         None => Ok(parser.program),
-        Some(')') => Err(parser.wrong("this parenthesis closes nothing")),
-        Some(',') => Err(parser.wrong("a comma stands between the arguments of a function only")),
+        Some(')') => Err(parser.wrong("this parenthesis has no opening one")),
+        Some(',') => {
+            Err(parser.wrong("a comma is only allowed between the arguments of a function"))
+        }
         Some('=') => Err(parser.wrong("to compare, write ==")),
         Some(c) if c.is_alphanumeric() || c == '(' || c == '.' => {
             Err(parser.wrong("an operator is missing before this"))
         }
-        Some(c) => Err(parser.wrong(&format!("`{c}` means nothing here"))),
+        Some(c) => Err(parser.wrong(&format!("unexpected `{c}`"))),
     }
 }
 
@@ -188,7 +190,7 @@ impl Parser<'_> {
             let before = self.at;
             if self.comparison().is_some() {
                 self.at = before;
-                return Err(self.wrong("compare two at a time: (a < b)*(b < c)"));
+                return Err(self.wrong("compare two values at a time: (a < b)*(b < c)"));
             }
         }
         Ok(())
@@ -243,7 +245,7 @@ impl Parser<'_> {
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_alphabetic() || c == '_' => self.word(),
             Some(_) => Err(self.wrong("a number, a name or a parenthesis is missing here")),
-            None => Err(self.wrong("it ends too early: a number or a name is missing")),
+            None => Err(self.wrong("unexpected end: a number or a name is missing")),
         }
     }
 

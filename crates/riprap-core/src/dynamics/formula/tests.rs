@@ -134,14 +134,14 @@ fn names_win_over_constants() {
 #[test]
 fn says_what_is_wrong_and_where() {
     for (text, at, part) in [
-        ("", 0, "too early"),
-        ("2*(", 3, "too early"),
+        ("", 0, "unexpected end"),
+        ("2*(", 3, "unexpected end"),
         ("2*(x", 4, "not closed"),
-        ("2*x)", 3, "closes nothing"),
+        ("2*x)", 3, "has no opening one"),
         ("2 x", 2, "operator is missing"),
         ("sin(2 x)", 6, "operator or a closing"),
         ("2 + * x", 4, "is missing here"),
-        ("2*q", 2, "`q` is not known"),
+        ("2*q", 2, "unknown name `q`"),
         ("x + foo(x)", 4, "`foo` is not a function"),
         ("sin x", 0, "write sin(...)"),
         ("1 + if(x < 1, 2)", 4, "`if` takes three"),
@@ -151,11 +151,11 @@ fn says_what_is_wrong_and_where() {
         ("atan2(x)", 0, "two arguments"),
         ("x = 2", 2, "write =="),
         ("if(x = 2, 1, 0)", 0, "`if` takes three"),
-        ("0 < x < 2", 6, "two at a time"),
+        ("0 < x < 2", 6, "two values at a time"),
         ("1.2.3", 0, "`1.2.3` is not a number"),
         ("1e999", 0, "too large"),
         ("x, 2", 1, "comma"),
-        ("x # 2", 2, "`#` means nothing"),
+        ("x # 2", 2, "unexpected `#`"),
     ] {
         let error = Formula::new(text, &["x"]).unwrap_err();
         assert!(error.to_string().contains(part), "{text}: {error}");

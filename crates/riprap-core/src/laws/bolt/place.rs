@@ -7,7 +7,7 @@ pub enum Misplaced {
     #[error("it passes through no block")]
     Outside,
     /// The head is off the rock.
-    #[error("its head hangs in the air: the rock begins {gap} m further on")]
+    #[error("its head lies outside the rock, which begins {gap} m further along")]
     Head {
         /// Distance to the rock, m.
         gap: f64,
@@ -16,7 +16,7 @@ pub enum Misplaced {
     #[error("its plate lies inside the rock")]
     Buried,
     /// The toe is off the rock.
-    #[error("its toe ends in the air, {gap} m behind the rock")]
+    #[error("its toe lies outside the rock, {gap} m beyond the last block")]
     Toe {
         /// Distance from the rock, m.
         gap: f64,

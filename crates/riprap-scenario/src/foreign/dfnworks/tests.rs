@@ -41,9 +41,9 @@ fn fractures_lie_where_dfngen_drew_them() {
     let network = read_dfnworks(&folder.path().join("radii_Final.dat")).unwrap();
     assert_eq!(
         network.note(),
-        "read 4 of 6 fractures from radii_Final.dat, normal_vectors.dat, translations.dat, families.dat; left out 1 because \
-         dfnGen removed them as isolated (R); left out 1 because they were given by their corners, which stand in polygons.dat \
-         alone; the angle in its plane is not in these files for 1, taken as 0 (polygons.dat has it)"
+        "read 4 of 6 fractures from radii_Final.dat, normal_vectors.dat, translations.dat, families.dat; left out 1 because dfnGen removed them as \
+         isolated (R); left out 1 because they were given by their corners, which only polygons.dat contains; these files do not give the in-plane \
+         angle of 1 fractures; it is taken as 0 (polygons.dat has it)"
     );
     let lines: Vec<usize> = network.fractures.iter().map(|(_, line)| *line).collect();
     assert_eq!(lines, [3, 4, 5, 6]);
@@ -150,23 +150,23 @@ fn says_what_is_wrong() {
     };
     for (file, from, to, says) in [
         (0, "2 1 1\n", "", "radii_Final.dat` has 4 fractures, "),
-        (0, "2 1 1\n", "2 1\n", "radii_Final.dat`, line 3: a row has three numbers"),
-        (0, "3 3 2\n", "3 x 2\n", "radii_Final.dat`, line 4: `x` is no finite number"),
-        (0, "3 3 2\n", "3 -3 2\n", "radii_Final.dat`, line 4: radii are above 0"),
-        (0, "3 3 2\n", "3 0 2\n", "radii_Final.dat`, line 4: radii are above 0"),
+        (0, "2 1 1\n", "2 1\n", "radii_Final.dat`, line 3: a row needs three numbers"),
+        (0, "3 3 2\n", "3 x 2\n", "radii_Final.dat`, line 4: `x` is not a finite number"),
+        (0, "3 3 2\n", "3 -3 2\n", "radii_Final.dat`, line 4: radii must be above 0"),
+        (0, "3 3 2\n", "3 0 2\n", "radii_Final.dat`, line 4: radii must be above 0"),
         (0, "3 3 2\n", "3 3 2.5\n", "radii_Final.dat`, line 4: the third number"),
-        (1, "0 0 -1", "0 0 0", "normal_vectors.dat`, line 3: a normal has a length"),
-        (1, "0 0 -1", "0 0 nan", "normal_vectors.dat`, line 3: `nan` is no finite"),
+        (1, "0 0 -1", "0 0 0", "normal_vectors.dat`, line 3: a normal must have non-zero length"),
+        (1, "0 0 -1", "0 0 nan", "normal_vectors.dat`, line 3: `nan` is not a finite"),
         (2, "9 9 9 R", "9 9 9", "and `"),
-        (2, "9 9 9 R", "9 9 9 Q", "translations.dat`, line 3: `Q` is no finite number"),
-        (3, "Vertices: 8", "Vertices: 2", "families.dat`, line 11: `2` is no number of corners"),
-        (3, "Vertices: 8", "Vertices: 4000000000", "`4000000000` is no number of corners"),
+        (2, "9 9 9 R", "9 9 9 Q", "translations.dat`, line 3: `Q` is not a finite number"),
+        (3, "Vertices: 8", "Vertices: 2", "families.dat`, line 11: `2` is not a number of corners"),
+        (3, "Vertices: 8", "Vertices: 4000000000", "`4000000000` is not a number of corners"),
         (3, "-rad: 1.57", "-rad: y", "families.dat`, line 6: `y07963"),
         (
             3,
             "Global Family: 2",
             "Global Family: two",
-            "families.dat`, line 10: `two` is no number of a family",
+            "families.dat`, line 10: `two` is not a family number",
         ),
     ] {
         let error = said(file, from, to);

@@ -188,7 +188,7 @@ impl<'a> Work<'a> {
         }
         if inside.len() >= DEEPEST || inside.contains(&name.as_str()) {
             let text = format!(
-                "the block {:?} is inserted in itself, or more than {DEEPEST} blocks stand in each other",
+                "block {:?} contains itself, or blocks are nested more than {DEEPEST} levels deep",
                 super::shown(name)
             );
             return Err(wrong(text));
@@ -206,7 +206,10 @@ impl<'a> Work<'a> {
                 let needed = points + block.content.inserts.len() + 1;
                 let room = self.room.checked_sub(needed);
                 self.room = room.ok_or_else(|| {
-                    wrong(format!("inserted blocks make more than {} points", super::MAX_POINTS))
+                    wrong(format!(
+                        "block references expand to more than {} points",
+                        super::MAX_POINTS
+                    ))
                 })?;
                 for line in &block.content.lines {
                     let layer = if line.layer == "0" { &here } else { &line.layer };

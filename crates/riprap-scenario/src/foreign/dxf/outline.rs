@@ -157,9 +157,9 @@ impl Drawing {
 impl Outlines {
     fn leave_out(&mut self, line: &Polyline, many: bool) {
         let why = if many {
-            "open, and too many of their ends lie together to join them"
+            "open, and too many of their ends coincide to join them"
         } else {
-            "open, their ends not at those of one other line"
+            "open, and their ends do not meet those of exactly one other line"
         };
         *self.left_out.entry((line.kind.to_owned(), why)).or_default() += 1;
         if line.points.len() > 2 {

@@ -389,7 +389,7 @@ fn what_takes_no_glued_parts_refuses_them_by_name() {
         error.to_string()
     };
     let off = refused(&|setup| setup.found_contacts = false);
-    assert!(off.starts_with("the block `rock.2`"), "{off}");
+    assert!(off.starts_with("block `rock.2`, made of glued parts"), "{off}");
     let plane = setup::FaceSet::Plane { normal: Vec3::NEG_Z, offset: -1.0 };
     let boundary = refused(&|setup| {
         setup.boundaries.push(setup::Boundary {

@@ -6,7 +6,7 @@ use riprap_geom::{Quat, Vec3};
 
 use crate::exec::Exec;
 use crate::laws::bolt::{BarState, Design, pull_out_stiffness};
-use crate::laws::parameters::{Dashpots, Failure, JointLaw, Points, Stiffness};
+use crate::laws::parameters::{JointLaw, Stiffness};
 use crate::push::bolts::install::install;
 use crate::query::view::View;
 use crate::setup::{BlockName, BlockSpec, Bolt, InterfaceLaw, Kinematics, Material, Setup, Shape};
@@ -60,13 +60,7 @@ fn stack(count: usize, bolts: &[(f64, Design)], kinematics: Kinematics) -> Setup
             name: "default".to_owned(),
             joint: JointLaw {
                 stiffness: Stiffness::Given { normal: 1e9, shear: 1e9 },
-                strength: None,
-                behaviour: Default::default(),
-                failure: Failure::default(),
-                points: Points::default(),
-                damping: 0.0,
-                contact_damping: 0.0,
-                dashpots: Dashpots::default(),
+                ..JointLaw::default()
             },
             friction: None,
             bond: None,

@@ -62,7 +62,7 @@ impl Builder<'_> {
         let word = ["x", "y", "z"][axis];
         let end = if sign > 0.0 { "max" } else { "min" };
         let message = format!(
-            "the in-situ stress on side {word}-{end} is carried by nobody: {}",
+            "the in-situ stress on side {word}-{end} is not balanced by any boundary: {}",
             with_unit(share * largest, "Pa")
         );
         let conditions = match self.space {
@@ -70,8 +70,8 @@ impl Builder<'_> {
             InSpace::Spatial => "held, roller or viscous, or in_situ = true alone",
         };
         let help = format!(
-            "add [[boundaries]] with on = {{ plane = \"{word}-{end}\" }} and {conditions}; or let a first phase with \
-             kind = \"static\" settle"
+            "add [[boundaries]] with on = {{ plane = \"{word}-{end}\" }} and {conditions}; or bring the model to equilibrium in a first phase with \
+             kind = \"static\""
         );
         let refused = share > REFUSED && !settles;
         let note = if refused {
@@ -135,11 +135,10 @@ impl Builder<'_> {
         let worst = left(*least).max(left(*most));
         if scale > 0.0 && worst > WARNED * scale {
             let message = format!(
-                "the in-situ stress and gravity are not in balance: {} is left over",
+                "the in-situ stress and gravity are not in equilibrium: {} is unbalanced",
                 with_unit(worst, "N/m3")
             );
-            let help = "the vertical stress should grow with depth by density times gravity; \
-                        in_situ.gravity_k0 does that";
+            let help = "the vertical stress should increase with depth by density times gravity; in_situ.gravity_k0 does this";
             let note = Diagnostic::warning("in_situ.weight", message).help(help);
             let span = self.stress_span();
             self.found.push(note.at(span));

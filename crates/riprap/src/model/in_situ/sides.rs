@@ -49,11 +49,10 @@ impl Builder<'_> {
             return;
         };
         let name = &bare.name;
-        let message =
-            format!("interfaces.{name} has no joints that could carry the in-situ stress");
+        let message = format!("interfaces.{name} has no joints to carry the in-situ stress");
         let help = format!(
-            "give it [interfaces.{name}.bond], with tension = \"0 Pa\" where the rock is jointed; or let a first phase with \
-             kind = \"static\" settle the model, without [in_situ]"
+            "give it [interfaces.{name}.bond], with tension = \"0 Pa\" for jointed rock; or leave out [in_situ] and bring the model to equilibrium \
+             in a first phase with kind = \"static\""
         );
         let error = Diagnostic::error("in_situ.joints", message);
         self.found.push(error.at(super::place(said)).help(help));

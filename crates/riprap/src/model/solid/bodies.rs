@@ -21,11 +21,9 @@ impl Builder<'_> {
             return;
         }
         if !self.parsed.scenario.refine.is_empty() {
-            let message = format!(
-                "`{}` has a mass or inertia of its own, and the scene has `refine`",
-                block.name
-            );
-            let help = "parts of blocks that are split have the density of the material: leave one of them out";
+            let message =
+                format!("`{}` has its own mass or inertia, and the scene has `refine`", block.name);
+            let help = "split parts take the density of the material; leave one of the two out";
             self.error_at("key.forbidden", &block.name, message, help);
             return;
         }
@@ -75,10 +73,10 @@ impl Builder<'_> {
             return true;
         }
         let message = format!(
-            "no body has the moments of inertia of `{}`: their principal values are {words}",
+            "the moments of inertia of `{}` are not physical: their principal values are {words}",
             block.name
         );
-        let help = "all three are greater than 0, and none is greater than the sum of the other two; the order is [xx, yy, zz, yz, zx, xy], and yz is minus \
+        let help = "all three must be positive, and none may exceed the sum of the other two; the order is [xx, yy, zz, yz, zx, xy], and yz is minus \
                     the sum of m y z";
         let span = block.inertia.as_ref().map_or(block.name.span.clone(), |i| i.span.clone());
         self.found.push(Diagnostic::error("value.inertia", message).at(span).help(help));

@@ -95,7 +95,7 @@ impl Builder<'_> {
             let message = format!("there is no surface `{name}`");
             let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
             error.help = suggest(name.as_str(), self.surfaces.keys().map(String::as_str))
-                .or_else(|| Some("surfaces are physical surfaces of `mesh.msh`".to_owned()));
+                .or_else(|| Some("valid names are the physical surfaces of `mesh.msh`".to_owned()));
             self.found.push(error);
             return None;
         };
@@ -118,9 +118,11 @@ impl Builder<'_> {
             WordOr::Word(word, span) => {
                 let (axis, sign, text) = side(*word);
                 if self.spatial.periodic[axis].is_some() {
-                    let message = format!("`{text}` is no boundary: the model is periodic there");
+                    let message = format!(
+                        "`{text}` cannot have a boundary condition: the model is periodic there"
+                    );
                     let error = Diagnostic::error("boundary.periodic", message);
-                    let help = "leave the boundary out, or the period";
+                    let help = "remove the boundary, or the period";
                     self.found.push(error.at(span.clone()).help(help));
                     return None;
                 }
@@ -138,8 +140,8 @@ impl Builder<'_> {
         };
         let lies = self.spatial.blocks.iter().any(|block| has_face(&block.shape, normal, offset));
         if !lies {
-            let error = Diagnostic::error("boundary.no_face", "no block has a face on this plane");
-            let help = "give the outward normal of the faces and a point on them";
+            let error = Diagnostic::error("boundary.no_face", "no block face lies on this plane");
+            let help = "give a point on the faces and their outward normal";
             self.found.push(error.at(plane.span().clone()).help(help));
             return None;
         }

@@ -104,7 +104,7 @@ impl Builder<'_> {
         match divided {
             Ok(divided) => {
                 let why = format!(
-                    "{} joints; {} cuts spared because a part would be too thin",
+                    "{} joints; {} cuts skipped because a part would be too thin",
                     joints.len(),
                     divided.spared
                 );
@@ -115,7 +115,7 @@ impl Builder<'_> {
             }
             Err(error) => {
                 let help = match error {
-                    GeomError::TooMany { .. } => "make the spacing larger, or the blocks smaller",
+                    GeomError::TooMany { .. } => "use a larger spacing, or smaller blocks",
                     _ => "change the value",
                 };
                 let message = format!("block `{}`: {error}", block.name);
@@ -159,7 +159,7 @@ impl Builder<'_> {
         if all - within > 1e-9 * all {
             let beyond = all - within;
             words.push_str(&format!(
-                ", and {beyond:.3} where joints that end in a block were carried on to its faces"
+                ", and {beyond:.3} by joints that end inside a block, extended to its faces"
             ));
             if let Some(name) = bridges {
                 words.push_str(&format!(", as rock bridges with interfaces.{name}"));
@@ -167,7 +167,7 @@ impl Builder<'_> {
         }
         if divided.spared > 0 {
             words.push_str(&format!(
-                "; {} cuts not made, whose parts would be thinner than `smallest_edge`",
+                "; {} cuts skipped because a part would be thinner than `smallest_edge`",
                 divided.spared
             ));
         }
@@ -182,7 +182,7 @@ impl Builder<'_> {
         let (file, network) = self.network(said)?;
         let (own, from, why) = match network.unit {
             Some(unit) => (unit, Provenance::Derived, "Length_Unit of the file"),
-            None => (1.0, Provenance::Default, "the file names no unit"),
+            None => (1.0, Provenance::Default, "the file specifies no unit"),
         };
         let key = format!("{key}.joints");
         let unit = self.reading(key, said).unit_or(own, from, why);
@@ -200,7 +200,7 @@ impl Builder<'_> {
                     let part = network.files.first().map(|part| format!(" ({part})"));
                     let part = part.unwrap_or_default();
                     let message = format!("`{file}`{part}, line {line}: fracture {number} {what}");
-                    let help = "a fracture is a flat convex polygon: its corners in their order";
+                    let help = "a fracture must be a flat convex polygon with its corners in order";
                     self.error_at("file.shape", file, message, help);
                     return None;
                 }
@@ -220,7 +220,7 @@ impl Builder<'_> {
             return Some((itasca, self.foreign_file(itasca, parse_itasca, help)?));
         }
         let file = said.dfnworks.as_ref()?;
-        let help = "give polygons.dat of dfnWorks, or its radii_Final.dat with normal_vectors.dat and translations.dat beside it";
+        let help = "give polygons.dat of dfnWorks, or its radii_Final.dat with normal_vectors.dat and translations.dat in the same folder";
         let read = read_dfnworks(&self.parsed.folder.join(file.as_str()));
         Some((file, self.as_read(file, read, help)?))
     }
@@ -253,7 +253,7 @@ impl Builder<'_> {
                 (dips, shifted(trend, PI))
             }
             _ => {
-                let message = format!("`{file}` does not say how its joints lie");
+                let message = format!("`{file}` has no columns with the orientation of the joints");
                 let help = "give columns dip_deg and dip_direction_deg; or dip_deg and strike_deg (the dip is to its right); or \
                             trend_deg and plunge_deg of the pole; or fracture, its number, with a corner of a polygon in each row";
                 self.error_at("file.csv", file, message, help);
@@ -261,7 +261,7 @@ impl Builder<'_> {
             }
         };
         let Some(places) = places else {
-            let message = format!("`{file}` does not say where its joints are");
+            let message = format!("`{file}` has no columns with the position of the joints");
             self.error_at("file.csv", file, message, "give columns x_m, y_m and z_m");
             return None;
         };
@@ -278,10 +278,13 @@ impl Builder<'_> {
             };
             let (dip, direction) = (dips[row], directions[row]);
             let wrong = match (given < 0.0, (0.0..=FRAC_PI_2).contains(&dip)) {
-                (true, _) => Some(("has a negative radius", "0 or no radius is a plane")),
+                (true, _) => Some((
+                    "has a negative radius",
+                    "a radius of 0, or none, means an unbounded plane",
+                )),
                 (_, false) => Some((
-                    "has a dip that no plane has",
-                    "a dip is from 0 deg (flat) to 90 deg (vertical)",
+                    "has a dip out of range",
+                    "dip ranges from 0 deg (horizontal) to 90 deg (vertical)",
                 )),
                 _ => None,
             };
@@ -332,7 +335,7 @@ impl Builder<'_> {
                 Ok(joint) => joints.push(joint),
                 Err(what) => {
                     let message = format!("`{file}`: fracture {number} {what}");
-                    let help = "a fracture is a flat convex polygon: its corners in their order, one in each row";
+                    let help = "a fracture must be a flat convex polygon with its corners in order, one in each row";
                     self.error_at("file.csv", file, message, help);
                     return None;
                 }
@@ -346,8 +349,9 @@ impl Builder<'_> {
         let most = count > MOST_JOINTS;
         if most {
             let message = format!("`{file}` has {count} joints");
-            let help =
-                format!("at most {MOST_JOINTS} joints one by one; use `joint_sets` for more");
+            let help = format!(
+                "at most {MOST_JOINTS} individual joints are allowed; use `joint_sets` for more"
+            );
             self.error_at("file.csv", file, message, &help);
         }
         most
@@ -368,7 +372,7 @@ fn joint(shape: Shape, unit: f64, shift: Vec3) -> Result<Joint, &'static str> {
         Shape::Disk { at, normal, radius } => {
             let (at, radius) = (unit * at + shift, unit * radius);
             if !at.is_finite() || at.abs().max_element().max(radius) > 1e150 {
-                return Err("has a centre or a radius that is not finite");
+                return Err("has a non-finite centre or radius");
             }
             let extent = Extent::Disk(radius);
             return Ok(Joint { normal, at, extent });

@@ -94,7 +94,7 @@ impl Builder<'_> {
             return false;
         };
         let name = self.directory.name(block);
-        let message = format!("the block `{name}` is deformable, and deformable blocks {what}");
+        let message = format!("block `{name}` is deformable, and deformable blocks {what}");
         let error = Diagnostic::error("mechanics.deformable", message);
         self.found.push(error.at(target_span(target)));
         true
@@ -106,9 +106,9 @@ impl Builder<'_> {
             return false;
         };
         if self.spatial.deform.sets.is_empty() {
-            let message = "there are no nodes: no block is deformable";
+            let message = "no block is deformable, so there are no nodes";
             let error = Diagnostic::error("target.empty", message);
-            let help = "write mechanics.deformable = {} for blocks, or hold blocks by name";
+            let help = "write mechanics.deformable = {} for blocks, or name the blocks to hold";
             self.found.push(error.at(nodes.min.span.clone()).help(help));
             return true;
         }
@@ -127,7 +127,7 @@ impl Builder<'_> {
             (Some(fixed), _) => held_along(fixed).map(|held| held.then(still).flatten()),
             (None, Some(language::Motion::Velocity(m))) => self.point_velocity(m),
             (None, Some(language::Motion::Acceleration(_))) => {
-                let message = "nodes are driven by a velocity";
+                let message = "nodes can only be driven by a velocity";
                 let error = Diagnostic::error("key.forbidden", message);
                 let help = "write motion.velocity = { x = ... }";
                 self.found.push(error.at(nodes.min.span.clone()).help(help));

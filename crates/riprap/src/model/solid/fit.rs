@@ -70,7 +70,7 @@ impl Builder<'_> {
             let volume = mass.si() / explosive.density.si();
             let Some(levels) = self.levels_around(name) else {
                 let message =
-                    format!("no cells can be fitted to `{name}`: none are split around it");
+                    format!("no cells can be fitted to `{name}`: no cells are refined around it");
                 let help = format!(
                     "add [[refine]] with octree = {{ around = \"{name}\", levels = 5 }}, or write \
                      coupling = {{ scaled = 0.667 }}"
@@ -86,7 +86,7 @@ impl Builder<'_> {
                 let error = Diagnostic::error(
                     "source.fitted",
                     format!(
-                        "`{name}` does not lie in exactly one grid: no cells can be fitted to it"
+                        "no cells can be fitted to `{name}`: it does not lie in exactly one grid"
                     ),
                 );
                 let span = crate::scenario::language::span_of(centre);
@@ -116,7 +116,7 @@ impl Builder<'_> {
         };
         if !fits {
             let message =
-                format!("`{}` and `{first}` want different cells in one grid", charge.name);
+                format!("`{}` and `{first}` require different cell sizes in one grid", charge.name);
             let help = "give one of them coupling = { scaled = 0.667 }";
             self.error_at("source.fitted", charge.name, message, help);
         }
@@ -176,7 +176,7 @@ impl Builder<'_> {
         let name = charge.name;
         let key = format!("blocks.{}.grid.box", block.name);
         let why = format!(
-            "the finest cells around `{name}` ({levels} levels) have its volume {}",
+            "the finest cells around `{name}` ({levels} levels) match its volume {}",
             with_unit(charge.volume, "m3")
         );
         for (word, value) in
@@ -186,8 +186,7 @@ impl Builder<'_> {
             self.explain(format!("{key}.{word}"), text, Provenance::Derived, &why);
         }
         let message = format!(
-            "the grid of `{}` is fitted to the charge `{name}`: cells {} instead of {}, box {} from \
-             {} instead of {} from {}",
+            "the grid of `{}` is fitted to charge `{name}`: cells {} instead of {}, box {} from {} instead of {} from {}",
             block.name,
             triple(lattice.cell, "m"),
             triple(cell, "m"),
@@ -198,9 +197,9 @@ impl Builder<'_> {
         );
         let change = libm::cbrt(lattice.cell.element_product() / cell.element_product());
         let help = if !(1.0 / MUCH..=MUCH).contains(&change) && nearest != levels {
-            format!("with levels = {nearest} the cells would change least")
+            format!("levels = {nearest} would change the cells least")
         } else {
-            "nothing to do; coupling = { scaled = 0.667 } keeps the grid as it is given".to_owned()
+            "no action needed; coupling = { scaled = 0.667 } keeps the given grid".to_owned()
         };
         let note = Diagnostic::warning("grid.fitted", message).help(help);
         self.found.push(note.at(block.name.span.clone()));

@@ -42,13 +42,13 @@ impl Builder<'_> {
             let of_faces = made.surfaces.iter().any(|(surface, _)| surface == name);
             if members.len() < cells && !of_faces {
                 let message = format!(
-                    "group `{name}` of the mesh has {} of the {cells} cells that are glued to block `{}`: it gets all of the block",
+                    "group `{name}` of the mesh contains {} of the {cells} cells glued into block `{}`; the whole block joins the group",
                     members.len(),
                     block.name
                 );
                 let note = Diagnostic::warning("geometry.parts", message);
                 let note = note.at(block.name.span.clone());
-                let help = "take only its cells with `mesh.volume`, or leave the group unused";
+                let help = "select only its cells with `mesh.volume`, or do not use the group";
                 self.found.push(note.help(help));
             }
         }
@@ -73,18 +73,18 @@ impl Builder<'_> {
                 let message = format!("block `{}`: {error}", block.name);
                 let help = match error {
                     GluedError::Count { parts: 0, .. } => {
-                        "say of which convex parts the block is made; a single one is `brick` or `polyhedron`"
+                        "list the convex parts of the block; for a single part use `brick` or `polyhedron`"
                     }
                     GluedError::Overlap { .. } => {
-                        "parts share faces, no volume: cut one of them back"
+                        "parts may share faces but no volume; trim one of them"
                     }
                     GluedError::Apart { .. } => {
-                        "parts touch by a part of a face at least; make two blocks, or close the gap"
+                        "parts must share at least part of a face; make two blocks, or close the gap"
                     }
-                    GluedError::Part { .. } => "parts are convex: divide this one",
+                    GluedError::Part { .. } => "parts must be convex; divide this one",
                     GluedError::Count { .. }
                     | GluedError::TooMany { .. }
-                    | GluedError::Unsure { .. } => "give fewer and larger convex parts",
+                    | GluedError::Unsure { .. } => "use fewer, larger convex parts",
                 };
                 self.error_at("geometry.parts", &block.name, message, help);
                 return None;

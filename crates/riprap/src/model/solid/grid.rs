@@ -112,12 +112,12 @@ impl Builder<'_> {
                 format!("the grid of `{}` is {cells:.6} cells long along {axis}", block.name);
             let help = if below >= 1.0 {
                 format!(
-                    "the size must be whole cells: {} or {} would fit",
+                    "the size must be a multiple of the cell size: {} or {} would fit",
                     fits(below),
                     fits(below + 1.0)
                 )
             } else {
-                format!("the size must be whole cells: {} would fit", fits(1.0))
+                format!("the size must be a multiple of the cell size: {} would fit", fits(1.0))
             };
             let error = Diagnostic::error("grid.cells", message).at(grid.size[k].span.clone());
             self.found.push(error.help(help));
@@ -135,8 +135,7 @@ impl Builder<'_> {
         self.explain(format!("{key}.cells"), text, Provenance::Derived, &why);
         if total > MOST {
             let message = format!("`{}` would have {x} x {y} x {z} bricks", block.name);
-            let help = "make the cells larger or the box smaller; [[refine]] gives small bricks \
-                        where they are needed";
+            let help = "use larger cells or a smaller box; [[refine]] gives small bricks only where they are needed";
             self.error_at("geometry.count", &block.name, message, help);
             return None;
         }

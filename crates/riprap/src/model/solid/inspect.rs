@@ -96,7 +96,7 @@ impl Builder<'_> {
         let shape = |k: u32| &self.spatial.blocks[blocks[k as usize] as usize].shape;
         let hull = |k: u32| match shape(k) {
             Shape::Polyhedron(_) => Some(Hull::of(shape(k))),
-            // Two bricks are their boxes; a brick among polyhedra is rare. What lies in terrain is told by `on_terrain`.
+            // Two bricks are their boxes; a brick among polyhedra is rare. What lies in terrain is reported by `on_terrain`.
             // Glued parts are looked at part by part.
             Shape::Brick { .. } | Shape::Terrain(_) | Shape::Glued(_) => None,
         };
@@ -109,10 +109,11 @@ impl Builder<'_> {
             bad.len() < MOST_BAD
         });
         if searched == Search::GivenUp {
-            let message = "not all pairs of blocks were tested for overlap: the boxes around too many of them overlap";
+            let message =
+                "not all pairs of blocks were tested for overlap: too many bounding boxes overlap";
             let note = Diagnostic::warning("geometry.overlap", message);
             self.found
-                .push(note.help("look at the blocks in the viewer before you trust the model"));
+                .push(note.help("check the blocks in the viewer before you rely on the model"));
         }
         bad.sort_by(|a, b| b.depth.total_cmp(&a.depth).then(a.blocks.cmp(&b.blocks)));
         if let Some(worst) = bad.first() {
@@ -130,8 +131,8 @@ impl Builder<'_> {
             let span = self.table_span(overlap.blocks[1]);
             let error = Diagnostic::error("geometry.overlap", message).at(span);
             let help = format!(
-                "move one of them; or accept it with allow_overlap = \"{}\" in [space.spatial] and let a first phase with \
-                 kind = \"static\" press them apart; where it throws them, a smaller `normal_stiffness` is gentler",
+                "move one of them; or accept the overlap with allow_overlap = \"{}\" in [space.spatial] and let a first phase with kind = \"static\" \
+                 separate them; if it ejects them, use a smaller `normal_stiffness`",
                 with_unit(1.05 * deepest, "m")
             );
             self.found.push(error.help(help));
@@ -149,7 +150,7 @@ impl Builder<'_> {
         let tables: Vec<(std::ops::Range<u32>, (Vec3, Vec3), bool)> = self
             .directory
             .tables()
-            // What lies in terrain is told by `on_terrain`.
+            // What lies in terrain is reported by `on_terrain`.
             .filter(|(_, blocks)| {
                 !blocks.clone().any(|b| self.spatial.blocks[b as usize].shape.is_terrain())
             })
@@ -220,10 +221,10 @@ impl Builder<'_> {
         for [block, other] in found.take(NAMED).collect::<Vec<_>>() {
             let [name, other] = [block, other].map(|b| self.directory.name(b));
             let message = format!(
-                "cohesion and tension do not act between `{name}` and `{other}`, which it touches at the start: blocks of glued parts have no joints"
+                "cohesion and tension do not act between `{name}` and `{other}`, which touch at the start: blocks of glued parts have no joints"
             );
             let note = Diagnostic::warning("geometry.parts", message).at(self.table_span(block));
-            let help = "they meet by found contact, with the residual strength of their interface";
+            let help = "they interact by contact with the residual strength of their interface";
             self.found.push(note.help(help));
         }
     }
@@ -305,7 +306,7 @@ impl Builder<'_> {
         let all_held = (0..self.spatial.blocks.len() as u32).all(|block| self.held(block));
         let released = self.plan.phases.iter().any(|p| !p.release.is_empty());
         if all_held && !released {
-            let message = "all blocks are fixed: nothing can move";
+            let message = "all blocks are fixed; nothing can move";
             let note = Diagnostic::warning("model.fixed", message);
             self.found.push(note.help("check [[supports]]"));
         }

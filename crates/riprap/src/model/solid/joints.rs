@@ -74,7 +74,9 @@ impl Builder<'_> {
 /// What blocks that meet under this share of critical damping keep of their speed, in words.
 fn rebound(ratio: f64) -> String {
     let kept = restitution(ratio);
-    format!("a flat impact of free blocks leaves {kept:.2} of their speed (`restitution`)")
+    format!(
+        "a face-to-face impact of free blocks rebounds with {kept:.2} of their relative speed (`restitution`)"
+    )
 }
 
 fn stiffness(read: &mut Read<'_, language::Interface>) -> Stiffness {
@@ -85,8 +87,8 @@ fn stiffness(read: &mut Read<'_, language::Interface>) -> Stiffness {
     }
     let rule = read.stiffness();
     let why = match rule {
-        StiffnessRule::Material => "M/d and 2G/d, d the distance of the centroids",
-        StiffnessRule::Uniaxial => "E/d and 2G/d, d the distance of the centroids",
+        StiffnessRule::Material => "M/d and 2G/d, d the distance between centroids",
+        StiffnessRule::Uniaxial => "E/d and 2G/d, d the distance between centroids",
     };
     read.because(why);
     Stiffness::Rule(rule)

@@ -61,7 +61,7 @@ impl Builder<'_> {
             Made::of(self.stl(file, unit, shift)?)
         } else if let Some(file) = &said.obj {
             let obj = self.obj(file)?;
-            let help = "each part of each object is a closed convex surface";
+            let help = "each part of each object must be a closed convex surface";
             let solids = self.foreign_file(file, |_| obj.solids(), help)?;
             self.obj_solids(block, file, &obj, solids, unit, shift)?
         } else {
@@ -76,8 +76,9 @@ impl Builder<'_> {
     fn tess(&mut self, file: &Name, unit: f64, shift: Vec3) -> Option<Vec<Shape>> {
         let cells = self.foreign_file(file, parse_tess, "save it with `neper -T`")?;
         let Cells::Space(cells) = cells else {
-            let message = format!("`{file}` has cells in two dimensions");
-            let help = "use `polygons.tess` in [space.planar], or make them with `neper -T -dim 3`";
+            let message = format!("`{file}` is a two-dimensional tessellation");
+            let help =
+                "use `polygons.tess` in [space.planar], or generate it with `neper -T -dim 3`";
             self.error_at("file.tess", file, message, help);
             return None;
         };
@@ -93,7 +94,7 @@ impl Builder<'_> {
                         "`{file}`, line {}: cell {} cannot be a block: {error}",
                         cell.line, cell.number
                     );
-                    let help = "cells are convex with flat faces: make them without regularisation (`-reg 0`)";
+                    let help = "cells must be convex with flat faces; generate them without regularisation (`-reg 0`)";
                     self.error_at("file.tess", file, message, help);
                     return None;
                 }
@@ -153,7 +154,7 @@ impl Builder<'_> {
             Err(error) => {
                 let message =
                     format!("`{file}`, {}: {what} cannot be a block: {error}", part.place);
-                let help = "each connected part is a closed convex surface";
+                let help = "each connected part must be a closed convex surface";
                 self.error_at("file.shape", file, message, help);
                 None
             }
@@ -161,7 +162,7 @@ impl Builder<'_> {
     }
 
     fn stl(&mut self, file: &Name, unit: f64, shift: Vec3) -> Option<Vec<Shape>> {
-        let parts = self.foreign_file(file, parse_stl, "save it as STL, text or binary")?;
+        let parts = self.foreign_file(file, parse_stl, "save it as ASCII or binary STL")?;
         self.note_import(file, &format!("read {0} of {0} parts", parts.len()));
         let parts = (1..).zip(&parts);
         parts
@@ -192,7 +193,7 @@ impl Builder<'_> {
         self.note_import(file, &elements_text(&mesh, chosen.len()));
         if chosen.len() > MOST {
             let message = format!("`{file}` has {} elements", chosen.len());
-            let help = format!("a mesh has {MOST} at most: make it coarser");
+            let help = format!("at most {MOST} are allowed; use a coarser mesh");
             self.error_at("file.msh", file, message, &help);
             return None;
         }
@@ -211,8 +212,7 @@ impl Builder<'_> {
                         middle.y,
                         middle.z
                     );
-                    let help = "faces must be flat: mesh with tetrahedra, or extrude; and without elements that are \
-                                turned inside out";
+                    let help = "faces must be flat and elements must not be inverted; mesh with tetrahedra, or extrude";
                     self.error_at("file.msh", file, message, help);
                     return None;
                 }
@@ -244,9 +244,9 @@ impl Builder<'_> {
             let names: Vec<&str> = volumes.map(|g| g.name.as_str()).collect();
             let message = format!("`{file}` has no physical volume `{volume}`");
             let help = if names.is_empty() {
-                "it has none at all: leave `volume` out".to_owned()
+                "it has no physical volumes; leave `volume` out".to_owned()
             } else {
-                format!("it has {}", names.join(", "))
+                format!("valid names: {}", names.join(", "))
             };
             self.error_at("file.msh", volume, message, &help);
             return None;

@@ -143,11 +143,11 @@ impl Builder<'_> {
         self.spatial.origin = (0.5 * (min + max) / unit).round() * unit;
         let origin = self.spatial.origin;
         let message = format!(
-            "the model lies far from the origin: it is calculated relative to ({} m, {} m, {} m)",
+            "the model lies far from the origin; it is computed relative to ({} m, {} m, {} m)",
             origin.x, origin.y, origin.z
         );
         let note = Diagnostic::warning("geometry.far", message);
-        self.found.push(note.help("nothing to do: outputs are in the coordinates of the file"));
-        self.explain("origin", triple(origin, "m"), Provenance::Derived, "far coordinates");
+        self.found.push(note.help("no action needed; outputs are in the coordinates of the scene"));
+        self.explain("origin", triple(origin, "m"), Provenance::Derived, "distant coordinates");
     }
 }

@@ -44,9 +44,8 @@ impl Builder<'_> {
             found.map(|found| &found.values)
         });
         if charge.is_some() == diameter.is_some() {
-            let message =
-                format!("`{}` needs one of the columns charge_kg and diameter_mm", pattern.csv);
-            let help = "the mass of each charge follows from one of them";
+            let message = format!("`{}` needs a column charge_kg or diameter_mm", pattern.csv);
+            let help = "the mass of each charge is derived from one of them";
             self.error_at("file.csv", &pattern.csv, message, help);
             return None;
         }
@@ -69,8 +68,7 @@ impl Builder<'_> {
                     k + 1,
                     delay[k]
                 );
-                let help = "a hole needs a length above its stemming, a charge, and no negative \
-                            delay";
+                let help = "a hole must be longer than its stemming, and needs a charge and a delay of 0 s or more";
                 self.error_at("file.csv", &pattern.csv, message, help);
                 return None;
             }

@@ -32,10 +32,10 @@ impl Builder<'_> {
             Ok(solids) => Some(solids.into_iter().map(shape_of).collect()),
             Err(error) => {
                 let (code, help) = if matches!(error, GeomError::DoesNotFit { .. }) {
-                    let help = "make the region larger, or `count` or `size` smaller";
+                    let help = "use a larger region, or a smaller `count` or `size`";
                     ("geometry.fit", help)
                 } else {
-                    ("value.range", "check region, size and units")
+                    ("value.range", "check `region`, `size` and their units")
                 };
                 let message = format!("block `{}`: {error}", block.name);
                 self.error_at(code, &block.name, message, help);

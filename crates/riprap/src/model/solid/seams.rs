@@ -103,7 +103,7 @@ impl Builder<'_> {
                 let b = tiles[k].block;
                 let names: Vec<String> = others.iter().map(|o| self.directory.name(*o)).collect();
                 self.summary.terrain.push(format!(
-                    "{}: joined to {} over the cell between them: {} triangles now",
+                    "{}: joined to {} across the cell between them; {} triangles in total",
                     self.directory.name(b),
                     names.join(", "),
                     field.triangles.len(),
@@ -136,22 +136,20 @@ impl Builder<'_> {
                 let [first, second] = &names;
                 let note = if let Some(at) = a.twice(b).or_else(|| b.twice(a)) {
                     let message = format!(
-                        "terrains `{first}` and `{second}` are the same ground twice, {}: a block there meets both, and \
-                         twice the stiffness",
+                        "terrains `{first}` and `{second}` cover the same ground {}: a block there touches both, with twice the stiffness",
                         near(at)
                     );
                     Diagnostic::warning("terrain.seam", message)
-                        .help("cut one of them back to the rim of the other")
+                        .help("trim one of them to the rim of the other")
                 } else if let Some((width, at)) = a.gap(b) {
                     let message = format!(
-                        "terrains `{first}` and `{second}` leave a gap of {} between their rims, {}: blocks fall \
-                         into it",
+                        "terrains `{first}` and `{second}` leave a gap of {} between their rims {}: blocks fall into it",
                         with_unit(width, "m"),
                         near(at)
                     );
                     Diagnostic::warning("terrain.seam", message).help(
-                        "make one terrain of them, or give both the same corners along the seam (rasters of one cell \
-                         size whose cells are in line are joined by themselves)",
+                        "merge them into one terrain, or give both the same corners along the seam (rasters with aligned cells of equal size are \
+                         joined automatically)",
                     )
                 } else {
                     continue;

@@ -109,7 +109,7 @@ impl Builder<'_> {
         if scenario.blocks.len() > usize::from(u16::MAX) || scenario.materials.len() > 1000 {
             let message = "there are too many [[blocks]] tables or materials";
             let error = Diagnostic::error("geometry.count", message);
-            self.found.push(error.help("let `grid` or `copies` make blocks that are alike"));
+            self.found.push(error.help("make identical blocks with `grid` or `copies`"));
             return;
         }
         for (block, lattice) in scenario.blocks.iter().zip(grids) {
@@ -200,8 +200,11 @@ impl Builder<'_> {
         if count.is_nan() || count > MOST_CELLS {
             let message = format!("`{}` would have about {count:.0} cells", block.name);
             let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());
-            self.found
-                .push(error.help("at most 1 million cells; use a larger `cell`, or `grid.box`"));
+            self.found.push(
+                error.help(
+                    "at most 1 million cells are allowed; use a larger `cell`, or `grid.box`",
+                ),
+            );
             return None;
         }
         if !self.has_memory(block, count, &said.cell.span) {
@@ -211,7 +214,7 @@ impl Builder<'_> {
         let extent = max - min;
         let square = extent.truncate().length_squared() * extent.z.max(cell) / (cell * cell * cell);
         if lattice && (square.is_nan() || square > 16.0 * MOST_CELLS) {
-            let message = format!("`{}` is too slender for a turned lattice", block.name);
+            let message = format!("`{}` is too slender for a rotated lattice", block.name);
             let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());
             self.found.push(error.help("use a larger `cell`, or `grid.box`"));
             return None;
@@ -324,8 +327,9 @@ impl Builder<'_> {
             (None, Some(file)) => {
                 let obj = self.obj(file)?;
                 if let Some(solids) = obj.solids().ok().filter(|solids| solids.len() > 1) {
-                    let message = format!("`{file}` holds {} solids, not one", solids.len());
-                    let help = "a part is one solid: save each in a file of its own, or use `mesh.obj` with `glued = true`";
+                    let message =
+                        format!("`{file}` contains {} solids instead of one", solids.len());
+                    let help = "a part must be one solid; save each in a separate file, or use `mesh.obj` with `glued = true`";
                     self.error_at("file.obj", file, message, help);
                     return None;
                 }
@@ -360,7 +364,7 @@ impl Builder<'_> {
 
     /// What an OBJ file holds; `None` after an error.
     pub(super) fn obj(&mut self, file: &Name) -> Option<Obj> {
-        self.foreign_file(file, parse_obj, "correct that line, or save it again as OBJ")
+        self.foreign_file(file, parse_obj, "correct this line, or export the file again as OBJ")
     }
 
     /// The blocks of a table with an OBJ file: one as it stands in the file, or one of each closed part.
@@ -385,16 +389,16 @@ impl Builder<'_> {
 fn reason(error: &SolidError) -> (Option<usize>, &'static str) {
     match error {
         SolidError::NotConvex { vertex, .. } => {
-            (Some(*vertex as usize), "divide the block into convex ones that share faces")
+            (Some(*vertex as usize), "divide the block into convex blocks that share faces")
         }
         SolidError::NonFinite { vertex, .. } | SolidError::Unused { vertex } => {
-            (Some(*vertex), "correct or leave out this corner")
+            (Some(*vertex), "correct or remove this corner")
         }
         SolidError::CrookedFace { vertex, .. } => (
             Some(*vertex as usize),
             "move the corner into the plane, or divide the face into triangles",
         ),
-        SolidError::Open { .. } => (None, "add the face that is missing"),
+        SolidError::Open { .. } => (None, "add the missing face"),
         SolidError::ZeroVolume { .. } => (None, "check the coordinates and their units"),
         SolidError::TooFewVertices { .. }
         | SolidError::TooManyVertices { .. }

@@ -158,7 +158,7 @@ impl Builder<'_> {
             Some(WordOr::Word(CouplingWord::Fitted, _)) | None => (
                 Coupling::Scaled { exponent: WALL_FORCE },
                 "scaled 2/3".to_owned(),
-                "keeps the force on the wall of the cavity",
+                "keeps the force on the cavity wall",
             ),
         };
         self.explain(key, text, from, why);
@@ -203,9 +203,9 @@ impl Builder<'_> {
             (Place::Point { .. } | Place::Line { .. }, None) => Vec::new(),
         };
         if touched.is_empty() {
-            let message = format!("`{name}` lies outside of all blocks");
+            let message = format!("`{name}` lies outside all blocks");
             let error = Diagnostic::error("source.outside", message).at(span.clone());
-            let help = "check its coordinates; the blocks that it touches are removed";
+            let help = "check its coordinates; a source removes the blocks that it touches";
             self.found.push(error.help(help));
             return false;
         }
@@ -213,7 +213,7 @@ impl Builder<'_> {
             let held = self.directory.name(block);
             let message = format!("`{name}` touches block `{held}`, which is fixed");
             let error = Diagnostic::error("source.fixed", message).at(span.clone());
-            let help = "move it, or hold the model at its boundaries";
+            let help = "move the source, or hold the model at its boundaries";
             self.found.push(error.help(help));
             return false;
         }
@@ -248,7 +248,7 @@ impl Builder<'_> {
             (Some(levels), _, _) => levels,
             (None, Some(levels), Around::Source(name)) => {
                 let key = format!("refine.{name}.levels");
-                let why = "the cell of the grid changes least";
+                let why = "this changes the cells of the grid least";
                 self.explain(key, levels.to_string(), Provenance::Derived, why);
                 levels
             }
@@ -315,19 +315,21 @@ impl Builder<'_> {
         if let Some(&block) = whole.first() {
             let name = self.directory.name(block);
             let message = match deforms(&block) {
-                true => format!("block `{name}` is deformable: it is cut, not split into eight"),
-                false => format!("block `{name}` cannot be split into eight parts like itself"),
+                true => format!(
+                    "block `{name}` is deformable; deformable blocks are cut, not split into eight"
+                ),
+                false => format!("block `{name}` cannot be split into eight similar parts"),
             };
-            let which = "only rigid blocks with six faces in three parallel pairs can, in any attitude: bricks, also turned by \
-                         `rotate`, and what three sets of joints cut whole";
+            let which = "only rigid blocks with six faces in three parallel pairs can be split, in any orientation: bricks, also with `rotate`, and \
+                         blocks bounded by three joint sets";
             if !during || whole.len() == touched.len() {
                 let error = Diagnostic::error("refine.shape", message).at(span.clone());
-                let help = format!("{which}; choose a place that touches such blocks only");
+                let help = format!("{which}; choose a region that touches only such blocks");
                 self.found.push(error.help(&help));
                 return false;
             }
             let message = format!(
-                "{message}: {} of the {} blocks that touch this place stay whole",
+                "{message}: {} of the {} blocks in this region stay whole",
                 whole.len(),
                 touched.len()
             );
@@ -335,7 +337,7 @@ impl Builder<'_> {
             self.found.push(note.help(which));
         }
         if touched.is_empty() {
-            let error = Diagnostic::error("refine.nothing", "no block touches this place");
+            let error = Diagnostic::error("refine.nothing", "no block lies in this region");
             let help = "check its coordinates and their units";
             self.found.push(error.at(span.clone()).help(help));
         }
@@ -359,12 +361,12 @@ impl Builder<'_> {
         }
         let exact = matches!(region, Region::All);
         let message = format!(
-            "{levels} levels here make {} {} blocks; there is room for {most:.1e}",
+            "{levels} levels here make {} {} blocks; at most {most:.1e} are allowed",
             if exact { "about" } else { "more than" },
             if exact { format!("{count:.1e}") } else { format!("{most:.1e}") },
         );
         let error = Diagnostic::error("refine.many", message).at(span.clone());
-        let help = "give fewer `levels` (each makes eight blocks of one) or a smaller region";
+        let help = "give fewer `levels` (each level splits a block into eight) or a smaller region";
         self.found.push(error.help(help));
         false
     }
@@ -409,8 +411,7 @@ impl Builder<'_> {
                     with_unit(cavity, "m3"),
                     with_unit(ratio, ""),
                 );
-                let help = "split the blocks around it so that the finest ones have its volume: \
-                            the pressure depends on it";
+                let help = "refine the blocks around it so that the finest match its volume: the pressure depends on it";
                 let said = self.parsed.scenario.sources.iter();
                 let span = said
                     .map(|(said, _)| said)

@@ -20,7 +20,7 @@ pub(super) fn held_along(said: &Fixed) -> [bool; 3] {
 
 /// What deformable blocks do not do when a spin is prescribed.
 const NO_TURN: &str =
-    "are not turned by a spin: drive their nodes by formulas of x, y, z (`on.nodes`)";
+    "cannot be driven by a spin: drive their nodes by formulas of x, y, z (`on.nodes`)";
 
 /// Which freedoms are held.
 fn fixed(said: &Fixed) -> Motion {
@@ -73,7 +73,7 @@ impl Builder<'_> {
                 (None, None) => continue,
             };
             if matches!(motion, Motion::Acceleration { .. })
-                && self.any_deforms(&blocks, &support.on, "are driven by a velocity")
+                && self.any_deforms(&blocks, &support.on, "can only be driven by a velocity")
             {
                 continue;
             }
@@ -131,7 +131,11 @@ impl Builder<'_> {
                 });
             }
             if load.moment.is_some()
-                && self.any_deforms(&blocks, &load.on, "take no moment: give forces at points")
+                && self.any_deforms(
+                    &blocks,
+                    &load.on,
+                    "cannot carry a moment: apply forces at points",
+                )
             {
                 continue;
             }

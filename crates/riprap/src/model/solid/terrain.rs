@@ -60,12 +60,12 @@ impl Builder<'_> {
             None => (self.reading(format!("blocks.{}.terrain", block.name), said)).unit(),
         };
         let (file, made) = if let Some(file) = &said.asc {
-            let help = "correct that line; GIS programs save such a file as ASCII grid (AAIGrid)";
+            let help = "correct this line; GIS programs export this format as ASCII grid (AAIGrid)";
             let read = self.foreign_file(file, parse_asc, help)?;
             let (all, none) = (read.z.len(), read.z.iter().filter(|z| z.is_none()).count());
             let left = match none {
                 0 => String::new(),
-                none => format!("; left out {none} because they have no height"),
+                none => format!("; left out {none} without height"),
             };
             self.note_import(file, &format!("read {} of {all} cells{left}", all - none));
             let wide = read.x.len();
@@ -79,12 +79,12 @@ impl Builder<'_> {
             (file, HeightField::grid(&read.x, &read.y, |i, j| read.z[j * wide + i]))
         } else {
             let file = said.stl.as_ref()?;
-            let help = "save it as STL, text or binary";
+            let help = "save it as ASCII or binary STL";
             let (points, triangles, flat) = self.foreign_file(file, parse_surface, help)?;
             self.note_import(file, &triangles_text(triangles.len(), flat));
             if triangles.len() > MOST {
                 let message = format!("`{file}` has {} triangles", triangles.len());
-                let help = format!("terrain has {MOST} at most: make it coarser");
+                let help = format!("at most {MOST} are allowed; use a coarser surface");
                 self.error_at("file.terrain", file, message, &help);
                 return None;
             }
@@ -151,12 +151,12 @@ impl Builder<'_> {
         // A cell of the grid has two triangles.
         if (x.len() as f64) < SCATTERED * all || all > 0.5 * MOST as f64 {
             let message = format!(
-                "`{file}` is no grid, or too large: {} places have {} different x and {} different y",
+                "`{file}` is not a grid, or is too large: {} points have {} different x and {} different y",
                 x.len(),
                 columns.len(),
                 rows.len()
             );
-            let help = "list the places of a rectangular grid (terrain from scattered points: triangles in an STL file)";
+            let help = "list all points of a rectangular grid (for scattered points give triangles in an STL file)";
             self.error_at(code, file, message, help);
             return None;
         }
@@ -166,7 +166,7 @@ impl Builder<'_> {
             let k = place(&rows, *y) * columns.len() + place(&columns, *x);
             if heights[k].replace(z + shift.z).is_some() {
                 let message = format!("`{file}`, line {line}: a second height at ({x} m, {y} m)");
-                let help = "keep one of them";
+                let help = "remove one of them";
                 self.error_at(code, file, message, help);
                 return None;
             }
@@ -182,30 +182,28 @@ impl Builder<'_> {
         let there = |[x, y]: [f64; 2]| [x + origin.x, y + origin.y];
         let mut error = error.clone();
         let help = match &mut error {
-            HeightFieldError::Empty => {
-                "two lines of places along x and along y are needed at least"
-            }
+            HeightFieldError::Empty => "at least two grid lines are needed in x and in y",
             HeightFieldError::NonFinite { .. } | HeightFieldError::NoSuchCorner { .. } => {
                 "correct the file"
             }
             HeightFieldError::Upright { at } => {
                 *at = there(*at);
-                "lean the wall a little, or make it of bricks"
+                "incline the wall slightly, or build it of bricks"
             }
             HeightFieldError::Folded { at } | HeightFieldError::SharedEdge { at } => {
                 *at = there(*at);
-                "leave overhangs out, or make them of polyhedra"
+                "remove overhangs, or build them of polyhedra"
             }
             HeightFieldError::Hole { at, .. } => {
                 *at = there(*at);
-                "fill it: give heights there"
+                "fill the hole with heights"
             }
             HeightFieldError::Parts { at, .. } => {
                 *at = there(*at);
-                "join the parts, or give each as terrain of its own"
+                "join the parts, or give each as a separate terrain"
             }
         };
-        Refused { message: format!("`{file}` is no terrain: {error}"), help }
+        Refused { message: format!("`{file}` is not a terrain: {error}"), help }
     }
 
     /// Blocks that can move must start on or above terrain, and found contact must be on.
@@ -225,10 +223,10 @@ impl Builder<'_> {
             return;
         };
         if !self.spatial.found_contacts {
-            let message = "terrain is met by found contacts, which are switched off";
+            let message = "terrain needs contact detection, which is switched off";
             let error = Diagnostic::error("terrain.contacts", message);
             let error = error.at(self.table_span(*first));
-            let help = "take `found_contacts = false` out of [space.spatial]";
+            let help = "remove `found_contacts = false` from [space.spatial]";
             self.found.push(error.help(help));
         }
         let accepted = match &self.parsed.scenario.space {
@@ -248,9 +246,11 @@ impl Builder<'_> {
                 .max_by(|a, b| a.0.total_cmp(&b.0));
             let name = self.directory.name(b);
             let message = match deepest {
-                None => format!("block `{name}` starts beside the terrain and would fall for ever"),
+                None => format!(
+                    "block `{name}` starts outside the rim of the terrain and would fall without end"
+                ),
                 Some((depth, terrain)) if depth > accepted => format!(
-                    "block `{name}` starts {} deep in the terrain `{}`, near {}",
+                    "block `{name}` starts {} below the surface of terrain `{}`, near {}",
                     with_unit(depth, "m"),
                     self.directory.name(terrain),
                     triple(0.5 * (low + high) + self.spatial.origin, "m")
@@ -268,7 +268,7 @@ impl Builder<'_> {
         }
         if count > NAMED {
             let message =
-                format!("{} more blocks start in the terrain or beside it", count - NAMED);
+                format!("{} more blocks start in the terrain or outside its rim", count - NAMED);
             self.found.push(Diagnostic::error("terrain.start", message));
         }
     }
@@ -278,7 +278,7 @@ impl Builder<'_> {
 fn triangles_text(read: usize, flat: usize) -> String {
     let left = match flat {
         0 => String::new(),
-        flat => format!("; left out {flat} because they have no area"),
+        flat => format!("; left out {flat} without area"),
     };
     format!("read {read} of {} triangles{left}", read + flat)
 }

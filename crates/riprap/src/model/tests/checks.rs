@@ -84,7 +84,7 @@ fn what_checks_ask_for_must_exist() {
     );
     has(
         check("field = \"model.kinetic\"\nat = \"5 s\"\nvalue = \"1 J/m\""),
-        &["reads at 5 s", "last 1 s"],
+        &["reads at 5 s", "last phase (1 s)"],
     );
     has(
         check("field = \"model.kinetic\"\nvalue = \"1 J/m\"\nexact = true\nknown = \"x\""),
@@ -136,5 +136,5 @@ absolute = "0.2 deg"
     let text = bad(&format!(
         "{CUBE}[[checks]]\nname = \"limit\"\nfield = \"bisect.limit\"\nvalue = 1.0\nrelative = 0.1\n"
     ));
-    assert!(text.contains("there is no [bisect]"), "{text}");
+    assert!(text.contains("the scene has no [bisect]"), "{text}");
 }

@@ -167,14 +167,14 @@ fn joints_cut_blocks_in_space() {
     let fields = crate::run::engine::Kind::Spatial.fields();
     let of = |middle: &str| built(format!("{SPACE}{GRAIN}{brick}{middle}{TAIL}"), fields);
     let alone = "cut.joint_sets = [{ dip = \"30 deg\", spacing = \"1 m\" }]\n";
-    refused(of(alone), "a joint set in space needs `dip_direction`");
-    refused(of("cut = {}\n"), "is cut by no joints");
+    refused(of(alone), "the key `dip_direction` is missing in");
+    refused(of("cut = {}\n"), ".cut needs at least one of `joint_sets`, `joints`");
     refused(
         of("cut.joints.csv = \"../scenarios/good/traces.csv\"\n"),
-        "does not say how its joints lie",
+        "has no columns with the orientation of the joints",
     );
     let flat = "cut.joints.csv = \"shapes/joints_flat.csv\"\n";
-    refused(of(flat), "does not say how its joints lie");
+    refused(of(flat), "has no columns with the orientation of the joints");
     let bent = "cut.joints.csv = \"shapes/joints_bent.csv\"\n";
     refused(of(bent), "fracture 7 is not flat");
     let unknown = "cut.joints = { csv = \"shapes/joints_polygons.csv\", bridges = \"intact\" }\n";
@@ -231,8 +231,8 @@ fn networks_of_other_programs_cut_blocks() {
     };
     let least = setup.blocks.iter().map(|b| volume_of(&b.shape));
     assert!((least.fold(f64::INFINITY, f64::min) - 0.002 * 0.001 * 4.0).abs() < 1e-9);
-    refused(of("itasca = \"shapes/joints.csv\""), "no DFN file of Itasca");
-    refused(of("dfnworks = \"shapes/joints.csv\""), "known by their names, radii_Final.dat");
+    refused(of("itasca = \"shapes/joints.csv\""), "not an Itasca DFN file");
+    refused(of("dfnworks = \"shapes/joints.csv\""), "recognised by their names, radii_Final.dat");
     refused(of("dfnworks = \"shapes\""), "radii_Final.dat");
     refused(of("itasca = \"a.dat\", dfnworks = \"b.dat\""), "only one is possible");
 }
@@ -308,6 +308,6 @@ fn a_glued_mesh_keeps_its_groups() {
     // The block is larger than what the file calls so.
     let fields = crate::run::engine::Kind::Spatial.fields();
     let model = built(format!("{SPACE}{GRAIN}{glued}{TAIL}"), fields).unwrap();
-    let told = |w: &Diagnostic| w.message.contains("group `left` of the mesh has");
+    let told = |w: &Diagnostic| w.message.contains("group `left` of the mesh contains");
     assert!(model.warnings.iter().any(told), "{:?}", model.warnings);
 }

@@ -1,8 +1,8 @@
-//! Blocks that touch nothing where they probably should are told; falling ones are a scene like any other.
+//! Blocks that touch nothing where they probably should are reported; falling ones are a scene like any other.
 
 use super::*;
 
-/// What is told of loose blocks, code by code.
+/// What is reported for loose blocks, code by code.
 fn told(text: &str) -> Vec<(&'static str, String)> {
     let parsed = parse(Source::new("t.toml", text)).unwrap_or_else(|error| panic!("{error}"));
     let model = build(&parsed, "default", &[]).unwrap_or_else(|error| panic!("{error}"));
@@ -76,7 +76,7 @@ fn blocks_that_hang_in_the_air_of_a_static_phase_are_told() {
         beside,
         [(
             "model.falls",
-            "block `loose` touches nothing and has nothing below: the static phase `go` never comes to rest"
+            "block `loose` touches nothing and has nothing below; the static phase `go` cannot reach equilibrium"
                 .to_owned()
         )]
     );

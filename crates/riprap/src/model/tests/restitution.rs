@@ -61,7 +61,10 @@ fn what_an_impact_leaves_is_said() {
         model.explained.iter().find(of).unwrap().why.clone()
     };
     let leaves = |share: &str| {
-        format!("a flat impact of free blocks leaves {share} of their speed (`restitution`)")
+        format!(
+            "a face-to-face impact of free blocks rebounds with {share} of their relative \
+                 speed (`restitution`)"
+        )
     };
     for (keys, share) in
         [("", "0.20"), ("damping_ratio = 0.2\n", "0.57"), ("restitution = 0.9\n", "0.90")]
@@ -77,13 +80,10 @@ fn two_ways_to_say_it_and_impossible_values_are_refused() {
     for (head, blocks) in [(SPACE, BRICK), (PLANE, SQUARE)] {
         let both = format!("{head}{LAW}restitution = 0.3\ndamping_ratio = 0.2\n{blocks}");
         let error = built(&both).unwrap_err();
-        assert!(
-            error.contains("interfaces.default has `damping_ratio` and `restitution`"),
-            "{error}"
-        );
+        assert!(error.contains("interfaces.default has `damping_ratio`, `restitution`"), "{error}");
         let later = "interfaces.default = { damping_ratio = 0.1, restitution = 0.5 }\n";
         let error = built(&format!("{head}{LAW}{blocks}{later}")).unwrap_err();
-        let says = "phases.fall.interfaces.default has `damping_ratio` and `restitution`";
+        let says = "phases.fall.interfaces.default has `damping_ratio`, `restitution`";
         assert!(error.contains(says), "{error}");
         for value in ["0", "1.2", "-0.5"] {
             let error = built(&format!("{head}{LAW}restitution = {value}\n{blocks}")).unwrap_err();
@@ -108,5 +108,5 @@ fn without_found_contacts_it_has_no_effect() {
     let model = built(&format!("{space}{LAW}restitution = 0.5\n{BRICK}")).unwrap();
     let said = model.warnings.iter().map(|w| w.message.as_str());
     let said: Vec<&str> = said.filter(|m| m.contains("restitution")).collect();
-    assert_eq!(said, ["`restitution` of interfaces.default has no effect"]);
+    assert_eq!(said, ["`restitution` in interfaces.default has no effect"]);
 }

@@ -331,7 +331,7 @@ fn stresses_have_the_sign_of_their_name() {
     assert_eq!(model.warnings[0].code, "in_situ.weight");
     // What nobody carries is refused, unless a static phase comes first.
     let bare = tension.replace(&sides, "");
-    assert!(refused(&bare).contains("is carried by nobody"));
+    assert!(refused(&bare).contains("is not balanced by any boundary"));
     let text =
         format!("{SPACE}{bare}{TAIL}").replace("name = \"go\"", "name = \"go\"\nkind = \"static\"");
     assert!(try_solid(&text).is_ok());
@@ -384,7 +384,7 @@ friction_angle = "0 deg"
     let weaker = weaker.strength.unwrap();
     assert_eq!((weaker.tension, weaker.friction, weaker.cohesion), (0.0, 0.0, 2e6));
     assert!(model.plan.phases[0].contacts.is_empty());
-    // Dilation goes no further than friction, and is told.
+    // Dilation goes no further than friction, and is reported.
     assert_eq!((weaker.dilation > 0.9, weaker.dilating()), (true, 0.0));
     let told = |w: &crate::scenario::Diagnostic| w.message.contains("`weaker` lowers the friction");
     assert_eq!(model.warnings.iter().filter(|w| told(w)).count(), 1);
@@ -483,7 +483,7 @@ history = {{ name = "p", field = "cavity.pressure", of = "charge", every = "1 us
     let text = check(
         "field = \"block.velocity.x\"\nat_point = [\"9 m\", \"0 m\", \"0 m\"]\nvalue = \"1 m/s\"",
     );
-    assert!(text.contains("no block holds this point"), "{text}");
+    assert!(text.contains("no block contains this point"), "{text}");
 }
 
 #[test]

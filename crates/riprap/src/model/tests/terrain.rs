@@ -107,8 +107,8 @@ fn one_slope_in_three_formats() {
 #[test]
 fn holes_folds_and_bad_numbers_are_refused_with_their_place() {
     let hole = asc(&PLAIN.replace("0 1 2 3 4\n0 1 2", "0 1 2 3 4\n0 1 -9"));
-    refused(("g.asc", &hole), BALL, &["`g.asc` is no terrain", "hole around (4, 4)"]);
-    refused(("g.asc", &asc("0 1 2 3 inf\n0 0 0 0 0\n")), BALL, &["line 7", "no finite number"]);
+    refused(("g.asc", &hole), BALL, &["`g.asc` is not a terrain", "hole near (4, 4)"]);
+    refused(("g.asc", &asc("0 1 2 3 inf\n0 0 0 0 0\n")), BALL, &["line 7", "not a finite number"]);
     let mut rows = grid();
     rows.remove(7);
     refused(("g.csv", &csv(&rows)), BALL, &["hole"]);
@@ -117,17 +117,17 @@ fn holes_folds_and_bad_numbers_are_refused_with_their_place() {
     refused(("g.csv", &csv(&rows)), BALL, &["line 22: a second height at (2 m, 2 m)"]);
     let scattered: Vec<_> =
         (0..20).map(|k| (0.7 * f64::from(k * k), 1.3 * f64::from(k), 0.0)).collect();
-    refused(("g.csv", &csv(&scattered)), BALL, &["no grid", "STL"]);
+    refused(("g.csv", &csv(&scattered)), BALL, &["not a grid", "STL"]);
     refused(("g.csv", "x_m,y_m\n1,2\n"), BALL, &["`z`"]);
     let mut triangles = square();
     triangles[1][1][2] = 9.0;
-    refused(("g.stl", &stl(&triangles)), BALL, &["no terrain"]);
+    refused(("g.stl", &stl(&triangles)), BALL, &["not a terrain"]);
     let mut triangles = square();
     triangles.push([[1.0, 1.0, 3.0], [7.0, 1.0, 3.0], [4.0, 5.0, 3.0]]);
     refused(("g.stl", &stl(&triangles)), BALL, &["folded"]);
     triangles = square();
     triangles.push([[0.0, 0.0, 0.0], [8.0, 0.0, 4.0], [8.0, 0.0, 9.0]]);
-    refused(("g.stl", &stl(&triangles)), BALL, &["stands upright"]);
+    refused(("g.stl", &stl(&triangles)), BALL, &["is vertical"]);
 }
 
 #[test]
@@ -138,12 +138,12 @@ fn blocks_start_on_or_above_terrain() {
     refused(
         file,
         &ball("[\"5 m\", \"3 m\", \"3 m\"]"),
-        &["block `ball` starts", "0.25 m deep in the terrain `ground`"],
+        &["block `ball` starts", "0.25 m below the surface of terrain `ground`"],
     );
     refused(
         file,
         &ball("[\"15 m\", \"3 m\", \"9 m\"]"),
-        &["block `ball` starts beside the terrain"],
+        &["block `ball` starts outside the rim of the terrain"],
     );
     // It stands just on the slope: its highest corner below is at 5.5 m, 2.75 m high.
     assert!(build_with(file, &ball("[\"5 m\", \"3 m\", \"3.25 m\"]")).is_ok());
@@ -156,13 +156,13 @@ fn blocks_start_on_or_above_terrain() {
 fn terrain_does_not_move() {
     let text = asc(PLAIN);
     for key in ["velocity = [\"1 m/s\", \"0 m/s\", \"0 m/s\"]", "mechanics.deformable = {}"] {
-        refused(("g.asc", &text), &format!("{key}\n{BALL}"), &["is terrain and has"]);
+        refused(("g.asc", &text), &format!("{key}\n{BALL}"), &["cannot be used with `terrain`"]);
     }
     let release = "[[phases]]\nname = \"on\"\nuntil = { time = \"1 s\" }\nrelease = [\"ground\"]\n";
     refused(
         ("g.asc", &text),
         &format!("{BALL}{release}"),
-        &["`ground` is terrain: nothing can move it"],
+        &["`ground` is terrain, which cannot move"],
     );
 }
 
@@ -213,7 +213,8 @@ fn tiles_of_one_survey_are_joined() {
     assert!(model.warnings.is_empty(), "{:?}", model.warnings);
     assert_eq!(triangles(&model), [50, 40, 40, 32]);
     let told = model.summary.terrain.join("\n");
-    let says = "tile0: joined to tile1, tile2, tile3 over the cell between them: 50 triangles now";
+    let says =
+        "tile0: joined to tile1, tile2, tile3 across the cell between them; 50 triangles in total";
     assert!(told.contains(says), "{told}");
     // Beside each other, half a tile apart: two whole cells between them, and half of a cell at both ends.
     let model = tiles(&[four[0], [10.0, 4.0, 5.0, 2.0, 0.0]]);
@@ -238,7 +239,7 @@ fn gaps_and_ground_that_is_there_twice_are_reported() {
     let told = seam(&[first, [10.5, 0.0, 5.0, 2.0, 0.0]]);
     assert!(told[0].contains("leave a gap of 2.5 m between their rims"), "{told:?}");
     let told = seam(&[first, [5.0, 1.0, 5.0, 2.0, 0.0]]);
-    assert!(told[0].contains("are the same ground twice"), "{told:?}");
+    assert!(told[0].contains("cover the same ground"), "{told:?}");
     // Far apart; touching; a bench above a floor: nothing to say.
     assert!(seam(&[first, [40.0, 0.0, 5.0, 2.0, 0.0]]).is_empty());
     assert!(seam(&[first, [8.0, 0.0, 5.0, 2.0, 0.0]]).is_empty());

@@ -1,4 +1,4 @@
-//! Keys without effect are told, conditions without effect refused.
+//! Keys without effect are reported, conditions without effect refused.
 
 use super::*;
 use crate::run::simulation::Simulation;
@@ -82,14 +82,14 @@ fn keys_of_joints_beside_bonds_alone() {
         "[interfaces.default]\nnormal_stiffness = \"1 GPa/m\"\ndamping_ratio = 0.2\n[interfaces.default.brittle_bond]",
     );
     let scene = format!("{head}{DEFORMABLE}{}", phase(""));
-    assert_eq!(unused(&scene), ["`normal_stiffness` of interfaces.default has no effect"]);
+    assert_eq!(unused(&scene), ["`normal_stiffness` in interfaces.default has no effect"]);
     let off = scene.replace(
         "space.spatial.gravity",
         "space.spatial.found_contacts = false\nspace.spatial.gravity",
     );
     assert_eq!(
         unused(&off),
-        ["`normal_stiffness`, `damping_ratio` of interfaces.default have no effect"]
+        ["`normal_stiffness`, `damping_ratio` in interfaces.default have no effect"]
     );
     // A rigid block beside them brings no joint of rigid blocks; two do.
     let rigid = |count: u32| {
@@ -109,10 +109,10 @@ fn damping_that_deformable_blocks_do_not_have() {
         "{HEAD}{DEFORMABLE}{}",
         phase("damping = { mass = \"1 1/s\", stiffness = \"1 ms\" }")
     );
-    assert_eq!(unused(&scene), ["`stiffness` of `damping` of phase `p` has no effect"]);
+    assert_eq!(unused(&scene), ["`stiffness` in `damping` of phase `p` has no effect"]);
     let settle = "kind = \"static\"\ndamping = { local = 0.5 }";
     let scene = format!("{HEAD}{DEFORMABLE}{}", phase(settle));
-    assert_eq!(unused(&scene), ["`local` of `damping` of phase `p` has no effect"]);
+    assert_eq!(unused(&scene), ["`local` in `damping` of phase `p` has no effect"]);
 }
 
 /// A rigid block that can move keeps a static phase in true time: one that is held in part, or that a phase lets go.
@@ -145,9 +145,9 @@ fn keys_of_deformable_blocks_without_any() {
     assert_eq!(
         unused(&format!("{friction}{}", phase(keys))),
         [
-            "`thickness` of interfaces.default.brittle_bond has no effect",
-            "`breaking`, `cut` of phase `p` have no effect",
-            "`relaxation` of phase `p` has no effect",
+            "`thickness` in interfaces.default.brittle_bond has no effect",
+            "`breaking`, `cut` in phase `p` have no effect",
+            "`relaxation` in phase `p` has no effect",
         ]
     );
 }
@@ -172,8 +172,8 @@ fn keys_of_joints_beside_bonds_need_two_rigid_blocks() {
         format!("{given}{DEFORMABLE}{floor}{held}{}", phase(change))
     };
     let told = [
-        "`normal_stiffness`, `cohesion`, `residual_cohesion` of interfaces.default have no effect",
-        "`cohesion` of phases.p.interfaces.default has no effect",
+        "`normal_stiffness`, `cohesion`, `residual_cohesion` in interfaces.default have no effect",
+        "`cohesion` in phases.p.interfaces.default has no effect",
     ];
     let change = "interfaces.default.cohesion = \"1 kPa\"";
     let alone = scene(&floor("floor"), &held(""), change);
@@ -182,7 +182,7 @@ fn keys_of_joints_beside_bonds_need_two_rigid_blocks() {
         all.filter(|m| m.contains("interfaces.default")).collect()
     };
     assert_eq!(of_interfaces(&alone), told);
-    // A block that is let go later can be pushed by others, and so can one that is held in part.
+    // A block that is released later can be pushed by others, and so can one that is held in part.
     let two = format!("{}{}", floor("floor"), floor("other").replace("-2 m", "-5 m"));
     let all = format!("{}{}", held(""), held("").replace("\"floor\"", "\"other\""));
     assert_eq!(of_interfaces(&scene(&two, &all, change)), told);
@@ -196,7 +196,7 @@ fn keys_of_joints_beside_bonds_need_two_rigid_blocks() {
 fn gravity_that_does_not_change_has_no_ramp() {
     let later = phase("gravity_ramp = \"1 ms\"").replace("\"p\"", "\"later\"");
     let scene = format!("{HEAD}{DEFORMABLE}{}{later}", phase("gravity_ramp = \"1 ms\""));
-    assert_eq!(unused(&scene), ["`gravity_ramp` of phase `later` has no effect"]);
+    assert_eq!(unused(&scene), ["`gravity_ramp` in phase `later` has no effect"]);
 }
 
 /// The first of two conditions on one face was dropped without a word.
@@ -252,7 +252,7 @@ spin = "1 rad/s"
         )
     };
     let told = |support: &str| unused(&plane(support, ""));
-    let both = ["`velocity` of block `rock` has no effect", "`spin` of block `rock` has no effect"];
+    let both = ["`velocity` in block `rock` has no effect", "`spin` in block `rock` has no effect"];
     let on = |what: &str| format!("[[supports]]\non.block = \"rock\"\n{what}\n");
     assert_eq!(told(&on("fixed = {}")), both);
     assert_eq!(told(&on("fixed = { rotation = false }")), both[..1]);
@@ -293,7 +293,7 @@ fn dashpots_that_do_not_act_are_told() {
         );
         unused(&format!("{head}{}", phase(keys)))
     };
-    let told = ["`dashpots` of interfaces.default has no effect"];
+    let told = ["`dashpots` in interfaces.default has no effect"];
     assert_eq!(scene("damping_ratio = 0", ""), told);
     let quiet = [
         ("", ""),
@@ -331,7 +331,7 @@ rectangle = {{ size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }}
         ))
     };
     let given = "normal_stiffness = \"1 GPa/m\"";
-    let told = ["`young`, `poisson` of materials.rock have no effect"];
+    let told = ["`young`, `poisson` in materials.rock have no effect"];
     assert_eq!(scene(given, ""), told);
     // The stiffness of one of its interfaces is estimated from them.
     let steel = "[interfaces.steel]\nfriction_angle = \"20 deg\"\nbetween = [\"steel\", \"steel\"]\nnormal_stiffness = \"1 GPa/m\"";
@@ -344,7 +344,7 @@ rectangle = {{ size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }}
     let variant = "[variants.soft]\n\"interfaces.default\" = { friction_angle = \"30 deg\" }\n";
     assert_eq!(scene(given, variant), Vec::<String>::new());
     let check = "[[checks]]\nname = \"c\"\nfield = \"block.speed\"\nof = \"rock\"\nlet = { modulus = \"materials.rock.young\" }\nformula = \"0*modulus\"\nabsolute = \"1 m/s\"\n";
-    assert_eq!(scene(given, check), ["`poisson` of materials.rock has no effect"]);
+    assert_eq!(scene(given, check), ["`poisson` in materials.rock has no effect"]);
 }
 
 #[test]
@@ -368,7 +368,7 @@ fn rhythms_longer_than_the_run_are_told() {
     assert_eq!(
         rare(&history("2 ms"), time),
         [
-            "history `v` is written at the start and at the ends of phases alone: `every`, 0.002 s, is longer than the run, 0.001 s"
+            "history `v` is written only at the start and at the end of each phase: `every` (0.002 s) is longer than the run (0.001 s)"
         ]
     );
     assert_eq!(rare(&frames("2 ms"), time).len(), 1);
@@ -382,4 +382,24 @@ fn rhythms_longer_than_the_run_are_told() {
     for (outputs, until) in quiet {
         assert_eq!(rare(&outputs, until), Vec::<String>::new(), "{outputs} {until}");
     }
+}
+
+/// A contact under the law of an elastic joint slides by its friction; without contacts nothing does.
+#[test]
+fn friction_beside_an_elastic_joint_is_that_of_contacts() {
+    let text = |space: &str, strength: &str| {
+        format!(
+            "riprap = 1\ntitle = \"t\"\nspace.spatial.gravity = \"10 m/s2\"\n{space}\nmaterials.rock.density = \"2000 kg/m3\"\n\
+             interfaces.default = {{ normal_stiffness = \"1 GPa/m\", elastic = true, {strength} }}\n\
+             [[blocks]]\nname = \"rock\"\nmaterial = \"rock\"\ngrid.box = {{ size = [\"2 m\", \"1 m\", \"1 m\"], cell = \"1 m\" }}\n{}",
+            phase("")
+        )
+    };
+    for friction in ["friction_angle = \"30 deg\"", "friction_coefficient = 0.5"] {
+        assert_eq!(unused(&text("", friction)), [""; 0]);
+        let told = unused(&text("space.spatial.found_contacts = false", friction));
+        assert!(told.iter().any(|t| t.contains("friction") && t.contains("no effect")), "{told:?}");
+    }
+    let told = unused(&text("", "friction_angle = \"30 deg\", cohesion = \"1 MPa\""));
+    assert!(told.iter().any(|t| t.starts_with("`cohesion` in")), "{told:?}");
 }

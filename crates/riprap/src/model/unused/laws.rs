@@ -21,7 +21,7 @@ impl Builder<'_> {
         let idle: Vec<(String, Span)> =
             idle.map(|(_, (name, _))| (format!("interfaces.{name}"), name.span.clone())).collect();
         for (of, span) in idle {
-            let help = "no dashpot acts in its joints: its `damping_ratio` is 0, and no phase has `damping.stiffness`";
+            let help = "its joints have no dashpots: its `damping_ratio` is 0, and no phase has `damping.stiffness`";
             self.no_effect(&of, &[("dashpots", true)], &span, help);
         }
     }
@@ -68,7 +68,7 @@ impl Builder<'_> {
         }
         for (of, given) in idle {
             let keys: Vec<_> = given.iter().map(|(key, _)| (*key, true)).collect();
-            let help = "blocks in the plane are rigid, and `normal_stiffness` of their interfaces is given; it would be estimated from these where it is not";
+            let help = "blocks in the plane are rigid, and their interfaces give `normal_stiffness`; these keys are read only to estimate it";
             self.no_effect(&of, &keys, &given[0].1, help);
         }
     }

@@ -65,7 +65,7 @@ impl Builder<'_> {
                 _ => format!(" about {}", axes.join(", ")),
             };
             let any = kept[which].contains(&false);
-            any.then(|| format!("a support prescribes what it does{axes} from the start on: leave it out, or the support"))
+            any.then(|| format!("a support prescribes the motion{axes} from the start; remove this value, or the support"))
         })
     }
 

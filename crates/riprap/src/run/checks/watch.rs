@@ -167,10 +167,10 @@ impl Watch {
                     Reduce::Rms if self.span > 0.0 => Ok((at, one.sqrt())),
                     Reduce::Rms => Ok((at, last.abs())),
                     Reduce::FirstBelow(threshold) => {
-                        self.found.ok_or_else(|| format!("it never came below {threshold}"))
+                        self.found.ok_or_else(|| format!("it never fell below {threshold}"))
                     }
                     Reduce::FirstAbove(threshold) => {
-                        self.found.ok_or_else(|| format!("it never came above {threshold}"))
+                        self.found.ok_or_else(|| format!("it never rose above {threshold}"))
                     }
                     Reduce::ShareAbove(_) => Ok((at, if self.span > 0.0 { one } else { 0.0 })),
                 }
@@ -220,7 +220,7 @@ impl Watch {
             (None, true) => Status::Passed,
             (None, false) => Status::Failed,
             (Some(reason), true) => {
-                result.note = format!("passes, but is marked known: {reason}");
+                result.note = format!("passes, but is marked as a known failure: {reason}");
                 Status::Failed
             }
             (Some(reason), false) => {
@@ -274,13 +274,13 @@ impl Watch {
         let expected = self.expected_at(time).filter(|x| !x.is_finite());
         match (&self.check.expected, expected) {
             (Expected::Formula { formula, .. }, Some(x)) => Some(format!(
-                "what is expected is not finite: the formula `{}` gives {x} at t = {time} s",
+                "the expected value is not finite: the formula `{}` gives {x} at t = {time} s",
                 formula.text()
             )),
-            (_, Some(x)) => Some(format!("what is expected is not finite: {x}")),
+            (_, Some(x)) => Some(format!("the expected value is not finite: {x}")),
             (Expected::Between(..), None) if !value.is_nan() => None,
             (_, None) if value.is_finite() => None,
-            (_, None) => Some(format!("what came out is not finite: {value}")),
+            (_, None) => Some(format!("the result is not finite: {value}")),
         }
     }
 

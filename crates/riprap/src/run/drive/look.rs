@@ -48,7 +48,7 @@ pub struct Progress {
 pub struct Measured {
     /// Kinetic energy, in the unit of [`Progress::energy_unit`].
     pub kinetic: f64,
-    /// Energy residual over the largest energy that moved, as the ledger was last drawn up; `None` before.
+    /// Energy residual over the largest energy exchanged, as the ledger was last drawn up; `None` before.
     pub residual: Option<f64>,
     /// Unbalanced-force ratio.
     pub unbalanced: f64,
@@ -242,7 +242,7 @@ mod tests {
             assert!(told > 0.999 * true_left && told < 2.1 * true_left, "{second}: {told}");
             assert!(second < 45 || told < 1.01 * true_left, "{second}: {told}");
         }
-        // Another phase begins anew, one without an end in sight says nothing.
+        // Another phase starts over, one without an end in sight says nothing.
         assert_eq!(forecast.remaining(80.0, 2, Some(0.5)), None);
         assert_eq!(forecast.remaining(83.0, 2, None), None);
         // A run that was resumed counts what it has done itself.

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use crate::exec::Exec;
 use crate::ledger::Unexplained;
 use crate::plan::TimeStep;
-use crate::run::simulation::{RunError, Simulation, Snapshot, Stage};
+use crate::run::simulation::{Reached, RunError, Simulation, Snapshot};
 
 /// Steps between two copies of the state.
 const EVERY: u64 = 500;
@@ -18,7 +18,7 @@ const BLOCKS: usize = 20_000;
 /// Steps that a repetition may take, and seconds.
 const STEPS: u64 = 20 * EVERY;
 const PATIENCE: Duration = Duration::from_secs(20);
-/// A residual that half the step changes by less than this share of itself does not hang on the step.
+/// A residual that half the step changes by less than this share of itself does not depend on the step.
 const SAME: f64 = 0.25;
 
 /// A state from which a stretch can be repeated.
@@ -66,7 +66,7 @@ impl Keeper {
         }
         let Some(kept) = self.kept.into_iter().next() else {
             return Some(format!(
-                "whether a shorter step avoids it was not tried, the model is large (over {BLOCKS} blocks); run it with half the step to know"
+                "a shorter step was not tried because the model has more than {BLOCKS} blocks; run it with half the step to find out"
             ));
         };
         let energy = doubted(error).of(&stopped.balance());
@@ -90,11 +90,13 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
     let dt = 0.5 * stopped.dt().min(stable.dt);
     let what = if stopped.dt() > stable.dt { "half the stable step" } else { "half the step" };
     if !(dt > 0.0 && dt.is_finite()) {
-        return "a shorter step was not tried, half of it is no number".to_owned();
+        return "a shorter step was not tried: half the step is not a finite number".to_owned();
     }
     let mut snapshot = kept.snapshot;
+    // Where the phase ends the repetition does.
+    snapshot.plan.phases.truncate(kept.phase + 1);
     let Some(phase) = snapshot.plan.phases.get_mut(kept.phase) else {
-        return "a shorter step was not tried, the phase is over".to_owned();
+        return "a shorter step was not tried: the phase has ended".to_owned();
     };
     phase.time_step = match phase.time_step {
         TimeStep::Auto { safety } if stopped.dt() <= stable.dt => {
@@ -105,20 +107,18 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
     phase.max_residual = f64::INFINITY;
     phase.until.steps = None;
     let mut trial = Simulation::resume(snapshot, Exec::serial());
-    let mut before = None;
     let doubted = doubted(error);
-    match to(stopped.time(), &mut trial, doubted, &mut before) {
-        Reached::Instant => {
-            let before = before.unwrap_or_default();
+    match to(stopped.time(), &mut trial, doubted) {
+        Ok(Some(before)) => {
             of_residual(error, what, from, [before, energy, doubted.of(&trial.balance())])
         }
-        Reached::Error(again) => format!(
-            "repeated from step {from} with {what} it is stopped as well (t = {:.4e} s: {}), so the step alone is not to blame",
+        Ok(None) => format!(
+            "the effect of a shorter step is unknown: the repeat from step {from} with {what} took too long"
+        ),
+        Err(again) => format!(
+            "a repeat from step {from} with {what} stopped as well (t = {:.4e} s: {}), so the step alone is not the cause",
             trial.time(),
             again.kind()
-        ),
-        Reached::TooFar => format!(
-            "whether a shorter step avoids it is not known: the repetition from step {from} with {what} took too long"
         ),
     }
 }
@@ -127,53 +127,35 @@ fn repeat(kept: Kept, stopped: &Simulation, error: &RunError, energy: f64) -> St
 fn of_residual(error: &RunError, what: &str, from: u64, values: [f64; 3]) -> String {
     let RunError::Residual { what: energy, unit, .. } = error else {
         return format!(
-            "repeated from step {from} with {what} it does not happen, so the step is to blame: make it shorter (`safety`, `time_step`)"
+            "a repeat from step {from} with {what} did not stop, so the step is too long: shorten it (`safety`, `time_step`)"
         );
     };
     let [before, full, half] = values;
     let (full, half) = (full - before, half - before);
     let verdict = if (half - full).abs() < SAME * full.abs() {
-        "so the step is not to blame"
+        "so the step is not the cause"
     } else if half.abs() < full.abs() {
-        "so the step is to blame: make it shorter (`safety`, `time_step`)"
+        "so the step is too long: shorten it (`safety`, `time_step`)"
     } else {
-        "so a shorter step alone does not cure it"
+        "so a shorter step alone does not help"
     };
     format!(
-        "from step {from} on {energy} grew by {full:.3e} {unit}, and by {half:.3e} {unit} when that was repeated with {what}, {verdict}"
+        "from step {from} on, {energy} changed by {full:.3e} {unit}, and in a repeat with {what} by {half:.3e} {unit}, {verdict}"
     )
 }
 
-/// How a repetition ended.
-enum Reached {
-    Instant,
-    Error(RunError),
-    TooFar,
-}
-
-/// Advances within the phase to a model time; `before`: the energy that is doubted at the beginning.
-fn to(
-    time: f64,
-    trial: &mut Simulation,
-    doubted: Unexplained,
-    before: &mut Option<f64>,
-) -> Reached {
+/// Advances within the phase to a model time: the energy that is doubted at the beginning; `None` where it takes too long.
+fn to(time: f64, trial: &mut Simulation, doubted: Unexplained) -> Result<Option<f64>, RunError> {
     let begun = Instant::now();
     let first = trial.steps();
-    loop {
-        match trial.prepare() {
-            Err(error) => return Reached::Error(error),
-            Ok(Stage::PhaseEnd | Stage::Done) => return Reached::Instant,
-            Ok(Stage::Within) if trial.time() >= time => return Reached::Instant,
-            Ok(Stage::Within) => {
-                if before.is_none() {
-                    *before = Some(doubted.of(&trial.balance()));
-                }
-                trial.step();
-            }
-        }
+    let mut goes_on = trial.advance(0)? == Reached::Asked && trial.time() < time;
+    let before = if goes_on { doubted.of(&trial.balance()) } else { 0.0 };
+    while goes_on {
+        let reached = trial.advance(1)?;
         if trial.steps() - first > STEPS || begun.elapsed() > PATIENCE {
-            return Reached::TooFar;
+            return Ok(None);
         }
+        goes_on = reached == Reached::Asked && trial.time() < time;
     }
+    Ok(Some(before))
 }

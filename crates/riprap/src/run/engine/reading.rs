@@ -40,19 +40,13 @@ impl Reading {
     /// Table entry.
     #[must_use]
     pub fn info(&self) -> &'static FieldInfo {
-        match self {
-            Self::Planar(r) => r.info(),
-            Self::Spatial(r) => r.info(),
-        }
+        either!(self, r => r.info())
     }
 
     /// Whether reading it costs as much as a step.
     #[must_use]
     pub fn costly(&self) -> bool {
-        match self {
-            Self::Planar(r) => r.costly(),
-            Self::Spatial(r) => r.costly(),
-        }
+        either!(self, r => r.costly())
     }
 
     /// The number; NaN from a view of another engine.

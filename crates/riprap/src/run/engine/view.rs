@@ -85,28 +85,19 @@ impl<'a> View<'a> {
     /// Model time, s.
     #[must_use]
     pub fn time(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.world.time,
-            Self::Spatial(v) => v.world.time,
-        }
+        either!(self, v => v.world.time)
     }
 
     /// Steps done.
     #[must_use]
     pub fn step(&self) -> u64 {
-        match self {
-            Self::Planar(v) => v.world.step,
-            Self::Spatial(v) => v.world.step,
-        }
+        either!(self, v => v.world.step)
     }
 
     /// Length of the last step, s; 0 before the first.
     #[must_use]
     pub fn last_dt(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.world.last_dt,
-            Self::Spatial(v) => v.world.last_dt,
-        }
+        either!(self, v => v.world.last_dt)
     }
 
     /// Name of a block.
@@ -121,10 +112,7 @@ impl<'a> View<'a> {
     /// Boundaries, supports and loads with the work that they have done since the start.
     #[must_use]
     pub fn works(&self) -> Vec<Work> {
-        let accounts = match self {
-            Self::Planar(v) => &v.world.accounts,
-            Self::Spatial(v) => &v.world.accounts,
-        };
+        let accounts = either!(self, v => &v.world.accounts);
         let energy = self.kind().fields().iter().find(|f| f.site == Site::Energy);
         let unit = energy.map_or("J", |f| f.unit);
         let work = |(condition, account): (&Condition, &Account)| Work {
@@ -139,46 +127,31 @@ impl<'a> View<'a> {
     /// Boundaries, supports and loads that have accounts.
     #[must_use]
     pub fn accounts(&self) -> &'a [Condition] {
-        match self {
-            Self::Planar(v) => &v.world.setup.accounts,
-            Self::Spatial(v) => &v.world.setup.accounts,
-        }
+        either!(self, v => &v.world.setup.accounts)
     }
 
     /// Kinetic energy, J or J/m.
     #[must_use]
     pub fn kinetic(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.kinetic_energy(),
-            Self::Spatial(v) => v.kinetic_energy(),
-        }
+        either!(self, v => v.kinetic_energy())
     }
 
     /// Sum over the blocks of `m dv² + I dw²` of the coming half kick: what the ledger needs at the start.
     #[must_use]
     pub fn half_kick(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.half_kick(),
-            Self::Spatial(v) => v.half_kick(),
-        }
+        either!(self, v => v.half_kick())
     }
 
     /// Energy that has been put in so far, J or J/m: the scale of a blow-up.
     #[must_use]
     pub fn put_in(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.world.works.put_in(v.world.start_energy.unwrap_or_default()),
-            Self::Spatial(v) => v.world.works.put_in(v.world.start_energy.unwrap_or_default()),
-        }
+        either!(self, v => v.world.works.put_in(v.world.start_energy.unwrap_or_default()))
     }
 
     /// Largest work of any kind so far, J or J/m.
     #[must_use]
     pub fn largest_work(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.world.works.peak,
-            Self::Spatial(v) => v.world.works.peak,
-        }
+        either!(self, v => v.world.works.peak)
     }
 
     /// What blocks in space that were built into each other have given back by found contact, J: a search for equilibrium presses them
@@ -194,10 +167,7 @@ impl<'a> View<'a> {
     /// Unbalanced-force ratio.
     #[must_use]
     pub fn unbalanced(&self) -> f64 {
-        match self {
-            Self::Planar(v) => v.unbalanced(),
-            Self::Spatial(v) => v.unbalanced(),
-        }
+        either!(self, v => v.unbalanced())
     }
 
     /// Whether a block is held, driven or leans on a boundary, so that the model does not fall as a whole.
@@ -216,20 +186,14 @@ impl<'a> View<'a> {
     /// The first block whose motion is prescribed and not rest.
     #[must_use]
     pub fn driven(&self) -> Option<u32> {
+        use planar::setup::Motion as Flat;
+        use spatial::setup::Motion as Solid;
         let found = match self {
-            Self::Planar(v) => v.world.motion.iter().position(|m| match m.as_deref() {
-                Some(
-                    planar::setup::Motion::Velocity { .. }
-                    | planar::setup::Motion::Acceleration { .. },
-                ) => true,
-                Some(planar::setup::Motion::Fixed { .. }) | None => false,
+            Self::Planar(v) => v.world.motion.iter().position(|m| {
+                matches!(m.as_deref(), Some(Flat::Velocity { .. } | Flat::Acceleration { .. }))
             }),
-            Self::Spatial(v) => v.world.motion.iter().position(|m| match m.as_deref() {
-                Some(
-                    spatial::setup::Motion::Velocity { .. }
-                    | spatial::setup::Motion::Acceleration { .. },
-                ) => true,
-                Some(spatial::setup::Motion::Fixed { .. }) | None => false,
+            Self::Spatial(v) => v.world.motion.iter().position(|m| {
+                matches!(m.as_deref(), Some(Solid::Velocity { .. } | Solid::Acceleration { .. }))
             }),
         };
         found.and_then(|b| u32::try_from(b).ok())
@@ -296,14 +260,11 @@ impl<'a> View<'a> {
     /// The free block whose net force is the largest share of the forces that act on it, with that share.
     #[must_use]
     pub fn least_balanced(&self) -> Option<Who> {
-        let (ratio, b) = match self {
-            Self::Planar(v) => v.least_balanced()?,
-            Self::Spatial(v) => v.least_balanced()?,
-        };
+        let (ratio, b) = either!(self, v => v.least_balanced()?);
         Some((self.name(b), ratio))
     }
 
-    /// What energies are multiplied by when they are told: the thickness of a slice in m, else 1.
+    /// What energies are multiplied by when they are reported: the thickness of a slice in m, else 1.
     #[must_use]
     pub fn slice(&self) -> f64 {
         match self {
@@ -315,19 +276,13 @@ impl<'a> View<'a> {
     /// The energy ledger, in the plane for each metre of thickness.
     #[must_use]
     pub fn balance(&self) -> Balance {
-        match self {
-            Self::Planar(v) => v.balance(),
-            Self::Spatial(v) => v.balance(),
-        }
+        either!(self, v => v.balance())
     }
 
     /// Number of blocks that are there, after splitting and removal.
     #[must_use]
     pub fn blocks(&self) -> usize {
-        match self {
-            Self::Planar(v) => v.living().count(),
-            Self::Spatial(v) => v.living().count(),
-        }
+        either!(self, v => v.living().count())
     }
 
     /// Number of contacts that touch; in space of patches too.
@@ -342,49 +297,31 @@ impl<'a> View<'a> {
     /// Deepest overlap over the smaller inscribed radius of its pair, with the pair.
     #[must_use]
     pub fn worst_overlap(&self) -> Option<(f64, u32, u32)> {
-        match self {
-            Self::Planar(v) => v.worst_overlap(),
-            Self::Spatial(v) => v.worst_overlap(),
-        }
+        either!(self, v => v.worst_overlap())
     }
 
     /// The bolt that has been drawn out by most of its length.
     #[must_use]
     pub fn most_drawn(&self) -> Option<Drawn> {
-        match self {
-            Self::Planar(v) => {
-                let (number, [by, length, force]) = v.most_drawn()?;
-                let bolt = &v.world.setup.bolts[number as usize];
-                Some(Drawn {
-                    name: bolt.name.clone(),
-                    by,
-                    length,
-                    force,
-                    breaks: bolt.design.breaks.is_finite(),
-                })
-            }
-            Self::Spatial(v) => {
-                let drawn = v.most_drawn()?;
-                let bolt = &v.world.setup.bolts[drawn.bolt as usize];
-                Some(Drawn {
-                    name: bolt.name.clone(),
-                    by: drawn.by,
-                    length: drawn.length,
-                    force: drawn.force,
-                    breaks: bolt.design.breaks.is_finite(),
-                })
-            }
-        }
+        let (bolt, [by, length, force]) = match self {
+            Self::Planar(v) => v.most_drawn()?,
+            Self::Spatial(v) => v.most_drawn().map(|d| (d.bolt, [d.by, d.length, d.force]))?,
+        };
+        let breaks =
+            either!(self, v => v.world.setup.bolts[bolt as usize].design.breaks.is_finite());
+        Some(Drawn { name: self.bolt(bolt).to_owned(), by, length, force, breaks })
     }
 
     /// Names of bolts that tie nothing to anything, with that of the block that all of each lies in.
     #[must_use]
     pub fn idle_bolts(&self) -> Vec<(String, String)> {
-        let (idle, name): (_, &dyn Fn(u32) -> String) = match self {
-            Self::Planar(v) => (v.idle_bolts(), &|k| v.world.setup.bolts[k as usize].name.clone()),
-            Self::Spatial(v) => (v.idle_bolts(), &|k| v.world.setup.bolts[k as usize].name.clone()),
-        };
-        idle.into_iter().map(|(bolt, block)| (name(bolt), self.name(block))).collect()
+        let idle = either!(self, v => v.idle_bolts()).into_iter();
+        idle.map(|(bolt, block)| (self.bolt(bolt).to_owned(), self.name(block))).collect()
+    }
+
+    /// Name of a bolt.
+    fn bolt(&self, bolt: u32) -> &'a str {
+        either!(self, v => v.world.setup.bolts[bolt as usize].name.as_str())
     }
 
     /// The found contact in space that is deepest for its blocks, rigid, on terrain or deformable.
@@ -399,12 +336,8 @@ impl<'a> View<'a> {
     /// Fastest block and its speed, m/s.
     #[must_use]
     pub fn fastest(&self) -> Option<Who> {
-        match self {
-            Self::Planar(v) => {
-                v.fastest().map(|(speed, b)| (v.world.setup.blocks[b].name.clone(), speed))
-            }
-            Self::Spatial(v) => v.fastest().map(|(speed, b)| (v.name(b), speed)),
-        }
+        let (speed, b) = either!(self, v => v.fastest())?;
+        Some((self.name(u32::try_from(b).ok()?), speed))
     }
 
     /// Charges and other cavities, for the manifest.
@@ -419,40 +352,23 @@ impl<'a> View<'a> {
     /// Names of the bolts of the model, installed or not.
     #[must_use]
     pub fn bolts(&self) -> Vec<String> {
-        match self {
-            Self::Planar(v) => {
-                let bolts = v.world.setup.bolts.iter();
-                bolts.map(|bolt| bolt.name.clone()).collect()
-            }
-            Self::Spatial(v) => {
-                let bolts = v.world.setup.bolts.iter();
-                bolts.map(|bolt| bolt.name.clone()).collect()
-            }
-        }
+        either!(self, v => v.world.setup.bolts.iter().map(|bolt| bolt.name.clone()).collect())
     }
 
     /// The table of the bars of all bolts; `None` where none is in the rock.
     #[must_use]
     pub fn bolt_table(&self) -> Option<String> {
-        match self {
-            Self::Planar(v) => {
-                let name = |bolt: u32| v.world.setup.bolts[bolt as usize].name.as_str();
-                bars::csv(&planar::bolts::read::bars(v), name)
-            }
-            Self::Spatial(v) => {
-                let name = |bolt: u32| v.world.setup.bolts[bolt as usize].name.as_str();
-                bars::csv(&spatial::read::bars::bars(v), name)
-            }
-        }
+        let bars = match self {
+            Self::Planar(v) => planar::bolts::read::bars(v),
+            Self::Spatial(v) => spatial::read::bars::bars(v),
+        };
+        bars::csv(&bars, |bolt| self.bolt(bolt))
     }
 
     /// The bolt whose equilibrium was missed by most so far: its name, and the force that was left over its largest one.
     #[must_use]
     pub fn unbalanced_bolt(&self) -> Option<(String, f64)> {
-        let found = match self {
-            Self::Planar(v) => v.unbalanced_bolt(),
-            Self::Spatial(v) => v.unbalanced_bolt(),
-        };
+        let found = either!(self, v => v.unbalanced_bolt());
         found.map(|(name, left)| (name.to_owned(), left))
     }
 
@@ -486,27 +402,17 @@ impl<'a> View<'a> {
     /// Number of blocks there are and have been.
     #[must_use]
     pub fn all_blocks(&self) -> usize {
-        match self {
-            Self::Planar(v) => v.world.setup.blocks.len(),
-            Self::Spatial(v) => v.world.setup.blocks.len(),
-        }
+        either!(self, v => v.world.setup.blocks.len())
     }
 
     /// Names of blocks and groups.
     #[must_use]
     pub fn names(&self) -> Names {
-        match self {
-            Self::Planar(v) => {
-                let setup = &v.world.setup;
-                let groups = setup.groups.iter().map(|g| (g.name.as_str(), &g.blocks[..]));
-                Names::pack(setup.blocks.iter().map(|b| b.name.clone()), groups)
-            }
-            Self::Spatial(v) => {
-                let setup = &v.world.setup;
-                let groups = setup.groups.iter().map(|g| (g.name.as_str(), &g.blocks[..]));
-                Names::pack((0..setup.blocks.len()).map(|b| v.name(b)), groups)
-            }
-        }
+        let blocks = (0..self.all_blocks() as u32).map(|b| self.name(b));
+        either!(self, v => {
+            let groups = v.world.setup.groups.iter();
+            Names::pack(blocks, groups.map(|g| (g.name.as_str(), &g.blocks[..])))
+        })
     }
 
     /// What holds, moves and loads blocks with numbers from `first` on.
@@ -520,10 +426,7 @@ impl<'a> View<'a> {
 
     /// The threads of the engine.
     pub(crate) fn exec(&self) -> &'a Exec {
-        match self {
-            Self::Planar(v) => &v.scratch.exec,
-            Self::Spatial(v) => &v.scratch.exec,
-        }
+        either!(self, v => &v.scratch.exec)
     }
 
     /// A picture.

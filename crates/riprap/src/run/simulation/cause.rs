@@ -60,10 +60,10 @@ pub(super) fn of_block(simulation: &Simulation, block: u32) -> Cause {
         }
     }
     let functions = if kinds.is_empty() {
-        "nothing in the model is a function of time".to_owned()
+        "the model has no functions of time".to_owned()
     } else {
         let kinds = kinds.join(", ");
-        format!("looked at: {kinds} as functions of time; they are numbers")
+        format!("the functions of time ({kinds}) have finite values")
     };
     Cause { words: format!("{functions}. {}", of_step(simulation)), formula: None }
 }
@@ -154,7 +154,7 @@ fn blame(what: &str, f: &TimeFunction) -> Cause {
         | TimeFunction::Table { .. }
         | TimeFunction::Duvall { .. } => None,
     };
-    let text = formula.as_ref().map_or(String::new(), |text| format!(", the formula `{text}`,"));
+    let text = formula.as_ref().map_or(String::new(), |text| format!(", formula `{text}`,"));
     Cause { words: format!("{what}{text} is not finite at this time"), formula }
 }
 
@@ -320,7 +320,7 @@ fn sources(world: &spatial::world::World) -> Vec<TimeDependentInput<'_>> {
 /// What is known of the time step before a shorter one has been tried: its share of the stable one.
 pub(super) fn of_step(simulation: &Simulation) -> String {
     if simulation.relaxes() {
-        return "in a relaxing phase no time step is involved".to_owned();
+        return "a relaxing phase has no time step".to_owned();
     }
     let dt = simulation.dt();
     let damping = simulation.phase().map_or(0.0, |p| p.damping.stiffness);
@@ -332,13 +332,13 @@ pub(super) fn of_step(simulation: &Simulation) -> String {
         let contacts = rule.map(|rule| simulation.engine().contact_step_limit(rule));
         match contacts.filter(|limit| limit.is_finite()) {
             Some(limit) => {
-                format!("the time step is {dt:.3e} s, found contacts allow {limit:.3e} s now")
+                format!("the time step is {dt:.3e} s; contacts now allow {limit:.3e} s")
             }
-            None => format!("nothing bounds the time step ({dt:.3e} s): no block holds another"),
+            None => format!("nothing limits the time step ({dt:.3e} s): no two blocks interact"),
         }
     } else if share > 1.0 {
-        format!("the time step, {dt:.3e} s, is {share:.2} times the stable one ({stable:.3e} s)")
+        format!("the time step, {dt:.3e} s, is {share:.2} times the stable step ({stable:.3e} s)")
     } else {
-        format!("the time step, {dt:.3e} s, is {share:.2} of the stable one")
+        format!("the time step, {dt:.3e} s, is {share:.2} of the stable step")
     }
 }

@@ -77,8 +77,8 @@ impl std::fmt::Display for Deep {
         if self.into == Into::Condition {
             return write!(
                 f,
-                "block `{a}` was pressed {:.3e} m into what holds its face (boundary `{b}`), {:.0} % of the radius of the largest ball in it \
-                 (step {}, t = {:.4e} s): the rock is soft for what presses; a larger `young` or a smaller load keeps it from there",
+                "block `{a}` was pressed {:.3e} m into boundary `{b}`, {:.0} % of its inscribed radius (step {}, t = {:.4e} s): the rock is too soft \
+                 for the load; use a larger `young` or a smaller load",
                 self.depth,
                 100.0 * self.ratio,
                 self.step,
@@ -87,9 +87,9 @@ impl std::fmt::Display for Deep {
         }
         write!(
             f,
-            "blocks `{a}` and `{b}` were pressed {:.3e} m into each other, {:.0} % of the radius of the largest ball in the thinner one \
-             (step {}, t = {:.4e} s): the contact is soft for what presses; a larger `normal_stiffness` keeps them apart (where the \
-             materials have a `brittle_bond` and one block deforms: of that, or a smaller `thickness`)",
+            "blocks `{a}` and `{b}` were pressed {:.3e} m into each other, {:.0} % of the inscribed radius of the thinner one (step {}, t = {:.4e} \
+             s): the contact is too soft for the load; use a larger `normal_stiffness` (for materials with a `brittle_bond` where one block is \
+             deformable: that of the bond, or a smaller `thickness`)",
             self.depth,
             100.0 * self.ratio,
             self.step,
@@ -114,8 +114,8 @@ impl Residual {
     #[must_use]
     pub fn told(&self, what: Unexplained) -> String {
         format!(
-            "{what} came to {:.1} % of the largest energy that moved (step {}, t = {:.4e} s), which is not small; a shorter time step tells \
-             whether the step makes it and whether results hang on it",
+            "{what} reached {:.1} % of the largest energy exchanged (step {}, t = {:.4e} s); repeat the run with a shorter time step to see whether \
+             the step causes it and whether results depend on it",
             100.0 * self.share,
             self.step,
             self.time
@@ -206,18 +206,18 @@ impl PhaseEnd {
     #[must_use]
     pub fn words(&self) -> &'static str {
         match self.reason {
-            Reason::Time => "its time has passed",
-            Reason::Steps => "its steps are used up",
+            Reason::Time => "its time has elapsed",
+            Reason::Steps => "all its steps are done",
             Reason::Balanced if self.restless().is_some() => {
-                "the forces are balanced as a whole, but not on every block"
+                "the forces are balanced overall, but not on every block"
             }
             Reason::Balanced => "the forces are balanced",
             Reason::AtRest if self.restless().is_some() => {
-                "the model is at rest as a whole, but not every block"
+                "the model is at rest overall, but not every block"
             }
             Reason::AtRest => "it is at rest",
-            Reason::Sinking => "it sinks through its dashpots and will not come to rest",
-            Reason::Iterations => "its iterations are used up",
+            Reason::Sinking => "it sinks into its viscous boundaries and cannot come to rest",
+            Reason::Iterations => "all its iterations are done",
         }
     }
 
@@ -227,8 +227,8 @@ impl PhaseEnd {
         let sinks = |(share, _): &&(f64, String)| *share > self.wanted.unwrap_or(SINKS);
         if let Some((share, boundary)) = self.sinking.as_ref().filter(sinks) {
             return Some(format!(
-                "the dashpots of the viscous boundary `{boundary}` bear {share:.1e} of all forces, and the model sinks into them: they hold nothing that is at \
-                 rest; hold the base in a static phase (`held`), or give `[in_situ]`, the stress that viscous faces take up"
+                "the dashpots of the viscous boundary `{boundary}` carry {share:.1e} of all forces, and the model sinks into them: dashpots carry no \
+                 load at rest; hold the base in a static phase (`held`), or give `[in_situ]`, the stress that viscous faces balance"
             ));
         }
         if let Some((name, ratio)) = self.worst.as_ref().filter(|(_, ratio)| *ratio > FALLS) {
@@ -239,7 +239,7 @@ impl PhaseEnd {
         }
         let (name, way) = self.moving.as_ref().filter(|(_, way)| *way > MOVES)?;
         Some(format!(
-            "block `{name}` moves: in another phase as long it would go {way:.1e} times its own size"
+            "block `{name}` moves: in another phase of this length it would travel {way:.1e} times its own size"
         ))
     }
 
@@ -248,8 +248,8 @@ impl PhaseEnd {
     pub fn thrown(&self) -> Option<String> {
         let Thrown { block, way, energy } = self.thrown.as_ref()?;
         Some(format!(
-            "blocks that lay in each other had given back {energy:.1e} J at the end of phase `{}`, and block `{block}` had gone {way:.1} times its \
-             own size: look whether it was thrown; a smaller `normal_stiffness` presses blocks apart more gently",
+            "initial overlaps had released {energy:.1e} J at the end of phase `{}`, and block `{block}` had travelled {way:.1} times its own size: \
+             check whether it was ejected; a smaller `normal_stiffness` separates blocks more gently",
             self.phase
         ))
     }
@@ -268,26 +268,26 @@ impl PhaseEnd {
             Reason::Iterations => Some("iterations"),
             Reason::Balanced | Reason::AtRest | Reason::Sinking => None,
         };
-        // Iterations without balance are told by `Unconverged`.
+        // Iterations without balance are reported by `Unconverged`.
         if let (Some(what), Some(wanted)) = (unused, self.wanted)
             && self.unbalanced > wanted
             && self.reason != Reason::Iterations
         {
             let also = restless.map_or(String::new(), |words| format!("; {words}"));
             return Some(format!(
-                "phase `{phase}` used up its {what} without balance: the unbalanced forces are {:.1e} of all forces, {wanted:.1e} was asked for{also}",
+                "phase `{phase}` reached its limit of {what} without equilibrium: the unbalanced-force ratio is {:.1e}, the limit {wanted:.1e}{also}",
                 self.unbalanced
             ));
         }
         restless.map(|words| match unused {
             Some(what) => format!(
-                "phase `{phase}` used up its {what}, and not every block is at rest: {words}"
+                "phase `{phase}` reached its limit of {what} before every block was at rest: {words}"
             ),
             None if self.reason == Reason::Sinking => {
-                format!("phase `{phase}` ended without rest: {words}")
+                format!("phase `{phase}` ended before the model was at rest: {words}")
             }
             None => format!(
-                "phase `{phase}` ended in balance as a whole, but not every block is: {words}"
+                "phase `{phase}` ended in overall equilibrium, but not every block is in equilibrium: {words}"
             ),
         })
     }
@@ -310,8 +310,8 @@ impl std::fmt::Display for Unconverged {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(
             f,
-            "phase `{}` ended after {} iterations without equilibrium: the unbalanced forces are {:.1e} of the external ones, \
-             {:.1e} was asked for; either the rock has failed, or `iterations` is too small",
+            "phase `{}` ended after {} iterations without equilibrium: the unbalanced forces are {:.1e} of the external forces, the limit is {:.1e}; \
+             either the rock has failed, or `iterations` is too small",
             self.phase, self.iterations, self.ratio, self.wanted
         )
     }
@@ -336,7 +336,7 @@ impl Snapshot {
     pub fn sound(&self) -> Result<(), String> {
         let (phase, phases) = (self.cursor.phase, self.plan.phases.len());
         if phase > phases {
-            return Err(format!("phase {phase} of {phases} is not there"));
+            return Err(format!("phase {phase} of {phases} does not exist"));
         }
         match &self.state {
             State::Planar(world) => world.sound(),
@@ -465,7 +465,7 @@ mod tests {
         }
         let mut forged = plane();
         forged.cursor.phase = 7;
-        assert_eq!(forged.sound().unwrap_err(), "phase 7 of 1 is not there");
+        assert_eq!(forged.sound().unwrap_err(), "phase 7 of 1 does not exist");
     }
 
     #[test]

@@ -6,10 +6,10 @@ use crate::plan::PhaseKind;
 use crate::run::engine::View;
 use crate::run::{meeting, overruled, rough};
 
-/// Share of the largest energy that moved from which on what edits have added is told.
+/// Share of the largest energy exchanged from which on what edits have added is reported.
 const MADE: f64 = 0.05;
 
-/// Share of what a joint conducts that its shape leaves out from which on it is told.
+/// Share of what a joint conducts that its shape leaves out above which it is reported.
 const OBTUSE: f64 = 0.05;
 
 impl Simulation {
@@ -118,8 +118,8 @@ impl Simulation {
         let left = crate::spatial::topology::cut::crooked(&self.view().spatial()?);
         (left > 0).then(|| {
             format!(
-                "{left} blocks meet the criterion of cutting and stay whole: an earlier cut has left their faces crooked, so that parts would have another \
-                 mass; a smaller `snap` makes fewer of them"
+                "{left} blocks meet the cutting criterion but stay whole: an earlier cut left their faces non-planar, and cutting them would change \
+                 the mass; a smaller `snap` leaves fewer such blocks"
             )
         })
     }
@@ -133,8 +133,8 @@ impl Simulation {
         let [a, b] = blocks.map(|b| self.view().name(b));
         (lost > OBTUSE).then(|| {
             format!(
-                "the joint between `{a}` and `{b}` has so obtuse a shape that {:.0} % of what the stretches of its rim conduct to each other would be \
-                 negative: that is left out, and seepage through it is wrong by about as much",
+                "the joint between `{a}` and `{b}` is so obtuse that {:.0} % of the conductance between the segments of its rim would be negative; \
+                 this part is left out, and seepage through the joint is wrong by about as much",
                 100.0 * lost
             )
         })
@@ -145,8 +145,8 @@ impl Simulation {
         let view = self.view();
         let (name, left) = view.unbalanced_bolt()?;
         Some(format!(
-            "the forces along bolt `{name}` did not come into equilibrium in some step: {left:.1e} of its largest force was left; a smaller \
-             `safety` moves the rock by less in a step"
+            "the forces along bolt `{name}` did not reach equilibrium in some step: {left:.1e} of its largest force remained unbalanced; a smaller \
+             `safety` moves the rock less per step"
         ))
     }
 
@@ -157,9 +157,9 @@ impl Simulation {
         let first = *left.first()?;
         let name = view.name(first);
         Some(match left.len() {
-            1 => format!("block `{name}` has gone over the rim of the terrain and falls for ever"),
+            1 => format!("block `{name}` has left the terrain over its rim and falls without end"),
             n => format!(
-                "{n} blocks have gone over the rim of the terrain and fall for ever, `{name}` the first in number"
+                "{n} blocks have left the terrain over its rim and fall without end; the first by number is `{name}`"
             ),
         })
     }
@@ -169,8 +169,8 @@ impl Simulation {
 fn open_surfaces(edges: u64) -> Option<String> {
     (edges > 0).then(|| {
         format!(
-            "{edges} edges of contacts between blocks were made by no face of either: a part of their surface may be missing, and their forces are \
-             too small by it. This is a fault of riprap, not of the scene: please report it"
+            "{edges} edges of contact polygons belong to no face of either block: part of a contact surface may be missing and its force too small. \
+             This is a fault in riprap, not in the scene; please report it"
         )
     })
 }
@@ -180,8 +180,8 @@ fn made_by_edits(balance: &Balance) -> Option<String> {
     let (made, scale) = (balance.works.edit_defect, balance.scale());
     (made > MADE * scale).then(|| {
         format!(
-            "edits of the model have added {made:.3e} J, {:.0} % of the largest energy that moved (`energy.edit_defect`): joints that handed over to \
-             found contact, splits, cuts, laws that changed; what moves afterwards moves by that, too",
+            "edits of the model have added {made:.3e} J, {:.0} % of the largest energy exchanged (`energy.edit_defect`), by joints released to \
+             contact, splits, cuts or changes of laws; this energy drives the later motion",
             100.0 * made / scale
         )
     })
@@ -209,6 +209,6 @@ mod tests {
     fn contacts_with_an_edge_that_no_face_has_made_are_told() {
         assert_eq!(open_surfaces(0), None);
         let said = open_surfaces(2).expect("a warning");
-        assert!(said.starts_with("2 edges of contacts"), "{said}");
+        assert!(said.starts_with("2 edges of contact polygons"), "{said}");
     }
 }

@@ -40,11 +40,11 @@ pub enum RunError {
     },
     /// The time step is not a number above zero.
     #[error(
-        "there is no time step at step {step} (t = {time:.6e} s), it came out as {dt:e} s: {}",
+        "no valid time step at step {step} (t = {time:.6e} s), computed as {dt:e} s: {}",
         if *.dt == f64::INFINITY {
-            "nothing holds the blocks, so that none is the stable one; give `time_step`, or `until.time`"
+            "no two blocks interact, so there is no stable step; give `time_step`, or `until.time`"
         } else {
-            "a block is too fast, or what the stable step is found from is not finite"
+            "a block is too fast, or an input of the stable step is not finite"
         }
     )]
     NoStep {
@@ -57,8 +57,8 @@ pub enum RunError {
     },
     /// Steady seepage has not been found.
     #[error(
-        "the wet part of the joints was not found at step {step} (t = {time:.6e} s): rates miss each other by {left:.0e} of the largest possible one; \
-         make apertures less unlike (`water.*.seepage.aperture_min`, `aperture_max`), or move the table off the corners of blocks"
+        "seepage did not converge at step {step} (t = {time:.6e} s): flow rates are out of balance by {left:.0e} of the largest possible rate; \
+         reduce the contrast of apertures (`water.*.seepage.aperture_min`, `aperture_max`), or move the water table away from block corners"
     )]
     NoFlow {
         /// What does not add up.
@@ -70,14 +70,13 @@ pub enum RunError {
     },
     /// The ledger does not explain where energy has come from or gone to.
     #[error(
-        "{what} is {percent:.1} % of the largest energy that moved ({energy:.3e} {unit}) at step {step} \
-         (t = {time:.6e} s), {allowed} % are allowed (`phases.*.max_residual`): what has happened is not what the laws say; \
-         fastest block `{fastest}`; {ruled_out}"
+        "{what} is {percent:.1} % of the largest energy exchanged ({energy:.3e} {unit}) at step {step} (t = {time:.6e} s); the limit is {allowed} % \
+         (`phases.*.max_residual`). The motion does not follow the laws. Fastest block `{fastest}`; {ruled_out}"
     )]
     Residual {
         /// What the ledger does not account for.
         what: Unexplained,
-        /// It over the largest energy that moved, per cent.
+        /// It over the largest energy exchanged, per cent.
         percent: f64,
         /// What is allowed, per cent.
         allowed: f64,
@@ -96,9 +95,8 @@ pub enum RunError {
     },
     /// Two blocks have gone too far into each other.
     #[error(
-        "blocks `{first}` and `{second}` overlap by {percent:.0} % of the smaller one's inscribed \
-         radius at step {step} (t = {time:.6e} s): they would pass through each other. What can help: a larger `normal_stiffness`, or larger \
-         smallest blocks (`smallest_edge` of the generator); {ruled_out}"
+        "blocks `{first}` and `{second}` overlap by {percent:.0} % of the smaller one's inscribed radius at step {step} (t = {time:.6e} s): they \
+         would pass through each other. Possible remedies: a larger `normal_stiffness`, or a larger `smallest_edge` of the generator; {ruled_out}"
     )]
     Overlap {
         /// One block.
@@ -116,10 +114,10 @@ pub enum RunError {
     },
     /// Two blocks in space are about to come out on each other's far side, or one is about to be swallowed by terrain.
     #[error(
-        "blocks `{first}` and `{second}` have been pressed {depth:.4e} m into each other at step {step} (t = {time:.6e} s), as far as the largest ball \
-         in the thinner one reaches ({reach:.4e} m): beyond that nothing holds them apart, and one would pass through the other. What can help: a larger \
-         `normal_stiffness` between their materials (where these have a `brittle_bond` and one block deforms: of that, or a smaller \
-         `thickness`), or a look at why they meet so fast; {ruled_out}"
+        "blocks `{first}` and `{second}` have been pressed {depth:.4e} m into each other at step {step} (t = {time:.6e} s), beyond the inscribed \
+         radius of the thinner one ({reach:.4e} m): they would pass through each other. Possible remedies: a larger `normal_stiffness` between their \
+         materials (with a `brittle_bond` where one block is deformable: that of the bond, or a smaller `thickness`), or a smaller impact velocity; \
+         {ruled_out}"
     )]
     PassesThrough {
         /// One block.
@@ -139,9 +137,9 @@ pub enum RunError {
     },
     /// A block in space has been pressed through what holds one of its faces.
     #[error(
-        "block `{block}` has been pressed {depth:.4e} m into what holds its face (boundary `{boundary}`) at step {step} (t = {time:.6e} s), as far as \
-         the largest ball in it reaches ({reach:.4e} m): it would come out on the far side. The face is held through the stiffness of the half block \
-         behind it. What can help: a larger `young` of the block, a smaller load, or a larger block there; {ruled_out}"
+        "block `{block}` has been pressed {depth:.4e} m into boundary `{boundary}` at step {step} (t = {time:.6e} s), beyond its inscribed radius \
+         ({reach:.4e} m): it would pass through. The stiffness of the boundary is that of the half block behind the face. Possible remedies: a \
+         larger `young` of the block, a smaller load, or a larger block there; {ruled_out}"
     )]
     PressedOut {
         /// The block.
@@ -161,9 +159,9 @@ pub enum RunError {
     },
     /// Two blocks overlap, and the surface on which they press each other was not found.
     #[error(
-        "no surface was found on which blocks `{first}` and `{second}` press each other at step {step} (t = {time:.6e} s), although they overlap by \
-         {depth:.4e} m (the largest ball in the thinner one has a radius of {reach:.4e} m): no force can be given. The scene is not to blame: round-off \
-         has lost the surface. What can help: another `seed`, or blocks that are not aligned to the last digit; please report it with the checkpoint; \
+        "no contact surface was found between blocks `{first}` and `{second}` at step {step} (t = {time:.6e} s), although they overlap by \
+         {depth:.4e} m (inscribed radius of the thinner one {reach:.4e} m): the force is undefined. The surface was lost to round-off; the scene is \
+         not at fault. Possible remedies: another `seed`, or blocks that are not aligned to the last digit. Please report it with the checkpoint; \
          {ruled_out}"
     )]
     NoSurface {
@@ -184,9 +182,9 @@ pub enum RunError {
     },
     /// A deformable block has been turned inside out.
     #[error(
-        "deformable block `{block}` is turned inside out at ({:.4}, {:.4}, {:.4}) m: a tetrahedron there has {volume:.2} times its volume at the start \
-         (step {step}, t = {time:.6e} s). Its law means nothing there. What can help: look at `young` and its unit; a larger `young`, or a smaller load; \
-         {ruled_out}",
+        "deformable block `{block}` is inverted at ({:.4}, {:.4}, {:.4}) m: a tetrahedron there has {volume:.2} times its initial volume (step \
+         {step}, t = {time:.6e} s), outside the range of its law. Possible remedies: check `young` and its unit; use a larger `young`, or a smaller \
+         load; {ruled_out}",
         .at[0], .at[1], .at[2]
     )]
     InsideOut {
@@ -227,8 +225,8 @@ pub enum RunError {
     },
     /// Energy came from nowhere.
     #[error(
-        "kinetic energy {kinetic:.3e} {unit} at step {step} (t = {time:.6e} s) is {ratio:.1} times all \
-         energy put in, fastest block `{block}`; {ruled_out}"
+        "kinetic energy {kinetic:.3e} {unit} at step {step} (t = {time:.6e} s) is {ratio:.1} times the total energy input; fastest block `{block}`; \
+         {ruled_out}"
     )]
     BlowUp {
         /// Fastest block.
@@ -299,81 +297,52 @@ impl RunError {
 
     /// What has happened, in a few words.
     pub(in crate::run) fn kind(&self) -> &'static str {
-        match self {
-            Self::NonFinite { .. } | Self::NoNumber { .. } => "something is not finite",
-            Self::NoStep { .. } => "there is no time step",
-            Self::NoFlow { .. } => "seepage was not found",
-            Self::Residual { what: Unexplained::Residual, .. } => "the energy residual",
-            Self::Residual { what: Unexplained::LawDefect, .. } => "the defect of the laws",
-            Self::Residual { what: Unexplained::Steps, .. } => {
-                "the energy that changes of the step made"
-            }
-            Self::Overlap { .. } | Self::PassesThrough { .. } => "blocks pass through each other",
-            Self::PressedOut { .. } => "a block is pressed through what holds it",
-            Self::NoSurface { .. } => "the surface of a contact was not found",
-            Self::InsideOut { .. } => "a deformable block is turned inside out",
-            Self::Edit { .. } => "a block cannot be split or cut",
-            Self::Phase { .. } => "a phase cannot begin",
-            Self::BlowUp { .. } => "energy from nowhere",
-        }
+        self.judged().0
     }
 
     /// Whether a shorter step could have avoided it: nothing else has been found to blame, and there was a step.
     pub(in crate::run) fn doubts_the_step(&self) -> bool {
-        match self {
-            Self::NonFinite { formula, .. } => formula.is_none(),
-            Self::NoNumber { .. }
-            | Self::Residual { .. }
-            | Self::Overlap { .. }
-            | Self::PassesThrough { .. }
-            | Self::PressedOut { .. }
-            | Self::InsideOut { .. }
-            | Self::BlowUp { .. } => true,
-            Self::NoStep { .. }
-            | Self::NoFlow { .. }
-            | Self::NoSurface { .. }
-            | Self::Edit { .. }
-            | Self::Phase { .. } => false,
-        }
+        self.judged().1 && self.formula().is_none()
     }
 
     /// Whether the forces at the state where it stopped the run are known and numbers: a guard has looked at them.
     pub(in crate::run) fn knows_forces(&self) -> bool {
+        self.judged().2
+    }
+
+    /// What has happened, whether the step may be to blame, and whether forces are known.
+    fn judged(&self) -> (&'static str, bool, bool) {
         match self {
-            Self::NoFlow { .. }
-            | Self::Residual { .. }
-            | Self::Overlap { .. }
-            | Self::PassesThrough { .. }
-            | Self::PressedOut { .. }
-            | Self::InsideOut { .. }
-            | Self::BlowUp { .. } => true,
-            Self::NonFinite { .. }
-            | Self::NoNumber { .. }
-            | Self::NoSurface { .. }
-            | Self::NoStep { .. }
-            | Self::Edit { .. }
-            | Self::Phase { .. } => false,
+            Self::NonFinite { .. } | Self::NoNumber { .. } => {
+                ("a value is not finite", true, false)
+            }
+            Self::NoStep { .. } => ("no valid time step", false, false),
+            Self::NoFlow { .. } => ("seepage did not converge", false, true),
+            Self::Residual { what: Unexplained::Residual, .. } => {
+                ("the energy residual", true, true)
+            }
+            Self::Residual { what: Unexplained::LawDefect, .. } => {
+                ("the defect of the contact laws", true, true)
+            }
+            Self::Residual { what: Unexplained::Steps, .. } => {
+                ("the energy created by changes of the step", true, true)
+            }
+            Self::Overlap { .. } | Self::PassesThrough { .. } => {
+                ("blocks pass through each other", true, true)
+            }
+            Self::PressedOut { .. } => ("a block is pressed through a boundary", true, true),
+            Self::NoSurface { .. } => ("no contact surface was found", false, false),
+            Self::InsideOut { .. } => ("a deformable block is inverted", true, true),
+            Self::Edit { .. } => ("a block cannot be split or cut", false, false),
+            Self::Phase { .. } => ("a phase cannot begin", false, false),
+            Self::BlowUp { .. } => ("unexplained kinetic energy", true, true),
         }
     }
 
     /// Text of the formula that is to blame, where one is.
     #[must_use]
     pub fn formula(&self) -> Option<&str> {
-        match self {
-            Self::NonFinite { formula, .. } => formula.as_deref(),
-            Self::NoNumber { .. }
-            | Self::NoStep { .. }
-            | Self::NoFlow { .. }
-            | Self::Residual { .. }
-            | Self::Overlap { .. }
-            | Self::PassesThrough { .. }
-            | Self::PressedOut { .. }
-            | Self::NoSurface { .. }
-            | Self::InsideOut { .. }
-            | Self::Edit { .. }
-            | Self::Phase { .. }
-            | Self::BlowUp { .. } => None,
-        }
+        if let Self::NonFinite { formula, .. } = self { formula.as_deref() } else { None }
     }
 }
 
@@ -392,11 +361,13 @@ mod tests {
         assert!(matches!(lost, RunError::NoSurface { .. }));
         let words = lost.to_string();
         assert!(words.contains("2.6000e-6 m") && words.contains("2.1000e-1 m"), "{words}");
-        assert!(!words.contains("as far as") && !lost.doubts_the_step());
+        assert!(!words.contains("beyond the inscribed radius") && !lost.doubts_the_step());
         for deep in [0.21, 0.42] {
             let through = of(deep, 0.21);
             assert!(matches!(through, RunError::PassesThrough { .. }));
-            assert!(through.to_string().contains("reaches (2.1000e-1 m)"));
+            assert!(
+                through.to_string().contains("inscribed radius of the thinner one (2.1000e-1 m)")
+            );
         }
         assert!(matches!(of(f64::NAN, 0.21), RunError::NoSurface { .. }));
     }

@@ -1,4 +1,4 @@
-//! What a run goes through that its laws do not mean: found at the looks of the guard, noted where it was largest, told at the end.
+//! What a run goes through that its laws do not mean: found at the looks of the guard, noted where it was largest, reported at the end.
 
 use super::cursor::{Noticed, Turned};
 use super::{RunError, Simulation, cause};
@@ -39,8 +39,8 @@ impl Simulation {
         }
         if let (Some([a, b]), None) = (through, &noted.through) {
             let words = format!(
-                "blocks `{a}` and `{b}` pass through each other across the ends of the periodic model (step {step}, t = {time:.4e} s): blocks that \
-                 come loose do not find each other there; make the model longer than they go"
+                "blocks `{a}` and `{b}` pass through each other across a periodic boundary (step {step}, t = {time:.4e} s): loose blocks are not \
+                 detected there; make the model longer than their travel"
             );
             noted.through = Some(Noticed { size: 1.0, words });
         }
@@ -135,9 +135,9 @@ impl Simulation {
         let noted = &self.cursor.noted;
         let turned = noted.turned.as_ref().map(|t| {
             format!(
-                "block `{}` turned by {:.2} rad (step {}, t = {:.4e} s) under kinematics for small rotations, which carries it along the tangent of its \
-                 circle: its points lie {:.1} % too far from the axis, and what turns as a whole is torn or strained; `space.spatial.kinematics = \"automatic\"` (of \
-                 deformable blocks `strain = \"total_lagrangian\"`) follows it",
+                "block `{}` rotated by {:.2} rad (step {}, t = {:.4e} s) under small-rotation kinematics, which moves its points along tangents: \
+                 they lie {:.1} % too far from the axis, and rigid rotation strains or tears the model; use `space.spatial.kinematics = \
+                 \"automatic\"` (for deformable blocks `strain = \"total_lagrangian\"`)",
                 t.block,
                 t.angle,
                 t.step,
@@ -153,8 +153,8 @@ impl Simulation {
 
 fn drawn_words(drawn: &Drawn, step: u64, time: f64) -> String {
     format!(
-        "bolt `{}` is {:.3e} m longer than when it was installed, {:.0} % of its length, and still pulls with {:.1e} N (step {step}, t = {time:.4e} s): \
-         no bar bears that; `steel.rupture` says at which plastic elongation it breaks, `grout.strength` at which force it is drawn out",
+        "bolt `{}` is {:.3e} m longer than when it was installed, {:.0} % of its length, and still carries {:.1e} N (step {step}, t = {time:.4e} s), \
+         more than any bar can; give `steel.rupture`, the plastic elongation at rupture, or `grout.strength`, the pull-out strength",
         drawn.name,
         drawn.by,
         100.0 * drawn.by / drawn.length,
@@ -169,13 +169,13 @@ fn strained_words(of: &Strained, block: &str, step: u64, time: f64) -> String {
         format!("block `{block}` at ({x:.3}, {y:.3}, {z:.3}) m (step {step}, t = {time:.4e} s)");
     match of.measure {
         Strain::Small => format!(
-            "{place} was strained by {:.0} %, where its law is for small strain and wrong by about as much: look at `young` and its unit, or give \
-             `strain = \"total_lagrangian\"`",
+            "{place} was strained by {:.0} %, but its law is for small strain and wrong by about as much; check `young` and its unit, or use `strain \
+             = \"total_lagrangian\"`",
             100.0 * of.strain
         ),
         Strain::Large => format!(
-            "{place} was shortened by {:.0} % along one direction, where its law gives way (it is stiffest at the start and bears nothing more from \
-             42 % on): look at `young` and its unit, or at what presses",
+            "{place} was shortened by {:.0} % along one direction, where its law softens (from 42 % on it carries no more load); check `young` and \
+             its unit, and the load",
             100.0 * of.shortening
         ),
     }

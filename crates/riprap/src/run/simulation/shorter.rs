@@ -43,7 +43,8 @@ impl Simulation {
         let Shorter { phase, given, dt, step, time, why } = self.shorter?;
         let name = self.plan.phases.get(phase).map_or("", |p| p.name.as_str());
         Some(format!(
-            "the `time_step` of phase `{name}`, {given:.3e} s, was made shorter for {why}: {dt:.3e} s at the least (step {step}, t = {time:.4e} s)"
+            "the `time_step` of phase `{name}`, {given:.3e} s, was reduced to as little as {dt:.3e} s because of {why} (step {step}, t = {time:.4e} \
+             s)"
         ))
     }
 }

@@ -20,7 +20,7 @@ const CROSSED: f64 = 0.2;
 const CHECK_INTERVAL: u64 = 50;
 /// Steps between two drawings of the ledger: one costs as much as some steps.
 const LEDGER: u64 = 1000;
-/// Residual over the largest energy that moved from which on a run is warned of.
+/// Residual over the largest energy exchanged above which a run is warned of.
 const NOTED: f64 = 0.01;
 /// The same of what a law without potential makes by itself.
 const TOLD: f64 = 0.1;
@@ -45,7 +45,7 @@ fn due(step: u64, rhythm: u64, growth: u32) -> bool {
 
 /// What is no number of a block and `other`.
 fn how_deep(other: &str) -> String {
-    format!("how deep it and block `{other}` lie in each other")
+    format!("its overlap with block `{other}`")
 }
 
 impl Simulation {
@@ -177,7 +177,7 @@ impl Simulation {
         }
         match limits::judge(found.ratio, 1.0) {
             Depth::TooDeep => return Err(self.too_deep(found)),
-            // Only the deepest one is told at the end, so that a long run leaves one warning and not thousands.
+            // Only the deepest one is reported at the end, so that a long run leaves one warning and not thousands.
             Depth::Deep if found.ratio > self.cursor.deepest.as_ref().map_or(0.0, |d| d.ratio) => {
                 let (names, into) = self.pressed(found);
                 self.cursor.deepest = Some(Deep {
@@ -287,7 +287,7 @@ impl Simulation {
             put_in += view.released_by_overlaps();
         }
         if !put_in.is_finite() {
-            return Err(self.no_number("the energy put in by loads, supports and gravity"));
+            return Err(self.no_number("the energy input of loads, supports and gravity"));
         }
         let bearable = BLOW_UP * put_in + LEFT_TO_LEDGER * view.largest_work();
         // Where nothing has been put in and nothing has worked the bound is zero, and round-off alone is above that.
@@ -363,7 +363,7 @@ impl Simulation {
         }
     }
 
-    /// Share of the largest energy that moved from which on it is told: where no run is stopped for it, only what would stop one else.
+    /// Share of the largest energy exchanged above which it is reported: where no run is stopped for it, only what would stop one else.
     pub(super) fn noted(&self, what: Unexplained) -> f64 {
         if self.forbids(what) { NOTED } else { TOLD }
     }

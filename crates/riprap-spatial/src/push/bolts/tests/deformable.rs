@@ -215,7 +215,7 @@ fn the_stable_step_counts_bolts_on_nodes() {
     };
     let (_, _, free) = steps(false);
     let (_, _, bolted) = steps(true);
-    assert_eq!(bolted.why, "nodes against bolts");
+    assert_eq!(bolted.why, "nodes on the springs of bolts");
     assert!(bolted.dt < 0.5 * free.dt, "{bolted:?} {free:?}");
     let grows = |dt: f64| {
         let (mut world, mut scratch, _) = steps(true);

@@ -59,7 +59,7 @@ fn no_body_has_such_moments() {
         ("mass = \"1 kg\"\nmechanics.deformable = {}", "deformable"),
         (
             "mass = \"1 kg\"\ncut.joint_sets = [{ dip = \"20 deg\", dip_direction = \"40 deg\", spacing = \"1 m\" }]",
-            "several blocks",
+            "cannot be used with `cut`",
         ),
         (
             "mass = \"1 kg\"\n[[refine]]\noctree = { around = { all = {} }, levels = 1 }",

@@ -1,4 +1,4 @@
-//! Blocks of glued parts: what they weigh, what is refused, what is told.
+//! Blocks of glued parts: what they weigh, what is refused, what is reported.
 
 use super::*;
 
@@ -54,7 +54,7 @@ fn parts_that_overlap_or_do_not_hang_together_are_named() {
     assert!(overlap.contains("parts 1 and 2 overlap") && overlap.contains("ell"), "{overlap}");
     for apart in [r#"["0 m", "0 m", "1.5 m"]"#, r#"["3 m", "0 m", "1 m"]"#] {
         let apart = wrong(&ell(apart));
-        assert!(apart.contains("parts 1 and 2 are not one piece"), "{apart}");
+        assert!(apart.contains("parts 1 and 2 are not connected"), "{apart}");
     }
 }
 
@@ -81,7 +81,7 @@ fn a_block_of_no_parts_or_of_too_many_is_refused() {
         "[[blocks]]\nname = \"ell\"\nmaterial = \"rock\"\nparts = []\n[[supports]]\non.block = \"ell\"\nfixed = {}\n",
     );
     assert!(
-        none.contains("`ell`: it has 0 parts") && none.contains("a single one is `brick`"),
+        none.contains("`parts` in blocks.ell is empty") && none.contains("`brick`, `grid`"),
         "{none}"
     );
 }

@@ -127,7 +127,7 @@ fn blocks_of_three_joint_sets_can_be_split() {
     let (setup, model) = solid(&refine("{ all = {} }", r#"during = { broken = 0.5 }"#));
     assert_eq!(setup.refinements.len(), 1);
     let told = format!("{:?}", model.warnings);
-    assert!(told.contains("touch this place stay whole"), "{told}");
+    assert!(told.contains("in this region stay whole"), "{told}");
 }
 
 #[test]
@@ -225,7 +225,7 @@ fn a_lattice_turned_with_its_gravity_moves_as_it_did() {
     }
 }
 
-/// Joints that have given way are not there when the stable step is looked for anew: a run that went on from a checkpoint took another
+/// Joints that have given way are not there when the stable step is searched for again: a run that went on from a checkpoint took another
 /// step than the one that had not been stopped.
 #[test]
 fn the_time_step_goes_on_after_joints_have_given_way() {

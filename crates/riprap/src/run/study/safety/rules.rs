@@ -1,13 +1,10 @@
-//! What is asked of a search, what it answers, and why it does not.
+//! What is asked of a search, and what it answers.
 
 use serde::Serialize;
-use thiserror::Error;
 
 use super::verdict::Mechanism;
-use crate::exec::ExecError;
 use crate::plan::shown::Shown;
-use crate::run::bracket::State;
-use crate::run::engine::BuildError;
+use crate::run::study::bracket::State;
 
 /// How the search is made.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,63 +91,4 @@ pub struct Answer {
     pub moving: Vec<(String, f64)>,
     /// How they move.
     pub mechanism: Option<Mechanism>,
-}
-
-/// Why there is no answer.
-#[derive(Debug, Error)]
-pub enum SafetyError {
-    /// The engine cannot build the model.
-    #[error(transparent)]
-    Build(#[from] BuildError),
-    /// No threads.
-    #[error(transparent)]
-    Exec(#[from] ExecError),
-    /// The name of nothing.
-    #[error("no {what} is called `{name}`; there are: {known}")]
-    Unknown {
-        /// An interface, a material or a group.
-        what: &'static str,
-        /// What was asked for.
-        name: String,
-        /// What there is.
-        known: String,
-    },
-    /// Nothing can be reduced.
-    #[error(
-        "none of the chosen interfaces has a strength that could be reduced (friction angle, cohesion or tension): {0}"
-    )]
-    NoStrength(String),
-    /// A number that is none.
-    #[error("the width, the ratio of balance and the displacement must be numbers above zero")]
-    NotANumber,
-    /// A range that is none.
-    #[cfg(feature = "scenario")]
-    #[error(transparent)]
-    Range(#[from] RangeError),
-    /// A value that the scene cannot have.
-    #[cfg(feature = "scenario")]
-    #[error("{0}")]
-    Scene(crate::scenario::Diagnostics),
-    /// The user stopped it.
-    #[error("stopped by the user")]
-    Stopped,
-}
-
-/// A range or a width that cannot be read.
-#[cfg(feature = "scenario")]
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-pub enum RangeError {
-    /// Not two values.
-    #[error(
-        "{0:?} is no range: write two values with their unit, for example '20 deg..45 deg' or '0.5..3'"
-    )]
-    Range(String),
-    /// A width of another kind, or not above zero.
-    #[error("{given:?} is no width of this range: write for example {example:?}")]
-    Width {
-        /// What was given.
-        given: String,
-        /// What could be.
-        example: String,
-    },
 }

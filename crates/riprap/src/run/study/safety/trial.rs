@@ -2,12 +2,14 @@
 
 use std::time::Instant;
 
-use super::rules::{Rules, SafetyError, Trial};
+use super::rules::{Rules, Trial};
 use super::verdict::{self, Look, Mechanism, Watch};
 use crate::exec::Exec;
 use crate::plan::{Damping, Deforming, Phase, PhaseKind, Plan, Reduction, TimeStep};
-use crate::run::bracket::State;
-use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot, Stage};
+use crate::run::job::JobError;
+use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot};
+use crate::run::study::StudyError;
+use crate::run::study::bracket::{State, Task};
 use crate::setup::Setup;
 
 /// Steps between two looks at a trial.
@@ -30,17 +32,20 @@ pub(super) struct Done {
     pub mechanism: Option<Mechanism>,
 }
 
-/// Makes trials.
+/// Makes a trial.
 pub(super) struct Maker<'a> {
     /// Rules of the search.
     pub rules: &'a Rules,
     /// Rows of the interface table whose strength is reduced.
     pub rows: &'a [u16],
-    /// Whether the user wants to stop.
-    pub stop: &'a (dyn Fn() -> bool + Sync),
+    /// The trial.
+    pub task: &'a Task<'a, Done>,
+    /// When it was begun.
+    pub begun: Instant,
 }
 
 /// How the phases of a scene came out.
+#[derive(Default)]
 struct Before {
     /// Why the physics stopped them.
     ended: Option<RunError>,
@@ -51,64 +56,62 @@ struct Before {
     far: bool,
 }
 
-/// A trial that was broken off because nobody needs it.
-pub(super) type Made = Result<Option<Done>, SafetyError>;
-
 impl Maker<'_> {
     /// A trial of a model from its start; `changed` says that it is not the scene as it stands.
     pub(super) fn anew(
         &self,
         (setup, plan): (Setup, Plan),
-        value: f64,
         changed: bool,
-        threads: usize,
-        useless: &dyn Fn() -> bool,
-    ) -> Made {
-        let begun = Instant::now();
+    ) -> Result<Done, StudyError> {
         let last = trial_phase(&plan, self.rules, self.rows, 1.0);
-        let mut simulation = Simulation::new(setup, plan, Exec::new(threads)?)?;
-        let Some(before) = self.run(&mut simulation, useless)? else {
-            return Ok(None);
-        };
+        let exec = Exec::new(self.task.threads).map_err(JobError::from)?;
+        let mut simulation = Simulation::new(setup, plan, exec).map_err(JobError::from)?;
+        let before = self.run(&mut simulation)?;
         let Some(watch) = before.failing else {
-            let after = after(&simulation.snapshot(), last, threads)?;
-            let Some(mut done) = self.judge(after, before.ended, value, begun, useless)? else {
-                return Ok(None);
-            };
+            let mut done = self.judge(self.after(&simulation.snapshot(), last)?, before.ended)?;
             if changed && before.far && done.trial.state == State::Stable {
                 // Rubble at rest is no model that stands.
                 done.trial.state = State::Undecided;
                 let (moved, block) = before.farthest;
                 done.trial.note = format!(
-                    "it came to rest after `{}` had moved by {moved:.3e} m in phases of the scene, where a dynamic phase is not watched: make it static or \
-                     end it earlier",
+                    "it came to rest after `{}` had moved by {moved:.3e} m in the phases of the scene, and dynamic phases are not monitored; make \
+                     the phase static or end it earlier",
                     simulation.view().name(block)
                 );
                 done.state = None;
             }
-            return Ok(Some(done));
+            return Ok(done);
         };
         let (phase, from) = (simulation.cursor().phase, simulation.cursor().start_step);
         let name = simulation.phase().map_or("", |phase| phase.name.as_str());
         let note = format!("in phase `{name}` of the scene");
-        let mut done = told(&simulation, &watch, State::Failing, value, from, begun, note);
+        let mut done = self.told(&simulation, &watch, State::Failing, from, note);
         done.trial.phase = Some(phase);
-        Ok(Some(done))
+        Ok(done)
     }
 
-    /// A trial that goes on from `state` with strengths divided by `by`, to those of `value`.
+    /// A trial that goes on from `state` with strengths divided by `by`.
     pub(super) fn weaker(
         &self,
         state: &Snapshot,
         plan: &Plan,
         by: f64,
-        value: f64,
-        threads: usize,
-        useless: &dyn Fn() -> bool,
-    ) -> Made {
-        let begun = Instant::now();
+    ) -> Result<Done, StudyError> {
         let phase = trial_phase(plan, self.rules, self.rows, by);
-        self.judge(after(state, phase, threads)?, None, value, begun, useless)
+        self.judge(self.after(state, phase)?, None)
+    }
+
+    /// A simulation that goes on from a state with one more phase.
+    fn after(&self, state: &Snapshot, phase: Phase) -> Result<Simulation, StudyError> {
+        let cursor = Cursor {
+            gravity_before: state.cursor.gravity_after,
+            gravity_after: state.cursor.gravity_after,
+            ..Cursor::default()
+        };
+        let plan = Plan { title: state.plan.title.clone(), phases: vec![phase], ..Plan::default() };
+        let snapshot = Snapshot { plan, cursor, state: state.state.clone() };
+        let exec = Exec::new(self.task.threads).map_err(JobError::from)?;
+        Ok(Simulation::resume(snapshot, exec))
     }
 
     /// Runs a trial to its verdict.
@@ -116,72 +119,49 @@ impl Maker<'_> {
         &self,
         mut simulation: Simulation,
         mut ended: Option<RunError>,
-        value: f64,
-        begun: Instant,
-        useless: &dyn Fn() -> bool,
-    ) -> Made {
+    ) -> Result<Done, StudyError> {
         let begin = simulation.steps();
         let mut watch = Watch::new(self.rules.moved);
+        let mut steps = 0;
         let state = loop {
             if ended.is_some() {
                 break watch.stopped();
             }
-            match simulation.prepare() {
-                Ok(Stage::Within) => {}
-                Ok(Stage::PhaseEnd | Stage::Done) => {
+            match simulation.advance(steps) {
+                Ok(Reached::Asked) => {
+                    self.task.goes_on()?;
+                    watch.look(Look::of(&simulation, begin));
+                    if watch.is_failing() {
+                        break State::Failing;
+                    }
+                }
+                Ok(Reached::End) => {
                     // The phase may have ended by its steps instead.
                     let balanced = simulation.view().unbalanced() <= self.rules.balance
                         || simulation.engine().relaxing().is_some_and(|now| now.converged);
                     watch.look(Look::of(&simulation, begin));
                     break if balanced { State::Stable } else { watch.stopped() };
                 }
-                Err(why) => {
-                    ended = Some(why);
-                    continue;
-                }
+                Err(why) => ended = Some(why),
             }
-            if (simulation.steps() - begin).is_multiple_of(CHECK_INTERVAL) {
-                if (self.stop)() {
-                    return Err(SafetyError::Stopped);
-                }
-                if useless() {
-                    return Ok(None);
-                }
-                watch.look(Look::of(&simulation, begin));
-                if watch.is_failing() {
-                    break State::Failing;
-                }
-            }
-            simulation.step();
+            steps = CHECK_INTERVAL;
         };
         let note = ended.map_or_else(String::new, |why| why.to_string());
-        Ok(Some(told(&simulation, &watch, state, value, begin, begun, note)))
+        Ok(self.told(&simulation, &watch, state, begin, note))
     }
 
-    /// Runs the phases of a scene and watches the static ones; `None` where nobody needs it.
-    fn run(
-        &self,
-        simulation: &mut Simulation,
-        useless: &dyn Fn() -> bool,
-    ) -> Result<Option<Before>, SafetyError> {
-        let mut before = Before { ended: None, failing: None, farthest: (0.0, 0), far: false };
+    /// Runs the phases of a scene and watches the static ones.
+    fn run(&self, simulation: &mut Simulation) -> Result<Before, StudyError> {
+        let mut before = Before::default();
         let mut watch: Option<Watch> = None;
         let (mut of_phase, mut begin) = (usize::MAX, 0);
         loop {
             match simulation.advance(CHECK_INTERVAL) {
-                Ok(Reached::End) => return Ok(Some(before)),
+                Ok(Reached::End) => return Ok(before),
                 Ok(Reached::Asked) => {}
-                Err(why) => {
-                    before.ended = Some(why);
-                    return Ok(Some(before));
-                }
+                Err(why) => return Ok(Before { ended: Some(why), ..before }),
             }
-            if (self.stop)() {
-                return Err(SafetyError::Stopped);
-            }
-            if useless() {
-                return Ok(None);
-            }
+            self.task.goes_on()?;
             let cursor = simulation.cursor();
             if of_phase != cursor.phase {
                 of_phase = cursor.phase;
@@ -214,56 +194,43 @@ impl Maker<'_> {
             seen.look(Look::of(simulation, begin));
             if seen.is_failing() {
                 before.failing = watch;
-                return Ok(Some(before));
+                return Ok(before);
             }
         }
     }
-}
 
-/// What a trial that has come to its end leaves.
-fn told(
-    simulation: &Simulation,
-    watch: &Watch,
-    state: State,
-    value: f64,
-    begin: u64,
-    begun: Instant,
-    note: String,
-) -> Done {
-    let view = simulation.view();
-    let (moved, block) = watch.farthest().unwrap_or((0.0, 0));
-    let moving = match state {
-        State::Failing => watch.moving(),
-        State::Stable | State::Undecided => Vec::new(),
-    };
-    Done {
-        trial: Trial {
-            value,
-            state,
-            moved,
-            block: view.name(block),
-            unbalanced: view.unbalanced(),
-            steps: simulation.steps() - begin,
-            seconds: begun.elapsed().as_secs_f64(),
-            note,
-            phase: None,
-        },
-        state: (state == State::Stable).then(|| simulation.snapshot()),
-        mechanism: verdict::mechanism(&moving),
-        moving: moving.iter().map(|m| (view.name(m.block), verdict::length(m.shift))).collect(),
+    /// What a trial that has come to its end leaves.
+    fn told(
+        &self,
+        simulation: &Simulation,
+        watch: &Watch,
+        state: State,
+        begin: u64,
+        note: String,
+    ) -> Done {
+        let view = simulation.view();
+        let (moved, block) = watch.farthest().unwrap_or((0.0, 0));
+        let moving = match state {
+            State::Failing => watch.moving(),
+            State::Stable | State::Undecided => Vec::new(),
+        };
+        Done {
+            trial: Trial {
+                value: self.task.value,
+                state,
+                moved,
+                block: view.name(block),
+                unbalanced: view.unbalanced(),
+                steps: simulation.steps() - begin,
+                seconds: self.begun.elapsed().as_secs_f64(),
+                note,
+                phase: None,
+            },
+            state: (state == State::Stable).then(|| simulation.snapshot()),
+            mechanism: verdict::mechanism(&moving),
+            moving: moving.iter().map(|m| (view.name(m.block), verdict::length(m.shift))).collect(),
+        }
     }
-}
-
-/// A simulation that goes on from a state with one more phase.
-fn after(state: &Snapshot, phase: Phase, threads: usize) -> Result<Simulation, SafetyError> {
-    let cursor = Cursor {
-        gravity_before: state.cursor.gravity_after,
-        gravity_after: state.cursor.gravity_after,
-        ..Cursor::default()
-    };
-    let plan = Plan { title: state.plan.title.clone(), phases: vec![phase], ..Plan::default() };
-    let snapshot = Snapshot { plan, cursor, state: state.state.clone() };
-    Ok(Simulation::resume(snapshot, Exec::new(threads)?))
 }
 
 /// The phase of a trial: static, from the present state, with strengths divided by `factor`.

@@ -17,45 +17,50 @@
 //! not hang on the stated length, which only says from when on it is worth asking. A trial that is neither when its steps are used up is
 //! *undecided*, and never counts as stable: the answer is then a wider range.
 
-#[cfg(feature = "scenario")]
-mod quantity;
 mod record;
 mod rules;
 mod scope;
 mod trial;
 mod verdict;
 
+use std::time::Instant;
+
 use super::bracket::{Found, Search, Task, drive};
-use super::job::Job;
+use super::{Executor, StudyError};
 use crate::plan::shown::Shown;
 use crate::plan::{Every, Plan, Until};
+use crate::run::job::Job;
+#[cfg(feature = "scenario")]
+use crate::run::scene::Scene;
+#[cfg(feature = "scenario")]
+use crate::scenario::Case;
 use crate::setup::Setup;
 
 pub use super::bracket::State;
 #[cfg(feature = "scenario")]
-pub(in crate::run) use quantity::with_value;
-#[cfg(feature = "scenario")]
-pub use quantity::{Quantity, over_quantity};
-#[cfg(feature = "scenario")]
-pub use rules::RangeError;
-pub use rules::{Answer, Rules, SafetyError, Trial};
+pub use super::range::Quantity;
+pub use rules::{Answer, Rules, Trial};
 use scope::{Scope, scope};
-use trial::{Done, Made, Maker};
+use trial::{Done, Maker};
 pub use trial::{reduced_from_start, trial_phase};
 pub use verdict::Mechanism;
 
 /// Largest factor that is tried; above it strength does not decide. Its inverse is the smallest.
 const MOST: f64 = 64.0;
 
-/// Searches for the factor of safety of a model; `report` is told every trial, `stop` asked every few steps.
+/// Frames of the run of the mechanism.
+const FRAMES: u64 = 20;
+
+/// Searches for the factor of safety of a model; `report` is told every trial.
 ///
 /// # Errors
 /// A model that cannot be built or has no strength, rules that are no numbers, the user.
 /// # Examples
 ///
 /// ```
-/// use riprap::run::safety::{Rules, search};
 /// use riprap::run::scene::Scene;
+/// use riprap::run::study::Executor;
+/// use riprap::run::study::safety::{Rules, search};
 /// use riprap::scenario::Source;
 ///
 /// // A stone on a slope of 30 degrees, friction angle 40 degrees.
@@ -94,7 +99,7 @@ const MOST: f64 = 64.0;
 /// # "#;
 /// let scene = Scene::parse(Source::new("slope.toml", text), ".".into(), &[])?;
 /// let job = scene.prepare(&scene.plain())?.job();
-/// let answer = search(&job.setup, &job.plan, &Rules::default(), 1, &|| false, &mut |_| {})?;
+/// let answer = search(&job.setup, &job.plan, &Rules::default(), &Executor::ALONE, &mut |_| {})?;
 /// let exact = 40f64.to_radians().tan() / 30f64.to_radians().tan();
 /// assert!((answer.stable_at.unwrap() / exact - 1.0).abs() < 0.01);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -103,33 +108,86 @@ pub fn search(
     setup: &Setup,
     plan: &Plan,
     rules: &Rules,
-    threads: usize,
-    stop: &(dyn Fn() -> bool + Sync),
+    executor: &Executor<'_>,
     report: &mut dyn FnMut(&Trial),
-) -> Result<Answer, SafetyError> {
+) -> Result<Answer, StudyError> {
     sound(rules)?;
-    let search = Search::from_one(MOST, rules.width).map_err(|_| SafetyError::NotANumber)?;
+    let search = Search::from_one(MOST, rules.width).map_err(|_| StudyError::NotANumber)?;
     let Scope { setup, plan, rows } = scope(setup, plan, rules)?;
-    let maker = Maker { rules, rows: &rows, stop };
-    let one = |task: &Task<'_, Done>| -> Made {
-        let (factor, threads) = (task.value, task.threads);
+    let one = |task: &Task<'_, Done>| {
+        let maker = Maker { rules, rows: &rows, task, begun: Instant::now() };
+        let factor = task.value;
         if let Some((from, Done { state: Some(state), .. })) = task.from {
-            return maker.weaker(state, &plan, factor / from, factor, threads, task.useless);
+            return maker.weaker(state, &plan, factor / from);
         }
         let plan =
             if factor == 1.0 { plan.clone() } else { reduced_from_start(&plan, &rows, factor) };
-        let model = (setup.clone(), plan);
-        maker.anew(model, factor, factor != 1.0, threads, task.useless)
+        maker.anew((setup.clone(), plan), factor != 1.0)
     };
-    let chained = !rules.from_start;
-    answer(search, threads, chained, rules.width, one, report)
+    answer(search, !rules.from_start, executor, rules.width, one, report)
+}
+
+/// Searches for the value of a quantity at which a case of a scene begins to fail; `report` is told every trial. Every trial runs the
+/// scene from its start.
+///
+/// # Errors
+/// Values that the scene cannot have, models that cannot be built, rules that are no numbers, the user.
+#[cfg(feature = "scenario")]
+pub fn over_quantity(
+    scene: &Scene,
+    case: &Case,
+    quantity: &Quantity,
+    rules: &Rules,
+    executor: &Executor<'_>,
+    report: &mut dyn FnMut(&Trial),
+) -> Result<Answer, StudyError> {
+    let rules = Rules { width: quantity.width, ..rules.clone() };
+    sound(&rules)?;
+    let search = quantity.search().map_err(|_| StudyError::NotANumber)?;
+    for end in [quantity.low, quantity.high] {
+        quantity.prepare(scene, case, end)?;
+    }
+    let one = |task: &Task<'_, Done>| {
+        let maker = Maker { rules: &rules, rows: &[], task, begun: Instant::now() };
+        let job = quantity.prepare(scene, case, task.value)?.job();
+        maker.anew((job.setup, job.plan), true)
+    };
+    let answer = answer(search, false, executor, quantity.width, one, report)?;
+    Ok(Answer {
+        quantity: Some(quantity.key.clone()),
+        unit: quantity.unit.clone(),
+        shown: quantity.shown.clone(),
+        ..answer
+    })
+}
+
+/// The factor of safety of the model of `job`, or with `over` the limit of a quantity of the case that it is of; and the job
+/// whose mechanism [`mechanism_job`] shows.
+///
+/// # Errors
+/// As [`search`] and [`over_quantity`].
+#[cfg(feature = "scenario")]
+pub fn find(
+    job: Job,
+    over: Option<(&Scene, &Case, &Quantity)>,
+    rules: &Rules,
+    executor: &Executor<'_>,
+    report: &mut dyn FnMut(&Trial),
+) -> Result<(Answer, Job), StudyError> {
+    let Some((scene, case, quantity)) = over else {
+        let answer = search(&job.setup, &job.plan, rules, executor, report)?;
+        return Ok((answer, job));
+    };
+    let answer = over_quantity(scene, case, quantity, rules, executor, report)?;
+    let value = answer.fails_at.unwrap_or(quantity.low);
+    Ok((answer, quantity.prepare(scene, case, value)?.job()))
 }
 
 /// Whether the rules are numbers.
-fn sound(rules: &Rules) -> Result<(), SafetyError> {
+fn sound(rules: &Rules) -> Result<(), StudyError> {
     let sound = |x: f64| x.is_finite() && x > 0.0;
     if !sound(rules.width) || !sound(rules.balance) || !rules.moved.is_none_or(sound) {
-        return Err(SafetyError::NotANumber);
+        return Err(StudyError::NotANumber);
     }
     Ok(())
 }
@@ -137,24 +195,19 @@ fn sound(rules: &Rules) -> Result<(), SafetyError> {
 /// Makes the trials of a search and says what they found, of a factor of safety.
 fn answer(
     search: Search,
-    threads: usize,
     chained: bool,
+    executor: &Executor<'_>,
     width: f64,
-    one: impl Fn(&Task<'_, Done>) -> Made + Sync,
+    one: impl Fn(&Task<'_, Done>) -> Result<Done, StudyError> + Sync,
     report: &mut dyn FnMut(&Trial),
-) -> Result<Answer, SafetyError> {
+) -> Result<Answer, StudyError> {
     let mut trials = Vec::new();
-    let found = drive(
-        search,
-        threads,
-        chained,
-        |task| one(task).map(|made| made.map(|done| (done.trial.state, done))),
-        |_, _, done: &Done| {
+    let work = |task: &Task<'_, Done>| one(task).map(|done| (done.trial.state, done));
+    let Found { search, failing, .. } =
+        drive(search, chained, executor, work, |_, _, done: &Done| {
             report(&done.trial);
             trials.push(done.trial.clone());
-        },
-    )?;
-    let Found { search, failing, .. } = found;
+        })?;
     let (moving, mechanism) = failing.map_or((Vec::new(), None), |f| (f.moving, f.mechanism));
     Ok(Answer {
         quantity: None,
@@ -171,8 +224,8 @@ fn answer(
 }
 
 /// The job of a run that shows the mechanism, of the model `job` is of: that of the scene, or for a quantity that of the value at which it
-/// fails. It has the phases of the scene and one of as many steps as the trial that fails nearest to the limit had, with about `frames`
-/// frames; `None` where nothing failed.
+/// fails. It has the phases of the scene and one of as many steps as the trial that fails nearest to the limit had, with about
+/// twenty frames; `None` where nothing failed.
 ///
 /// # Errors
 /// As [`search`] for the names of interfaces, materials and groups.
@@ -180,8 +233,7 @@ pub fn mechanism_job(
     mut job: Job,
     rules: &Rules,
     answer: &Answer,
-    frames: u64,
-) -> Result<Option<Job>, SafetyError> {
+) -> Result<Option<Job>, StudyError> {
     let failing = |t: &&Trial| t.state == State::Failing && Some(t.value) == answer.fails_at;
     let Some(trial) = answer.trials.iter().find(failing) else {
         return Ok(None);
@@ -211,7 +263,7 @@ pub fn mechanism_job(
         phase.until = seen;
         job.plan.phases.push(phase);
     }
-    job.plan.frames = Some(Every::Steps(steps.div_ceil(frames).max(1)));
+    job.plan.frames = Some(Every::Steps(steps.div_ceil(FRAMES).max(1)));
     job.checks.clear();
     Ok(Some(job))
 }

@@ -1,10 +1,5 @@
 //! The spatial engine against closed answers, without scenario files.
 
-#![allow(
-    clippy::disallowed_methods,
-    reason = "tests may compare with the functions of the platform"
-)]
-
 mod attitude;
 mod bits;
 mod blast;

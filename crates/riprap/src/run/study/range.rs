@@ -1,11 +1,9 @@
-//! Any number of a scene in place of the factor of safety: a load, a water level, an angle, a thickness.
+//! Variants of a scene by the value of a key: a load, a water level, an angle, a thickness.
 
-use super::record::in_unit;
-use super::rules::{Answer, RangeError, Rules, SafetyError, Trial};
-use super::trial::{Made, Maker};
-use super::{answer, sound};
-use crate::plan::shown::Shown;
-use crate::run::bracket::{Search, Task};
+use super::bracket::{NotANumber, Search};
+use super::error::RangeError;
+use crate::model::Bisection;
+use crate::plan::shown::{Shown, digits_for};
 use crate::run::scene::{Prepared, Scene};
 use crate::scenario::units::{self, Dim};
 use crate::scenario::{Case, Diagnostics};
@@ -39,12 +37,12 @@ impl Quantity {
     /// # Examples
     ///
     /// ```
-    /// use riprap::run::safety::Quantity;
+    /// use riprap::run::study::range::Quantity;
     ///
     /// let range = Quantity::read("interfaces.default.friction_angle", "20 deg..45 deg", Some("0.1 deg"))?;
     /// assert!((range.high - 45f64.to_radians()).abs() < 1e-15 && range.unit == "rad");
     /// assert!(Quantity::read("loads.push.time.ramp.to", "0.5..3 kN", None).is_err());
-    /// # Ok::<(), riprap::run::safety::RangeError>(())
+    /// # Ok::<(), riprap::run::study::RangeError>(())
     /// ```
     pub fn read(key: &str, range: &str, width: Option<&str>) -> Result<Self, RangeError> {
         let wrong = || RangeError::Range(range.to_owned());
@@ -67,7 +65,7 @@ impl Quantity {
             Some((text, Ok(_) | Err(_))) => {
                 return Err(RangeError::Width {
                     given: text.to_owned(),
-                    example: in_unit(&shown, share, share),
+                    example: shown.text(share, digits_for(1.0)),
                 });
             }
         };
@@ -79,55 +77,26 @@ impl Quantity {
     /// # Errors
     /// A key that leads nowhere, a value that it cannot have.
     pub fn prepare(&self, scene: &Scene, case: &Case, value: f64) -> Result<Prepared, Diagnostics> {
-        scene.prepare(&with_value(case, &self.key, value, &self.unit))
+        let mut variant = case.clone();
+        let text = match &self.unit[..] {
+            "" => format!("{value:?}"),
+            unit => format!("{:?}", format!("{value} {unit}")),
+        };
+        variant.trial.push((self.key.clone(), text));
+        scene.prepare(&variant)
+    }
+
+    /// The search for the limit in it.
+    pub(super) fn search(&self) -> Result<Search, NotANumber> {
+        Search::between(self.low, self.high, self.width)
     }
 }
 
-/// A case in which a key has a value, given in SI with the unit of that name (empty for plain numbers).
-pub(in crate::run) fn with_value(case: &Case, key: &str, value: f64, unit: &str) -> Case {
-    let mut changed = case.clone();
-    let text = if unit.is_empty() {
-        format!("{value:?}")
-    } else {
-        format!("{:?}", format!("{value} {unit}"))
-    };
-    changed.trial.push((key.to_owned(), text));
-    changed
-}
-
-/// Searches for the value of a quantity at which a case of a scene begins to fail; `report` is told every trial, `stop` asked every few
-/// steps. Every trial runs the scene from its start.
-///
-/// # Errors
-/// Values that the scene cannot have, models that cannot be built, rules that are no numbers, the user.
-pub fn over_quantity(
-    scene: &Scene,
-    case: &Case,
-    quantity: &Quantity,
-    rules: &Rules,
-    threads: usize,
-    stop: &(dyn Fn() -> bool + Sync),
-    report: &mut dyn FnMut(&Trial),
-) -> Result<Answer, SafetyError> {
-    let rules = Rules { width: quantity.width, ..rules.clone() };
-    sound(&rules)?;
-    let search = Search::between(quantity.low, quantity.high, quantity.width)
-        .map_err(|_| SafetyError::NotANumber)?;
-    for end in [quantity.low, quantity.high] {
-        quantity.prepare(scene, case, end).map_err(SafetyError::Scene)?;
+impl From<&Bisection> for Quantity {
+    fn from(said: &Bisection) -> Self {
+        let (low, high, unit) = (said.low, said.high, said.unit.clone());
+        let suited = || Shown::suited(&unit, low.abs().max(high.abs()));
+        let shown = said.shown.clone().unwrap_or_else(suited);
+        Self { key: said.key.clone(), low, high, width: said.tolerance, unit, shown }
     }
-    let maker = Maker { rules: &rules, rows: &[], stop };
-    let one = |task: &Task<'_, _>| -> Made {
-        let prepared = quantity.prepare(scene, case, task.value);
-        let job = prepared.map_err(SafetyError::Scene)?.job();
-        let model = (job.setup, job.plan);
-        maker.anew(model, task.value, true, task.threads, task.useless)
-    };
-    let answer = answer(search, threads, false, quantity.width, one, report)?;
-    Ok(Answer {
-        quantity: Some(quantity.key.clone()),
-        unit: quantity.unit.clone(),
-        shown: quantity.shown.clone(),
-        ..answer
-    })
 }

@@ -2,9 +2,9 @@
 
 use serde::Serialize;
 
-use crate::run::bracket::State;
 use crate::run::engine::Movement;
 use crate::run::simulation::Simulation;
+use crate::run::study::bracket::State;
 
 /// Share of the size of the middle one of the blocks that counts as moved where nothing else is said.
 const MOVED: f64 = 1e-3;

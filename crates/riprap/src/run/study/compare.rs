@@ -40,7 +40,7 @@ pub enum CompareError {
     #[error(transparent)]
     Frame(#[from] vtu::ReadError),
     /// A folder without its frames.
-    #[error("{} could not be read: {source}", path.display())]
+    #[error("could not read {}: {source}", path.display())]
     Folder {
         /// What was read.
         path: PathBuf,
@@ -76,7 +76,7 @@ pub fn folders(first: &Path, second: &Path) -> Result<Vec<Difference>, CompareEr
 /// use std::path::Path;
 ///
 /// use riprap::record::table::Table;
-/// use riprap::run::compare::tables;
+/// use riprap::run::study::compare::tables;
 ///
 /// let first = Table::parse(b"time [s],x [m]\n0,0\n1,2\n", Path::new("first.csv"))?;
 /// let second = Table::parse(b"time [s],x [m]\n0,0\n1,3\n", Path::new("second.csv"))?;

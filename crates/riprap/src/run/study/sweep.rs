@@ -2,21 +2,24 @@
 
 use std::path::{Path, PathBuf};
 
-use super::checks::{CheckResult, Status};
-use super::drive::{Control, Ending, Look};
-use super::job::{self, JobError, Outcome};
-use super::scene::Scene;
+use super::Executor;
 use super::verify::Tally;
-use crate::exec::side_by_side;
 use crate::record::field::with_unit;
 use crate::record::folder::Existing;
 use crate::record::manifest::{Ended, Manifest};
-use crate::record::read_plain_text;
 use crate::record::table::Table;
+use crate::record::{OutputError, read_plain_text, write_whole};
+use crate::run::checks::{CheckResult, Status};
+use crate::run::drive::{Ending, Look};
+use crate::run::job::{self, JobError, Outcome};
+use crate::run::scene::Scene;
 use crate::scenario::{Case, Diagnostics, swept_and_set};
 
+/// The table, in the folder of the sweep.
+pub const TABLE: &str = "sweep.csv";
+
 /// One row of the table.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Row {
     /// Name of the case and of its folder.
     pub case: String,
@@ -53,7 +56,7 @@ pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
     Ok(())
 }
 
-/// Runs all cases into sub-folders of `folder`, `jobs` at a time, and hands each row to `report` in
+/// Runs all cases into sub-folders of `folder`, each on one thread, and hands each row to `report` in
 /// the order of the cases. Unless what is there is to be replaced, a case that has finished there before, with the same input and
 /// by the same program, is kept and not run again; one that was cut short goes on from its last checkpoint.
 ///
@@ -64,7 +67,8 @@ pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
 ///
 /// use riprap::record::folder::Existing;
 /// use riprap::run::scene::Scene;
-/// use riprap::run::sweep::{sweep, tally};
+/// use riprap::run::study::Executor;
+/// use riprap::run::study::sweep::{sweep, tally};
 ///
 /// let path = Path::new("scenes/verify/planar/a5_stop.toml");
 /// # let path = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
@@ -72,7 +76,7 @@ pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
 /// # let results = results.path();
 /// let scene = Scene::load(path, &[])?;
 /// let mut rows = Vec::new();
-/// sweep(&scene, results, Existing::Refuse, 2, &|| false, |row| rows.push(row));
+/// sweep(&scene, results, Existing::Refuse, &Executor::ALONE.on(2), |row| rows.push(row));
 /// assert_eq!(rows.len(), scene.cases.len());
 /// assert_eq!(tally(&rows).failed, 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -81,11 +85,10 @@ pub fn sweep(
     scene: &Scene,
     folder: &Path,
     existing: Existing,
-    jobs: usize,
-    stop: &(dyn Fn() -> bool + Sync),
-    mut report: impl FnMut(Row),
+    executor: &Executor<'_>,
+    report: impl FnMut(Row),
 ) {
-    side_by_side(jobs, &scene.cases, |case| one(scene, case, folder, existing, stop), &mut report);
+    executor.each(&scene.cases, |case| one(scene, case, folder, existing, executor), report);
 }
 
 fn one(
@@ -93,58 +96,41 @@ fn one(
     case: &Case,
     folder: &Path,
     existing: Existing,
-    stop: &(dyn Fn() -> bool + Sync),
+    executor: &Executor<'_>,
 ) -> Row {
     let mut row = Row {
         case: case.name.clone(),
         variant: case.variant.clone(),
         changes: as_run(&case.changes, &scene.changes),
         ended: "stopped by the user before it began".to_owned(),
-        finished: false,
-        kept: false,
-        unwritten: false,
-        steps: 0,
-        last: Vec::new(),
-        checks: Vec::new(),
+        ..Row::default()
     };
-    if stop() {
+    if (executor.stop)() {
         return row;
     }
     let folder = folder.join(&case.name);
-    let mut look = |_: &mut Look<'_>| {
-        if stop() { Control::Stop } else { Control::Continue }
-    };
     let prepared = match scene.prepare(case) {
         Ok(prepared) => prepared,
-        Err(wrong) => {
-            row.ended = wrong.render();
-            return row;
-        }
+        Err(wrong) => return Row { ended: wrong.render(), ..row },
     };
-    let outcome = match (existing, before(&folder, &prepared.manifest)) {
+    let before = before(&folder, &prepared.manifest);
+    let mut look = |_: &mut Look<'_>| executor.control();
+    let outcome = match (existing, before) {
         (Existing::Refuse, Before::Finished { steps, checks }) => {
-            row.ended = "finished".to_owned();
-            (row.finished, row.kept) = (true, true);
-            (row.steps, row.checks) = (steps, checks);
-            row.last = last_values(&folder);
-            return row;
+            let (ended, last) = ("finished".to_owned(), last_values(&folder));
+            return Row { ended, finished: true, kept: true, steps, last, checks, ..row };
         }
         (Existing::Refuse, Before::CutShort) => match job::resume(&folder, 1, &mut look) {
             // Nothing to go on from: it begins again.
             Err(JobError::Checkpoint(_) | JobError::Ended { .. }) => {
-                let replace = Existing::ReplaceRun;
-                job::run(prepared.job(), &folder, replace, 1, &mut look)
+                job::run(prepared.job(), &folder, Existing::ReplaceRun, 1, &mut look)
             }
             gone_on => gone_on,
         },
         (existing, _) => job::run(prepared.job(), &folder, existing, 1, &mut look),
     };
-    let outcome = outcome.map_err(|wrong: JobError| {
-        row.unwritten = wrong.is_output();
-        wrong.to_string()
-    });
     match outcome {
-        Err(why) => row.ended = why,
+        Err(why) => (row.ended, row.unwritten) = (why.to_string(), why.is_output()),
         Ok(Outcome { ending, manifest, checks, .. }) => {
             row.finished = ending == Ending::Finished;
             row.ended = match ending {
@@ -152,9 +138,7 @@ fn one(
                 Ending::Stopped => "stopped by the user".to_owned(),
                 Ending::Unstable(why) => why.to_string(),
             };
-            row.steps = manifest.steps;
-            row.checks = checks;
-            row.last = last_values(&folder);
+            (row.steps, row.checks, row.last) = (manifest.steps, checks, last_values(&folder));
         }
     }
     row
@@ -240,6 +224,13 @@ fn last_values(folder: &Path) -> Vec<(String, f64)> {
         .collect()
 }
 
+/// The table of an earlier sweep into the folder, of which what has finished is kept.
+#[must_use]
+pub fn earlier(folder: &Path, existing: Existing) -> Option<String> {
+    let path = folder.join(TABLE);
+    (existing == Existing::Refuse).then(|| read_plain_text(&path).ok()).flatten()
+}
+
 /// The checks of all rows, counted.
 #[must_use]
 pub fn tally(rows: &[Row]) -> Tally {
@@ -262,111 +253,132 @@ pub fn table(rows: &[Row]) -> Result<Vec<u8>, csv::Error> {
 /// # Errors
 /// As [`table`]; an earlier table that is none is left out.
 pub fn table_with(rows: &[Row], earlier: Option<&str>) -> Result<Vec<u8>, csv::Error> {
-    let mut lines: Vec<Line> = rows.iter().map(Line::of).collect();
-    let here: Vec<&str> = rows.iter().map(|row| row.case.as_str()).collect();
-    let before = earlier.map(Line::all_of).unwrap_or_default();
-    lines.extend(before.into_iter().filter(|line| !here.contains(&line.case())));
-    let mut heads: [Vec<&str>; 3] = Default::default();
-    for line in &lines {
-        for (heads, cells) in heads.iter_mut().zip(&line.cells) {
-            add_new(heads, cells.iter().map(|(head, _)| head.as_str()));
+    let mut lines: Vec<Line> = rows.iter().map(line_of).collect();
+    let before = earlier.map(lines_of).unwrap_or_default();
+    let is_again =
+        |line: &Line| line.first().is_some_and(|of| rows.iter().any(|r| r.case == of.text));
+    lines.extend(before.into_iter().filter(|line| !is_again(line)));
+    let fixed = [(Part::Case, CASE), (Part::Outcome, OUTCOME)];
+    let mut heads: Vec<(Part, &str)> =
+        fixed.into_iter().flat_map(|(part, heads)| heads.map(|head| (part, head))).collect();
+    for cell in lines.iter().flatten() {
+        if !heads.contains(&(cell.part, &cell.head)) {
+            heads.push((cell.part, &cell.head));
         }
     }
-    let [keys, last, checks] = &heads;
+    // Within its part each column is where it came first.
+    heads.sort_by_key(|(part, _)| *part);
     let mut out = csv::Writer::from_writer(Vec::new());
-    let first = ["case", "variant"].into_iter().chain(keys.iter().copied());
-    let all = first.chain(["ended", "steps"]).chain(last.iter().chain(checks).copied());
-    out.write_record(all)?;
+    out.write_record(heads.iter().map(|(_, head)| head))?;
     for line in &lines {
-        let cell = |of: usize, head: &&str| {
-            let found = line.cells[of].iter().find(|(known, _)| known == head);
-            found.map_or("", |(_, cell)| cell.as_str())
+        let text = |(part, head): &(Part, &str)| {
+            let found = line.iter().find(|cell| cell.part == *part && cell.head == *head);
+            found.map_or("", |cell| cell.text.as_str())
         };
-        let [case, variant, ended, steps] = line.fixed.each_ref().map(String::as_str);
-        let own = [case, variant].into_iter().chain(keys.iter().map(|head| cell(0, head)));
-        let own = own.chain([ended, steps]).chain(last.iter().map(|head| cell(1, head)));
-        out.write_record(own.chain(checks.iter().map(|head| cell(2, head))))?;
+        out.write_record(heads.iter().map(text))?;
     }
     out.into_inner().map_err(|error| error.into_error().into())
 }
 
-/// A line of the table.
-struct Line {
-    /// Case, variant, how it ended, steps.
-    fixed: [String; 4],
-    /// Changed keys, last values, checks, each with the head of its column.
-    cells: [Vec<(String, String)>; 3],
+/// Parts of the table, from left to right.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Part {
+    Case,
+    Keys,
+    Outcome,
+    Last,
+    Checks,
 }
 
-impl Line {
-    fn case(&self) -> &str {
-        &self.fixed[0]
-    }
-
-    fn of(row: &Row) -> Self {
-        let keys = row.changes.iter();
-        let keys = keys.map(|(key, value)| (key.clone(), value.trim_matches('"').to_owned()));
-        let last = row.last.iter();
-        let last = last.map(|(head, value)| (head.clone(), format!("{value}")));
-        let checks = row.checks.iter().map(|check| {
-            let status = match check.status {
-                Status::Passed => "passed",
-                Status::Failed => "failed",
-                Status::Skipped => "skipped",
-            };
-            (format!("{CHECK}{}", check.check), status.to_owned())
-        });
-        Line {
-            fixed: [
-                row.case.clone(),
-                row.variant.clone(),
-                row.ended.clone(),
-                row.steps.to_string(),
-            ],
-            cells: [keys.collect(), last.collect(), checks.collect()],
-        }
-    }
-
-    /// The lines of a table; none of a text that is no such table.
-    fn all_of(text: &str) -> Vec<Self> {
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
-        let heads = reader.headers().cloned().unwrap_or_default();
-        let place = |name: &str| heads.iter().position(|head| head == name);
-        let (Some(0), Some(1), Some(ended)) = (place("case"), place("variant"), place("ended"))
-        else {
-            return Vec::new();
-        };
-        if place("steps") != Some(ended + 1) {
-            return Vec::new();
-        }
-        let line = |record: csv::StringRecord| {
-            let text = |k: usize| record.get(k).unwrap_or_default().to_owned();
-            let mut line =
-                Line { fixed: [0, 1, ended, ended + 1].map(text), cells: Default::default() };
-            for (k, head) in heads.iter().enumerate() {
-                let of = match k {
-                    _ if [0, 1, ended, ended + 1].contains(&k) || text(k).is_empty() => continue,
-                    _ if k < ended => 0,
-                    _ if head.starts_with(CHECK) => 2,
-                    _ => 1,
-                };
-                line.cells[of].push((head.to_owned(), text(k)));
-            }
-            line
-        };
-        reader.records().filter_map(Result::ok).map(line).collect()
-    }
-}
+/// Heads of the parts that every table has.
+const CASE: [&str; 2] = ["case", "variant"];
+const OUTCOME: [&str; 2] = ["ended", "steps"];
 
 /// Head of the column of a check, before its name.
 const CHECK: &str = "check: ";
 
-fn add_new<'a>(list: &mut Vec<&'a str>, more: impl Iterator<Item = &'a str>) {
-    for one in more {
-        if !list.contains(&one) {
-            list.push(one);
-        }
+/// A cell of the table with the head of its column.
+struct Cell {
+    part: Part,
+    head: String,
+    text: String,
+}
+
+/// The cells of a case, its name first.
+type Line = Vec<Cell>;
+
+fn line_of(row: &Row) -> Line {
+    let cell = |part: Part, head: &str, text: &str| Cell {
+        part,
+        head: head.to_owned(),
+        text: text.to_owned(),
+    };
+    let mut line = vec![
+        cell(Part::Case, CASE[0], &row.case),
+        cell(Part::Case, CASE[1], &row.variant),
+        cell(Part::Outcome, OUTCOME[0], &row.ended),
+        cell(Part::Outcome, OUTCOME[1], &row.steps.to_string()),
+    ];
+    line.extend(row.changes.iter().map(|(key, v)| cell(Part::Keys, key, v.trim_matches('"'))));
+    line.extend(row.last.iter().map(|(head, value)| cell(Part::Last, head, &value.to_string())));
+    line.extend(row.checks.iter().map(|check| {
+        let status = match check.status {
+            Status::Passed => "passed",
+            Status::Failed => "failed",
+            Status::Skipped => "skipped",
+        };
+        cell(Part::Checks, &format!("{CHECK}{}", check.check), status)
+    }));
+    line
+}
+
+/// The lines of a table; none of a text that is no such table.
+fn lines_of(text: &str) -> Vec<Line> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let heads = reader.headers().cloned().unwrap_or_default();
+    let heads: Vec<&str> = heads.iter().collect();
+    let Some(ended) = heads.windows(2).position(|pair| pair == OUTCOME) else {
+        return Vec::new();
+    };
+    if !heads.starts_with(&CASE) {
+        return Vec::new();
     }
+    let part = |k: usize| match k {
+        0 | 1 => Part::Case,
+        k if k < ended => Part::Keys,
+        k if k < ended + 2 => Part::Outcome,
+        k if heads[k].starts_with(CHECK) => Part::Checks,
+        _ => Part::Last,
+    };
+    let line = |record: csv::StringRecord| {
+        let cells = heads.iter().zip(&record).enumerate();
+        let written = cells.filter(|(_, (_, text))| !text.is_empty());
+        let cell = |(k, (head, text)): (usize, (&&str, &str))| Cell {
+            part: part(k),
+            head: (*head).to_owned(),
+            text: text.to_owned(),
+        };
+        written.map(cell).collect()
+    };
+    reader.records().filter_map(Result::ok).map(line).collect()
+}
+
+/// Writes the table as `sweep.csv` into `folder`; gives its text.
+///
+/// # Errors
+/// The disk.
+pub fn write_table(
+    rows: &[Row],
+    earlier: Option<&str>,
+    folder: &Path,
+) -> Result<String, OutputError> {
+    let path = folder.join(TABLE);
+    let at = |path: &Path, source: std::io::Error| OutputError { path: path.to_owned(), source };
+    let table = table_with(rows, earlier).map_err(|wrong| at(&path, wrong.into()))?;
+    // A link stays one.
+    let target = path.canonicalize().unwrap_or_else(|_| path.clone());
+    write_whole(&target, &table).map_err(|wrong| at(&path, wrong.source))?;
+    Ok(String::from_utf8_lossy(&table).into_owned())
 }
 
 #[cfg(test)]
@@ -393,7 +405,7 @@ mod tests {
             let count = AtomicUsize::new(0);
             let stop = || count.fetch_add(1, Ordering::Relaxed) >= looks;
             let mut rows = Vec::new();
-            sweep(&scene, folder, Existing::Refuse, 1, &stop, |row| {
+            sweep(&scene, folder, Existing::Refuse, &Executor { threads: 1, stop: &stop }, |row| {
                 rows.push(row);
             });
             rows.remove(0)

@@ -2,13 +2,9 @@
 //!
 //! With `RIPRAP_WRITE_DOCS=1` generated pages and pictures are written instead of compared.
 
-#[path = "docs/console.rs"]
 mod console;
-#[path = "docs/generated.rs"]
 mod generated;
-#[path = "docs/links.rs"]
 mod links;
-#[path = "docs/quotes.rs"]
 mod quotes;
 
 use std::path::{Path, PathBuf};

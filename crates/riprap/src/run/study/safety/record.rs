@@ -1,9 +1,12 @@
 //! Answers as words and tables.
 
+use std::path::Path;
+
 use super::rules::Answer;
 use super::verdict::Mechanism;
-use crate::plan::shown::{Shown, digits_for};
-use crate::run::bracket::State;
+use crate::plan::shown::digits_for;
+use crate::record::{OutputError, write_whole};
+use crate::run::study::bracket::State;
 
 /// Blocks of the mechanism that are named in words.
 const NAMED: usize = 5;
@@ -20,11 +23,6 @@ impl State {
     }
 }
 
-/// A value in a unit, with the digits that a width makes meaningful.
-pub(super) fn in_unit(shown: &Shown, value: f64, width: f64) -> String {
-    shown.text(value, digits_for(width / value.abs()))
-}
-
 impl Answer {
     /// Whether a limit was found.
     #[must_use]
@@ -36,7 +34,7 @@ impl Answer {
     #[must_use]
     pub fn text(&self, value: f64) -> String {
         if self.quantity.is_some() {
-            return in_unit(&self.shown, value, self.width);
+            return self.shown.text(value, digits_for(self.width / value.abs()));
         }
         let mut digits = 1;
         let mut width = self.width;
@@ -54,22 +52,22 @@ impl Answer {
         if let Some(key) = &self.quantity {
             return match ends {
                 [Some(stable), Some(failing)] => {
-                    format!("{key}: stands at {stable}, fails at {failing}")
+                    format!("{key}: stable at {stable}, fails at {failing}")
                 }
-                [Some(_), None] => format!("{key}: nothing fails in this range"),
-                [None, Some(_)] => format!("{key}: nothing stands in this range"),
-                [None, None] => format!("{key}: unknown, no trial was decided"),
+                [Some(_), None] => format!("{key}: no failure in this range"),
+                [None, Some(_)] => format!("{key}: not stable anywhere in this range"),
+                [None, None] => format!("{key}: unknown, no trial was conclusive"),
             };
         }
         match ends {
             [Some(low), Some(high)] => format!("factor of safety: {low} .. {high}"),
             [Some(low), None] => format!(
-                "factor of safety: above {low}: the model stands with next to no strength in these interfaces"
+                "factor of safety: above {low}: the model is stable with almost no strength in these interfaces"
             ),
-            [None, Some(high)] => format!(
-                "factor of safety: below {high}: no strength that was tried holds the model"
-            ),
-            [None, None] => "factor of safety: unknown, no trial was decided".to_owned(),
+            [None, Some(high)] => {
+                format!("factor of safety: below {high}: the model fails at every strength tried")
+            }
+            [None, None] => "factor of safety: unknown, no trial was conclusive".to_owned(),
         }
     }
 
@@ -79,15 +77,27 @@ impl Answer {
         let count = self.moving.len();
         let (noun, s) = if count == 1 { ("block", "s") } else { ("blocks", "") };
         let how = match self.mechanism? {
-            Mechanism::Sliding => format!("slide{s} or fall{s} without turning"),
+            Mechanism::Sliding => format!("slide{s} or fall{s} without rotation"),
             Mechanism::Turning => format!("turn{s}"),
-            Mechanism::Both => format!("slide{s} and turn{s}"),
+            Mechanism::Both => format!("slide{s} and rotate{s}"),
         };
         let names: Vec<&str> =
             (self.moving.iter().take(NAMED)).map(|(name, _)| name.as_str()).collect();
         let more =
             if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
         Some(format!("mechanism: {count} {noun} {how}: {}{more}", names.join(", ")))
+    }
+
+    /// Writes `safety.json` and `safety.csv` into `folder`.
+    ///
+    /// # Errors
+    /// The disk.
+    pub fn write(&self, folder: &Path) -> Result<(), OutputError> {
+        let json = format!("{}\n", serde_json::json!(self));
+        for (name, text) in [("safety.json", json), ("safety.csv", self.table())] {
+            write_whole(&folder.join(name), text.as_bytes())?;
+        }
+        Ok(())
     }
 
     /// The trials as CSV: value (SI), state, displacement, block, unbalanced ratio, steps, seconds.

@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Serialize;
 
-use crate::exec::side_by_side;
+use super::{Executor, StudyError};
 
 /// What came of a trial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -48,7 +48,7 @@ pub struct Search {
 
 /// A search whose numbers are none, or whose width is not above zero.
 #[derive(Debug, thiserror::Error, PartialEq, Eq)]
-#[error("the ends of the range must be different numbers, and its width a number above zero")]
+#[error("the ends of the range must differ, and its width must be above zero")]
 pub struct NotANumber;
 
 impl Search {
@@ -246,8 +246,16 @@ pub struct Task<'a, R> {
     pub threads: usize,
     /// Whether it is needed whatever happens.
     pub needed: bool,
-    /// Whether it has turned out to be of no use.
-    pub useless: &'a (dyn Fn() -> bool + Sync),
+    /// Whether it is to be broken off: somebody wants to stop, or it has turned out to be of no use.
+    pub cancelled: &'a (dyn Fn() -> bool + Sync),
+}
+
+impl<R> Task<'_, R> {
+    /// # Errors
+    /// It is to be broken off.
+    pub(super) fn goes_on(&self) -> Result<(), StudyError> {
+        if (self.cancelled)() { Err(StudyError::Stopped) } else { Ok(()) }
+    }
 }
 
 /// What a search found.
@@ -260,9 +268,9 @@ pub struct Found<R> {
     pub failing: Option<R>,
 }
 
-/// Makes the trials of a search, `threads` at a time; `report` is told each in its order.
+/// Makes the trials of a search, as many at a time as there are threads; `report` is told each in its order.
 ///
-/// `work` makes a trial, `None` where it was of no use. Trials that are `chained` are given what the nearest one that holds left.
+/// `work` makes a trial, and ends with an error when it is cancelled. Trials that are `chained` are given what the nearest one that holds left.
 ///
 /// # Errors
 /// What `work` says of a trial that is needed.
@@ -270,71 +278,60 @@ pub struct Found<R> {
 /// # Examples
 ///
 /// ```
-/// use riprap::run::bracket::{Search, State, drive};
+/// use riprap::run::study::Executor;
+/// use riprap::run::study::bracket::{Search, State, drive};
 ///
 /// // A column of width 1 m and height h topples on a slope of 20 degrees when h is greater than 1/tan(20 degrees).
 /// let steepness = 20f64.to_radians().tan();
 /// let topples = |height: f64| if height * steepness > 1.0 { State::Failing } else { State::Stable };
 /// let search = Search::between(1.0, 5.0, 1e-3)?;
-/// let found = drive::<(), ()>(search, 2, false, |task| Ok(Some((topples(task.value), ()))), |_, _, _| {}).unwrap();
+/// let found = drive::<(), ()>(search, false, &Executor::ALONE, |task| Ok((topples(task.value), ())), |_, _, _| {}).unwrap();
 /// assert!((found.search.limit().unwrap() - 1.0 / steepness).abs() < 1e-3);
-/// # Ok::<(), riprap::run::bracket::NotANumber>(())
+/// # Ok::<(), riprap::run::study::bracket::NotANumber>(())
 /// ```
 pub fn drive<R: Send + Sync, E: Send>(
     search: Search,
-    threads: usize,
     chained: bool,
-    work: impl Fn(&Task<'_, R>) -> Result<Option<(State, R)>, E> + Sync,
+    executor: &Executor<'_>,
+    work: impl Fn(&Task<'_, R>) -> Result<(State, R), E> + Sync,
     mut report: impl FnMut(f64, State, &R),
 ) -> Result<Found<R>, E> {
     let mut found = Found { search, holding: None, failing: None };
     loop {
-        let values = found.search.ahead(threads.max(1), chained);
+        let values = found.search.ahead(executor.threads.max(1), chained);
         if values.is_empty() {
             return Ok(found);
         }
         let from = (found.search.holds_at().filter(|_| chained)).zip(found.holding.as_ref());
         let useless: Vec<AtomicBool> = values.iter().map(|_| AtomicBool::new(false)).collect();
+        let is_useless = |k: usize| useless[k].load(Ordering::Relaxed);
         let one = |k: &usize| {
             work(&Task {
                 value: values[*k],
                 from,
-                threads: threads / values.len(),
+                threads: executor.threads / values.len(),
                 needed: *k == 0,
-                useless: &|| useless[*k].load(Ordering::Relaxed),
+                cancelled: &|| (executor.stop)() || is_useless(*k),
             })
         };
-        let mut now = found.search.clone();
-        let begin = now.trials.len();
-        let mut waiting: Vec<(f64, State, R)> = Vec::new();
-        let mut taken: Vec<R> = Vec::new();
+        let mut round = Round::new(&found.search, chained);
         let mut wrong = None;
         let numbers: Vec<usize> = (0..values.len()).collect();
         let mut turn = 0;
-        side_by_side(values.len(), &numbers, one, |result| {
+        executor.on(values.len()).each(&numbers, one, |result| {
             let value = values[turn];
-            turn += 1;
             match result {
-                Ok(Some((state, left))) => waiting.push((value, state, left)),
-                Ok(None) => {}
-                Err(error) if now.next() == Some(value) => {
+                Ok((state, left)) => round.waiting.push((value, state, left)),
+                Err(error) if round.now.next() == Some(value) && !is_useless(turn) => {
                     wrong.get_or_insert(error);
                 }
-                // Made ahead: it is made again, and told, should it be needed.
+                // Cancelled, or made ahead: it is made again, and told, should it be needed.
                 Err(_) => {}
             }
-            // What goes on from a trial that has held since is not what was tried ahead.
-            while !(chained && now.holds_at() != found.search.holds_at()) {
-                let Some(k) = waiting.iter().position(|w| now.next() == Some(w.0)) else {
-                    break;
-                };
-                let (value, state, left) = waiting.swap_remove(k);
-                report(value, state, &left);
-                now.add(value, state);
-                taken.push(left);
-            }
-            let over = wrong.is_some() || (chained && now.holds_at() != found.search.holds_at());
-            let still = if over { Vec::new() } else { now.ahead(values.len(), chained) };
+            turn += 1;
+            round.take(&mut report);
+            let over = wrong.is_some() || round.is_over();
+            let still = if over { Vec::new() } else { round.now.ahead(values.len(), chained) };
             for (value, useless) in values.iter().zip(&useless) {
                 if !still.contains(value) {
                     useless.store(true, Ordering::Relaxed);
@@ -344,15 +341,66 @@ pub fn drive<R: Send + Sync, E: Send>(
         if let Some(wrong) = wrong {
             return Err(wrong);
         }
-        let [holding, failing] = [now.holding(), now.failing()];
-        for (k, left) in taken.into_iter().enumerate() {
-            if holding == Some(begin + k) {
+        round.end(&mut found);
+    }
+}
+
+/// Trials made at the same time.
+struct Round<R> {
+    chained: bool,
+    /// The value that held when they began.
+    held: Option<f64>,
+    /// Number of trials before.
+    begin: usize,
+    /// The search with those that were needed so far.
+    now: Search,
+    /// Those that may be needed.
+    waiting: Vec<(f64, State, R)>,
+    /// What those that were needed left, in their order.
+    taken: Vec<R>,
+}
+
+impl<R> Round<R> {
+    fn new(search: &Search, chained: bool) -> Self {
+        Self {
+            chained,
+            held: search.holds_at(),
+            begin: search.trials.len(),
+            now: search.clone(),
+            waiting: Vec::new(),
+            taken: Vec::new(),
+        }
+    }
+
+    /// Whether nothing more of it can be needed: what goes on from a trial that has held since is not what was tried ahead.
+    fn is_over(&self) -> bool {
+        self.chained && self.now.holds_at() != self.held
+    }
+
+    /// Adds the trials that are there to the search as long as they are those that it asks for.
+    fn take(&mut self, report: &mut impl FnMut(f64, State, &R)) {
+        while !self.is_over() {
+            let Some(k) = self.waiting.iter().position(|w| self.now.next() == Some(w.0)) else {
+                break;
+            };
+            let (value, state, left) = self.waiting.swap_remove(k);
+            report(value, state, &left);
+            self.now.add(value, state);
+            self.taken.push(left);
+        }
+    }
+
+    /// Leaves the search with what the trials nearest to the limit left.
+    fn end(self, found: &mut Found<R>) {
+        let [holding, failing] = [self.now.holding(), self.now.failing()];
+        for (k, left) in (self.begin..).zip(self.taken) {
+            if holding == Some(k) {
                 found.holding = Some(left);
-            } else if failing == Some(begin + k) {
+            } else if failing == Some(k) {
                 found.failing = Some(left);
             }
         }
-        found.search = now;
+        found.search = self.now;
     }
 }
 
@@ -370,8 +418,8 @@ mod tests {
         let mut told = Vec::new();
         let found = drive::<f64, ()>(
             search,
-            threads,
             chained,
+            &Executor::ALONE.on(threads),
             |task| {
                 if let Some((value, left)) = task.from {
                     assert_eq!(value, *left);
@@ -380,7 +428,7 @@ mod tests {
                 if task.needed {
                     std::thread::sleep(std::time::Duration::from_micros(200));
                 }
-                Ok(Some((state(task.value), task.value)))
+                Ok((state(task.value), task.value))
             },
             |value, state, left| {
                 assert_eq!(value, *left);
@@ -470,13 +518,13 @@ mod tests {
         // A trial that cannot be made ends the search where it is needed, not where it is made ahead.
         let search = Search::between(0.0, 1.0, 0.1).unwrap();
         let work = |task: &Task<'_, ()>| {
-            if task.value == 0.25 { Err("no") } else { Ok(Some((above(0.6)(task.value), ()))) }
+            if task.value == 0.25 { Err("no") } else { Ok((above(0.6)(task.value), ())) }
         };
-        assert!(drive(search.clone(), 8, false, work, |_, _, ()| {}).is_ok());
+        assert!(drive(search.clone(), false, &Executor::ALONE.on(8), work, |_, _, ()| {}).is_ok());
         let work = |task: &Task<'_, ()>| {
-            if task.value == 0.75 { Err("no") } else { Ok(Some((above(0.6)(task.value), ()))) }
+            if task.value == 0.75 { Err("no") } else { Ok((above(0.6)(task.value), ())) }
         };
-        let ended = drive(search, 8, false, work, |_, _, ()| {});
+        let ended = drive(search, false, &Executor::ALONE.on(8), work, |_, _, ()| {});
         assert_eq!(ended.err(), Some("no"));
     }
 

@@ -9,8 +9,9 @@
 //!                                                | default*      default*  |      * is reduced
 //! ```
 
-use super::rules::{Rules, SafetyError};
+use super::rules::Rules;
 use crate::plan::Plan;
+use crate::run::study::StudyError;
 use crate::setup::Setup;
 
 /// A model whose reduced strengths stand in rows of their own.
@@ -52,7 +53,7 @@ struct Single {
 ///
 /// # Errors
 /// Names of nothing; nothing that has a strength.
-pub(super) fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, SafetyError> {
+pub(super) fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, StudyError> {
     let laws = Laws::of(setup);
     known("interface", &rules.interfaces, laws.rows.iter().map(|r| r.0))?;
     known("material", &rules.materials, laws.materials.iter().copied())?;
@@ -73,10 +74,10 @@ pub(super) fn scope(setup: &Setup, plan: &Plan, rules: &Rules) -> Result<Scope, 
         let names: Vec<&str> =
             (originals.iter()).map(|row| laws.rows[usize::from(*row)].0).collect();
         let told = match names[..] {
-            [] => "no interface is left".to_owned(),
+            [] => "no interface remains".to_owned(),
             _ => names.join(", "),
         };
-        return Err(SafetyError::NoStrength(told));
+        return Err(StudyError::NoStrength(told));
     }
     let first = laws.rows.len() as u16;
     let (mut setup, mut plan) = (setup.clone(), plan.clone());
@@ -108,11 +109,11 @@ fn known<'a>(
     what: &'static str,
     names: &[String],
     all: impl Iterator<Item = &'a str> + Clone,
-) -> Result<(), SafetyError> {
+) -> Result<(), StudyError> {
     for name in names {
         if !all.clone().any(|one| one == name) {
             let known: Vec<&str> = all.collect();
-            return Err(SafetyError::Unknown { what, name: name.clone(), known: known.join(", ") });
+            return Err(StudyError::Unknown { what, name: name.clone(), known: known.join(", ") });
         }
     }
     Ok(())
@@ -202,24 +203,14 @@ impl<'a> Laws<'a> {
 
 impl Single {
     fn apply(self, setup: &mut Setup) {
-        match setup {
-            Setup::Planar(setup) => {
-                for (block, material) in setup.blocks.iter_mut().zip(self.blocks) {
-                    block.material = material;
-                }
-                copy_rows(&mut setup.materials, &self.twins);
-                copy_rows(&mut setup.interfaces, &self.copies);
-                setup.pair_table = self.pairs;
+        either!(setup: Setup, setup => {
+            for (block, material) in setup.blocks.iter_mut().zip(self.blocks) {
+                block.material = material;
             }
-            Setup::Spatial(setup) => {
-                for (block, material) in setup.blocks.iter_mut().zip(self.blocks) {
-                    block.material = material;
-                }
-                copy_rows(&mut setup.materials, &self.twins);
-                copy_rows(&mut setup.interfaces, &self.copies);
-                setup.pair_table = self.pairs;
-            }
-        }
+            copy_rows(&mut setup.materials, &self.twins);
+            copy_rows(&mut setup.interfaces, &self.copies);
+            setup.pair_table = self.pairs;
+        });
     }
 }
 

@@ -1,0 +1,4 @@
+//! The page and its server: one program, a module a file.
+
+mod bundle;
+mod server;
