@@ -5,10 +5,10 @@
 //!
 //! 1. order: the sequence `P` of elimination, chosen so that little is filled in (approximate minimum degree);
 //! 2. fronts: which blocks of `L` are not zero, from the elimination tree; columns with the same rows below
-//!    them are joined to a front ([`fronts`]);
+//!    them are joined to a front (`fronts`);
 //! 3. numbers: the multifrontal method. A front collects its entries of `A` and what its children left over, `F = [D, .; B, U]`;
-//!    then `D = L1 L1'`, `L2 = B L1^-T` ([`dense::factor`]), and `U - L2 L2'` is left over for the parent
-//!    ([`dense::remainder`]). All arithmetic is in dense kernels of eight rows by six columns.
+//!    then `D = L1 L1'`, `L2 = B L1^-T` (`Shape::factor`), and `U - L2 L2'` is left over for the parent
+//!    (`Shape::remainder`). All arithmetic is in dense kernels of eight rows by six columns.
 //!
 //! `A x = b` then is `L y = P b`, `L' P x = y` ([`Matrix::solve`]).
 //!
@@ -71,7 +71,8 @@ impl Matrix {
             for (list, len) in self.left.iter_mut().zip(self.fronts.left_len) {
                 list.resize(len, Lanes::default());
             }
-            self.width = Width::detect();
+            // With registers of eight the compiler shuffles: four to nine times slower.
+            self.width = Width::detect().at_most(4);
         }
         self.clear();
     }
@@ -105,7 +106,10 @@ impl Matrix {
     /// When it is not positive definite.
     pub fn factor(&mut self) -> Result<(), NotPositive> {
         let Self { fronts, entries, factor, left, rooms, width } = self;
-        let done = width.run(|| dense::factor_all(fronts, entries, factor, left, rooms));
+        let done = width.run(
+            #[inline(always)]
+            || dense::factor_all(fronts, entries, factor, left, rooms),
+        );
         done.map_err(|row| NotPositive {
             body: self.fronts.order[row / SIZE] as usize,
             unknown: row % SIZE,
@@ -115,7 +119,10 @@ impl Matrix {
     /// Solves for a right-hand side with the last factor. Shape: `[bodies]`.
     pub fn solve(&mut self, x: &mut [[f64; SIZE]]) {
         let Self { fronts, factor, rooms, width, .. } = self;
-        width.run(|| dense::solve_all(fronts, factor, rooms, x));
+        width.run(
+            #[inline(always)]
+            || dense::solve_all(fronts, factor, rooms, x),
+        );
     }
 
     /// Blocks that the factor stores, those on the diagonal included.

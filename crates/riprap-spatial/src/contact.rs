@@ -44,7 +44,7 @@ use crate::state::lineage::Origin;
 use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
-pub(crate) use acting::act;
+pub(crate) use acting::{act, sum};
 use held::Joints;
 pub use relaw::change_laws;
 pub(crate) use release::release;

@@ -22,6 +22,7 @@ use crate::push::bolts;
 use crate::query::view::View;
 use crate::rigid::bound::Bound;
 use crate::rigid::gather;
+use crate::rigid::implicit;
 use crate::rigid::integrate;
 use crate::setup::Kinematics;
 use crate::state::bodies::Turned;
@@ -86,7 +87,9 @@ pub fn evaluate(
         });
     }
     stage(scratch, "patches", |scratch| patches(world, scratch));
-    if meet {
+    if world.implicit.is_some() {
+        stage(scratch, "contacts", |scratch| implicit::act(world, scratch, meet));
+    } else if meet {
         stage(scratch, "contacts", |scratch| contact::act(world, scratch));
     }
     if deformable {
@@ -108,6 +111,7 @@ pub fn evaluate(
         let nodes = stage(scratch, "nodes", |scratch| deform::step::evaluate(world, scratch, dt));
         result = result.and(nodes);
     }
+    implicit::book(world, scratch);
     if !world.accounts.is_empty() {
         stage(scratch, "accounts", |scratch| condition_work::book(world, scratch));
     }
@@ -116,11 +120,15 @@ pub fn evaluate(
     world.works.settle();
     world.pending = 0.0;
     world.fresh = false;
-    result
+    match scratch.implicit.failed {
+        Some(failed) => Err(NonFinite { block: failed.blocks[0] }),
+        None => result,
+    }
 }
 
 /// Applies the velocity changes and moves the blocks by `dt`.
 pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    implicit::remember(world, scratch);
     stage(scratch, "integrate", |scratch| {
         integrate::integrate(world, scratch, dt);
     });

@@ -39,7 +39,8 @@ pub(super) fn factor_all(
         let panel = &mut factor[f.factor.clone()];
         let [even, odd] = &mut *left;
         let (own, others) = if f.parity == 0 { (even, &*odd) } else { (odd, &*even) };
-        let children = fronts.children[f.children.clone()].iter().map(|&c| &fronts.list[c as usize]);
+        let children =
+            fronts.children[f.children.clone()].iter().map(|&c| &fronts.list[c as usize]);
         let shape = Shape::new(f);
         panel.fill(Lanes::default());
         collect(fronts, f, entries, panel);
@@ -154,20 +155,12 @@ impl Shape {
             pack(panel, self.width, known, COUPLES * j, six);
             let strips = &mut panel[first * self.width..];
             if j > 0 {
-                for strip in strips.chunks_exact_mut(self.width) {
-                    let (done, now) = strip.split_at_mut(known);
-                    let sum = product(done, six);
-                    for (now, sum) in now.iter_mut().zip(sum) {
-                        *now = *now - sum;
-                    }
-                }
+                subtract(strips, self.width, known, six);
             }
             let mut d = Block::default();
             each(j, |c, at, r, strip| d[c][r] = strips[strip * self.width + known + c].0[at]);
             cholesky(&mut d).map_err(|row| known + row)?;
-            for strip in strips.chunks_exact_mut(self.width) {
-                divide(&mut strip[known..known + SIZE], &d);
-            }
+            divide(strips, self.width, known, &d);
             for column in &mut strips[known..known + SIZE] {
                 column.0[..known % LANES].fill(0.0);
             }
@@ -184,13 +177,8 @@ impl Shape {
         for j in 0..self.rows {
             pack(below, self.width, self.width, COUPLES * j, six);
             let first = COUPLES * j / IN_STRIP;
-            let strips = below.chunks_exact(self.width).zip(own.chunks_exact_mut(width));
-            for (strip, own) in strips.skip(first) {
-                let sum = product(strip, six);
-                for (own, sum) in own[SIZE * j..].iter_mut().zip(sum) {
-                    *own = -sum;
-                }
-            }
+            let (below, own) = (&below[first * self.width..], &mut own[first * width..]);
+            opposite(below, self.width, six, own, width, SIZE * j);
         }
     }
 }
@@ -277,15 +265,48 @@ fn cholesky(d: &mut Block) -> Result<(), usize> {
     Ok(())
 }
 
-/// Eight rows times the inverse transpose of a factor.
+/// Subtracts from six columns the products of those before them.
 #[inline(always)]
-fn divide(eight: &mut [Lanes], d: &Block) {
-    for c in 0..SIZE {
-        let mut x = eight[c];
-        for k in 0..c {
-            x = x - eight[k] * Lanes::all(d[k][c]);
+fn subtract(strips: &mut [Lanes], width: usize, known: usize, six: &[Six]) {
+    for strip in strips.chunks_exact_mut(width) {
+        let (done, now) = strip.split_at_mut(known);
+        let sum = product(done, six);
+        for (now, sum) in now.iter_mut().zip(sum) {
+            *now = *now - sum;
         }
-        eight[c] = x * Lanes::all(d[c][c]);
+    }
+}
+
+/// Six columns times the inverse transpose of a factor.
+#[inline(always)]
+fn divide(strips: &mut [Lanes], width: usize, known: usize, d: &Block) {
+    for strip in strips.chunks_exact_mut(width) {
+        let six = &mut strip[known..known + SIZE];
+        for c in 0..SIZE {
+            let mut x = six[c];
+            for k in 0..c {
+                x = x - six[k] * Lanes::all(d[k][c]);
+            }
+            six[c] = x * Lanes::all(d[c][c]);
+        }
+    }
+}
+
+/// Writes to six columns the opposite of the products of strips.
+#[inline(always)]
+fn opposite(
+    from: &[Lanes],
+    width: usize,
+    six: &[Six],
+    to: &mut [Lanes],
+    to_width: usize,
+    at: usize,
+) {
+    for (from, to) in from.chunks_exact(width).zip(to.chunks_exact_mut(to_width)) {
+        let sum = product(from, six);
+        for (to, sum) in to[at..at + SIZE].iter_mut().zip(sum) {
+            *to = -sum;
+        }
     }
 }
 
@@ -333,15 +354,7 @@ impl Shape {
         store(columns.clone(), x, lanes);
         let y = &x[columns];
         lanes.clear();
-        for strip in below.chunks_exact(self.width) {
-            let mut sum = [Lanes::default(); 2];
-            for (a, y) in strip.chunks_exact(SIZE).zip(y) {
-                for k in 0..SIZE {
-                    sum[k % 2] = sum[k % 2] + a[k] * Lanes::all(y[k]);
-                }
-            }
-            lanes.push(sum[0] + sum[1]);
-        }
+        times(below, self.width, y, lanes);
         for (i, &row) in rows.iter().enumerate() {
             for k in 0..SIZE {
                 let at = SIZE * i + k;
@@ -364,11 +377,7 @@ impl Shape {
         load(rows.iter().map(|&row| row as usize), x, lanes);
         sums.clear();
         sums.resize(self.width, Lanes::default());
-        for (strip, x) in below.chunks_exact(self.width).zip(&*lanes) {
-            for (sum, a) in sums.iter_mut().zip(strip) {
-                *sum = *sum + *a * *x;
-            }
-        }
+        times_transposed(below, self.width, lanes, sums);
         load(columns.clone(), x, lanes);
         for c in (0..self.width).rev() {
             let (own, at) = (c / LANES, c % LANES);
@@ -381,6 +390,30 @@ impl Shape {
             lanes[own].0[at] = (y - sum.sum()) * head[own * self.width + c].0[at];
         }
         store(columns, x, lanes);
+    }
+}
+
+/// Strips times unknowns.
+#[inline(always)]
+fn times(strips: &[Lanes], width: usize, y: &[Six], to: &mut Vec<Lanes>) {
+    for strip in strips.chunks_exact(width) {
+        let mut sum = [Lanes::default(); 2];
+        for (a, y) in strip.chunks_exact(SIZE).zip(y) {
+            for k in 0..SIZE {
+                sum[k % 2] = sum[k % 2] + a[k] * Lanes::all(y[k]);
+            }
+        }
+        to.push(sum[0] + sum[1]);
+    }
+}
+
+/// The transpose of strips times unknowns; a sum in each lane.
+#[inline(always)]
+fn times_transposed(strips: &[Lanes], width: usize, x: &[Lanes], sums: &mut [Lanes]) {
+    for (strip, x) in strips.chunks_exact(width).zip(x) {
+        for (sum, a) in sums.iter_mut().zip(strip) {
+            *sum = *sum + *a * *x;
+        }
     }
 }
 

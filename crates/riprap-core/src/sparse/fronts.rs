@@ -27,7 +27,7 @@ pub(super) struct Front {
 
 impl Front {
     /// Strips of eight rows that hold so many blocks.
-    pub fn strips(blocks: usize) -> usize {
+    pub(super) fn strips(blocks: usize) -> usize {
         (SIZE * blocks).div_ceil(LANES)
     }
 }
@@ -63,7 +63,7 @@ pub(super) struct Fronts {
 
 impl Fronts {
     /// Analyses a graph.
-    pub fn new(bodies: usize, pairs: &[[u32; 2]]) -> Self {
+    pub(super) fn new(bodies: usize, pairs: &[[u32; 2]]) -> Self {
         let (order, place, lower, parents) = sequence(bodies, pairs);
         let (starts, below) = structure(&lower, &parents);
         let size = |column: usize| (starts[column + 1] - starts[column]) as usize;
@@ -84,22 +84,22 @@ impl Fronts {
     }
 
     /// Whether this is the analysis of this graph.
-    pub fn fit(&self, bodies: usize, pairs: &[[u32; 2]]) -> bool {
+    pub(super) fn fit(&self, bodies: usize, pairs: &[[u32; 2]]) -> bool {
         self.order.len() == bodies && self.pairs == pairs
     }
 
     /// Blocks on the diagonal and of different pairs.
-    pub fn entries_len(&self) -> usize {
+    pub(super) fn entries_len(&self) -> usize {
         self.order.len() + self.in_front.len()
     }
 
     /// Blocks of the factor.
-    pub fn filled(&self) -> usize {
+    pub(super) fn filled(&self) -> usize {
         let blocks = |f: &Front| f.columns.len() * (f.columns.len() + 1 + 2 * f.rows.len()) / 2;
         self.list.iter().map(blocks).sum()
     }
 
-    pub fn bytes(&self) -> usize {
+    pub(super) fn bytes(&self) -> usize {
         let numbers = self.order.len() * 3 + self.rows.len() * 2 + self.in_front.len();
         8 * (self.pairs.len() + self.slots.len())
             + 4 * numbers
@@ -216,7 +216,10 @@ fn sequence(bodies: usize, pairs: &[[u32; 2]]) -> (Vec<u32>, Vec<u32>, Rows, Vec
         pairs.iter().all(|[a, b]| a != b && (*a.max(b) as usize) < bodies),
         "a pair of bodies that are not two of {bodies}"
     );
-    let both = Rows::new(bodies, pairs.iter().flat_map(|&[a, b]| [[a, b], [b, a]]).collect());
+    // With the diagonal: `amd` subtracts its length from that of the list.
+    let diagonal = (0..bodies as u32).map(|k| [k, k]);
+    let both = pairs.iter().flat_map(|&[a, b]| [[a, b], [b, a]]).chain(diagonal);
+    let both = Rows::new(bodies, both.collect());
     let [ends, rows] = [&both.0, &both.1].map(|list| list.iter().map(|&k| k as isize).collect());
     let (ends, rows): (Vec<isize>, Vec<isize>) = (ends, rows);
     let (order, ..) = amd::order(bodies as isize, &ends, &rows, &amd::Control::default())
@@ -348,7 +351,8 @@ fn join(parents: &[u32], rows: impl Fn(usize) -> usize) -> Vec<Range<usize>> {
         if let Some(group) = groups.last_mut().filter(|g| parents[g.end - 1] as usize == k) {
             let width = group.len() + 1;
             let all = width * (width + 1) / 2 + width * rows(k);
-            let limit = ZEROS.iter().find(|(most, _)| width <= *most).map_or(0.0, |(_, zeros)| *zeros);
+            let limit =
+                ZEROS.iter().find(|(most, _)| width <= *most).map_or(0.0, |(_, zeros)| *zeros);
             if all - full - own <= (limit * all as f64) as usize {
                 group.end = k + 1;
                 full += own;

@@ -5,7 +5,8 @@ struct Chance(u64);
 
 impl Chance {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
     }
 
@@ -299,12 +300,13 @@ fn wall(columns: u32, courses: u32) -> (usize, Vec<[u32; 2]>) {
 
 /// Bodies scattered in a cube, coupled to the nearest ones.
 fn heap(chance: &mut Chance, bodies: usize, count: usize) -> (usize, Vec<[u32; 2]>) {
-    let points: Vec<[f64; 3]> = (0..bodies).map(|_| std::array::from_fn(|_| chance.next())).collect();
+    let points: Vec<[f64; 3]> =
+        (0..bodies).map(|_| std::array::from_fn(|_| chance.next())).collect();
     let mut near = Vec::new();
     for i in 0..bodies {
         for j in 0..i {
             let square: f64 = (0..3).map(|k| (points[i][k] - points[j][k]).powi(2)).sum();
-            if square < 20.0 / bodies as f64 {
+            if square < (40.0 / bodies as f64).powf(2.0 / 3.0) {
                 near.push((square, [j as u32, i as u32]));
             }
         }
@@ -318,7 +320,7 @@ fn heap(chance: &mut Chance, bodies: usize, count: usize) -> (usize, Vec<[u32; 2
 
 #[test]
 fn fill_of_walls_is_small() {
-    for (columns, courses, most) in [(30, 7, 1_700), (10, 21, 2_000), (100, 21, 33_300)] {
+    for (columns, courses, most) in [(30, 7, 2_000), (10, 21, 2_500), (100, 21, 40_000)] {
         let (bodies, pairs) = wall(columns, courses);
         let mut matrix = Matrix::default();
         matrix.fit(bodies, &pairs);

@@ -17,8 +17,8 @@ const GLANCING: f64 = 0.02;
 pub(crate) enum Reach {
     /// They are at least so far apart, m.
     Apart(f64),
-    /// They may press within the step.
-    Near(Pair),
+    /// They may press within the step; places in the lists of the faces of the piece to start from next time.
+    Near(Box<Pair>, Option<[u16; 2]>),
     /// No surface can be found.
     Lost,
 }
@@ -29,10 +29,11 @@ pub(crate) fn reach(
     bodies: [&Body; 2],
     faces: [&[u16]; 2],
     ties: bool,
+    hint: Option<[u16; 2]>,
     out: f64,
     law: ContactLaw,
 ) -> Reach {
-    let pair = surface::Pair { bodies, faces, ties, hint: None };
+    let pair = surface::Pair { bodies, faces, ties, hint };
     let sums = match walker.find_inflated(&pair, out) {
         Found::Apart(gap) => return Reach::Apart(gap + 2.0 * out),
         Found::FullyPenetrated(_) => return Reach::Lost,
@@ -66,7 +67,7 @@ pub(crate) fn reach(
     });
     let from = origin(bodies[0], bodies[1]);
     let first = farthest_axis(direction).cross(direction).normalize();
-    Reach::Near(Pair {
+    let near = Pair {
         ends: [None; 2],
         centres: bodies.map(|body| body.position - from),
         given: [[Vec3::ZERO; 2]; 2],
@@ -77,7 +78,9 @@ pub(crate) fn reach(
         shear: Vec3::ZERO,
         torsion: 0.0,
         pressure: Pressure::default(),
-    })
+        area_before: 0.0,
+    };
+    Reach::Near(Box::new(near), sums.hint)
 }
 
 /// The axis of space that is farthest from a direction.

@@ -41,6 +41,8 @@ pub(crate) struct Pair {
     pub torsion: f64,
     /// That of the last solution.
     pub pressure: Pressure,
+    /// Wet area of the step before, m².
+    pub area_before: f64,
 }
 
 /// What a pair answers at a twist.
@@ -50,6 +52,22 @@ pub(crate) struct Answer {
     pub wrench: Twist,
     /// Rate of the impulse against the twist, kg and so on.
     pub rate: [Twist; 6],
+}
+
+/// What a pair has done in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Reply {
+    /// Wrenches of pressure and friction on the second block about the origin, N and N m.
+    pub elastic: Twist,
+    pub spring: Twist,
+    /// Friction on the second block, N, and its torsion, N m.
+    pub shear: Vec3,
+    pub torsion: f64,
+    pub sliding: bool,
+    /// Heat of friction, J.
+    pub heat: f64,
+    /// How far the blocks lie in each other at the end of the step, m.
+    pub depth: f64,
 }
 
 /// Friction at a twist.
@@ -82,6 +100,7 @@ impl Pair {
         self.shear = shear - shear.dot(self.direction) * self.direction;
         self.torsion = torsion;
         self.pressure = pressure;
+        self.area_before = pressure.area;
     }
 
     fn rubbing(&self, twist: &Twist, step: &Stepping, soft: f64) -> Option<Rubbing> {
@@ -108,6 +127,42 @@ impl Pair {
             *y -= step.dt * stiffness * dot(screw, twist);
         }
         Some(Rubbing { screws, trial, limit, stiffness })
+    }
+
+    /// Energy in its pressure where nothing moves, J.
+    pub(crate) fn stored(&self, spare: &mut Vec<[f64; 2]>) -> f64 {
+        self.pieces.iter().map(|piece| piece.stored(spare)).sum()
+    }
+
+    /// What it has done in a step that ends with this twist.
+    pub(crate) fn reply(&self, twist: &Twist, step: &Stepping, spare: &mut Vec<[f64; 2]>) -> Reply {
+        let mut reply = Reply::default();
+        for piece in &self.pieces {
+            let pressed = piece.press(twist, step, 1.0, spare);
+            piece.add_wrench(&pressed, &mut reply.elastic);
+            let most = piece.most(&pressed.pressure) / self.law.normal_stiffness;
+            reply.depth = reply.depth.max(most);
+        }
+        let Some(rubbing) = self.rubbing(twist, step, 1.0) else {
+            return reply;
+        };
+        let (share, size) = (rubbing.share(), rubbing.size());
+        for (y, screw) in rubbing.trial.iter().zip(&rubbing.screws) {
+            for k in 0..6 {
+                reply.spring[k] += share * y * screw[k];
+            }
+        }
+        reply.sliding = share < 1.0;
+        reply.heat = share * (1.0 - share) * size * size / rubbing.stiffness;
+        let [a, b, c] = rubbing.trial.map(|y| share * y);
+        reply.shear = a * self.across[0] + b * self.across[1];
+        reply.torsion = c * self.pressure.radius;
+        reply
+    }
+
+    /// What is left of friction where the wet area has become `area` (m²): what has parted carries nothing.
+    pub(crate) fn left(&self, area: f64) -> f64 {
+        if self.area_before > 0.0 { (area / self.area_before).min(1.0) } else { 1.0 }
     }
 
     /// Force and, where asked for, its rate.
@@ -186,16 +241,6 @@ impl Pair {
         }
         found
     }
-
-    /// Shear force and torsion carried at a twist.
-    pub(crate) fn carried(&self, twist: &Twist, step: &Stepping) -> (Vec3, f64, bool) {
-        let Some(rubbing) = self.rubbing(twist, step, 1.0) else {
-            return (Vec3::ZERO, 0.0, false);
-        };
-        let share = rubbing.share();
-        let [a, b, c] = rubbing.trial.map(|y| share * y);
-        (a * self.across[0] + b * self.across[1], c * self.pressure.radius, share < 1.0)
-    }
 }
 
 /// What a piece adds to the pressure of its pair.
@@ -212,11 +257,10 @@ impl Piece {
     fn shares(&self, pressed: &Pressed) -> Shares {
         let [foot, u, v] = self.frame();
         let [p, pu, pv] = pressed.load;
-        let [a, au, av, auu, auv, avv] = pressed.moments.scaled(self.weight());
+        let [a, au, av, auu, _, avv] = pressed.moments.scaled(self.weight());
         // Axes are unit vectors across each other.
         let square =
             a * foot.length_squared() + 2.0 * (au * foot.dot(u) + av * foot.dot(v)) + auu + avv;
-        let _ = auv;
         Shares {
             force: p,
             force_first: p * foot + pu * u + pv * v,

@@ -173,6 +173,23 @@ impl Piece {
         Pressed { moments, load, pressure }
     }
 
+    /// Energy in its pressure where nothing moves, J.
+    pub(crate) fn stored(&self, spare: &mut Vec<[f64; 2]>) -> f64 {
+        let at_rest = Stepping { span: 0.0, dt: 0.0 };
+        let Pressed { load, pressure, .. } = self.press(&[0.0; 6], &at_rest, 1.0, spare);
+        let mut sum = 0.0;
+        for (load, p) in load.iter().zip(&pressure) {
+            sum += load * p;
+        }
+        0.5 * sum / self.kappa
+    }
+
+    /// Largest of a pressure in its polygon, Pa.
+    pub(crate) fn most(&self, pressure: &[f64; 3]) -> f64 {
+        let at = |[u, v]: &[f64; 2]| pressure[0] + pressure[1] * u + pressure[2] * v;
+        self.corners.iter().map(at).fold(0.0, f64::max)
+    }
+
     /// Adds the wrench on the second block over which `pressed` acts, about the origin of the pair.
     pub(crate) fn add_wrench(&self, pressed: &Pressed, to: &mut Twist) {
         for (load, screw) in pressed.load.iter().zip(&self.screws) {

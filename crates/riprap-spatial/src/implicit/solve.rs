@@ -14,7 +14,7 @@
 use riprap_core::sparse::{Block, Matrix};
 use riprap_geom::{Mat3, Vec3};
 
-use crate::implicit::pair::{Answer, Pair};
+use crate::implicit::pair::{Answer, Pair, Pressure, Reply};
 use crate::implicit::patch::{Stepping, Twist, dot};
 
 /// Rounds of Newton's method before pairs are softened.
@@ -27,6 +27,8 @@ const LAGS: usize = 4;
 const SETTLED: f64 = 0.02;
 /// First stiffness of softened pairs, over theirs.
 const SOFTEST: f64 = 1e-4;
+/// Softened pairs need not settle better than this, over what is asked for.
+const ROUGH: f64 = 1e6;
 
 /// A block that moves.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +39,8 @@ pub(crate) struct Body {
     pub inertia: Mat3,
     /// Velocity and spin with all other forces.
     pub free: [Vec3; 2],
+    /// Freedoms along and about x, y, z that keep these.
+    pub held: [bool; 6],
 }
 
 /// One step.
@@ -46,6 +50,9 @@ pub(crate) struct Solver {
     pub pairs: Vec<Pair>,
     /// Velocities and spins: those to start from, then the solution.
     pub motion: Vec<[f64; 6]>,
+    /// What the pairs have done.
+    pub replies: Vec<Reply>,
+    next: Vec<Pressure>,
     matrix: Matrix,
     edges: Vec<[u32; 2]>,
     /// Which edge each pair is; those with one block that moves have none.
@@ -68,11 +75,33 @@ pub(crate) struct Effort {
     pub softened: bool,
 }
 
+impl Effort {
+    /// Adds that of another step.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.rounds += other.rounds;
+        self.lags += other.lags;
+        self.softened |= other.softened;
+    }
+}
+
 /// The rounds have come to no end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Unsolved;
+pub(crate) enum Unsolved {
+    /// Something of this body is not a number.
+    NotFinite(usize),
+    /// The pair whose force changed most in the last round, and rounds in all.
+    Rounds(Option<usize>, usize),
+}
 
 impl Solver {
+    /// Empties the lists.
+    pub(crate) fn begin(&mut self) {
+        self.bodies.clear();
+        self.pairs.clear();
+        self.motion.clear();
+        self.replies.clear();
+    }
+
     /// Solves the step; `tolerance` is relative to the motion that `speed` (m/s) means.
     pub(crate) fn solve(
         &mut self,
@@ -86,22 +115,37 @@ impl Solver {
             effort.lags = lag;
             self.settle(step, speed, tolerance, &mut effort)?;
             let (mut all, mut changed) = (0.0, 0.0);
-            for (pair, twist) in self.pairs.iter_mut().zip(&self.twists) {
+            self.next.clear();
+            for (pair, twist) in self.pairs.iter().zip(&self.twists) {
                 let new = pair.pressure_at(twist, step, &mut self.spare);
                 all += new.force;
                 changed += (new.force - pair.pressure.force).abs();
-                pair.pressure = new;
+                self.next.push(new);
             }
-            if changed <= SETTLED * all {
+            let last = changed <= SETTLED * all || lag == LAGS;
+            if last {
+                // With the limits of friction that the solution was found with: momentum is exact.
+                self.reply(step);
+            }
+            for (pair, new) in self.pairs.iter_mut().zip(&self.next) {
+                pair.pressure = *new;
+            }
+            if last {
                 break;
             }
         }
         Ok(effort)
     }
 
-    /// Twist of pair `k` in the solution.
-    pub(crate) fn twist_of(&self, k: usize) -> Twist {
-        self.pairs[k].twist(|b| self.motion[b as usize], true)
+    fn reply(&mut self, step: &Stepping) {
+        self.replies.clear();
+        for ((pair, twist), next) in self.pairs.iter().zip(&self.twists).zip(&self.next) {
+            let mut reply = pair.reply(twist, step, &mut self.spare);
+            let left = pair.left(next.area);
+            reply.shear *= left;
+            reply.torsion *= left;
+            self.replies.push(reply);
+        }
     }
 
     fn lay_out(&mut self) {
@@ -132,32 +176,35 @@ impl Solver {
     ) -> Result<(), Unsolved> {
         let mass: f64 = self.bodies.iter().map(|b| b.mass).sum();
         let enough = tolerance * tolerance * mass * speed * speed;
-        let mut soft = 1.0;
+        let mut soft = 1.0_f64;
         let mut rounds = 0;
+        self.find_twists();
         loop {
-            self.find_twists();
             let decrement = self.newton(step, soft)?;
             effort.rounds += 1;
             rounds += 1;
-            if decrement <= enough {
-                if soft >= 1.0 {
-                    return Ok(());
-                }
-                soft = (10.0 * soft).min(1.0);
-                continue;
-            }
-            let share = self.search(step, soft, decrement);
+            let done = decrement <= enough;
+            // What is known of the last direction is worth a whole step.
+            let share = if done { 1.0 } else { self.search(step, soft, decrement) };
             for (v, dv) in self.motion.iter_mut().zip(&self.step) {
                 for k in 0..6 {
                     v[k] += share * dv[k];
                 }
+            }
+            self.find_twists();
+            if soft < 1.0 && decrement <= ROUGH * enough {
+                soft = (10.0 * soft).min(1.0);
+                continue;
+            }
+            if done {
+                return Ok(());
             }
             if rounds == ROUNDS && !effort.softened {
                 effort.softened = true;
                 soft = SOFTEST;
             }
             if rounds > MOST {
-                return Err(Unsolved);
+                return Err(Unsolved::Rounds(self.restless(step), effort.rounds));
             }
         }
     }
@@ -166,14 +213,7 @@ impl Solver {
     fn newton(&mut self, step: &Stepping, soft: f64) -> Result<f64, Unsolved> {
         self.matrix.clear();
         for (k, body) in self.bodies.iter().enumerate() {
-            let mut block = Block::default();
-            for i in 0..3 {
-                block[i][i] = body.mass;
-                for j in 0..3 {
-                    block[3 + i][3 + j] = body.inertia.col(j)[i];
-                }
-            }
-            self.matrix.add_diagonal(k, &block);
+            self.matrix.add_diagonal(k, &body.block());
             self.slope[k] = body.momentum_of(&minus(&self.motion[k], &body.free()));
         }
         for (k, pair) in self.pairs.iter().enumerate() {
@@ -188,15 +228,23 @@ impl Solver {
                     // The wrench pushes the second block, and the slope is that of the impulse potential.
                     self.slope[at as usize][i] += sign * step.span * on[i];
                 }
-                self.matrix.add_diagonal(at as usize, &moved(&rate, shifts[side], shifts[side]));
+                let held = self.bodies[at as usize].held;
+                let block = freed(moved(&rate, shifts[side], shifts[side]), [held, held]);
+                self.matrix.add_diagonal(at as usize, &block);
             }
-            if let Some(edge) = self.edge[k] {
-                let mut block = moved(&rate, shifts[0], shifts[1]);
+            if let (Some(edge), [Some(a), Some(b)]) = (self.edge[k], pair.ends) {
+                let held = [a, b].map(|at| self.bodies[at as usize].held);
+                let mut block = freed(moved(&rate, shifts[0], shifts[1]), held);
                 block.iter_mut().flatten().for_each(|x| *x = -*x);
                 self.matrix.add_pair(edge as usize, &block);
             }
         }
-        self.matrix.factor().map_err(|_| Unsolved)?;
+        for (slope, body) in self.slope.iter_mut().zip(&self.bodies) {
+            for (g, held) in slope.iter_mut().zip(body.held) {
+                *g = if held { 0.0 } else { *g };
+            }
+        }
+        self.matrix.factor().map_err(|bad| Unsolved::NotFinite(bad.body))?;
         for (to, g) in self.step.iter_mut().zip(&self.slope) {
             *to = g.map(|x| -x);
         }
@@ -206,6 +254,21 @@ impl Solver {
             decrement -= dot(dv, g);
         }
         Ok(decrement)
+    }
+
+    /// The pair whose force the last direction changes most.
+    fn restless(&self, step: &Stepping) -> Option<usize> {
+        let mut spare = Vec::new();
+        let mut most = (0.0, None);
+        for (k, (pair, twist)) in self.pairs.iter().zip(&self.twists).enumerate() {
+            let change = pair.twist(|b| self.step[b as usize], false);
+            let Answer { rate, .. } = pair.answer(twist, step, 1.0, true, &mut spare);
+            let energy: f64 = rate.iter().zip(&change).map(|(row, x)| x * dot(row, &change)).sum();
+            if energy > most.0 {
+                most = (energy, Some(k));
+            }
+        }
+        most.1
     }
 
     /// How much of the direction is gone: where the slope along it is small.
@@ -282,6 +345,24 @@ fn illinois(slope: &mut impl FnMut(f64) -> f64, decrement: f64) -> f64 {
 }
 
 impl Body {
+    /// Its mass and moments of inertia; 1 where a freedom is held.
+    fn block(&self) -> Block {
+        let mut block = Block::default();
+        for i in 0..3 {
+            block[i][i] = self.mass;
+            for j in 0..3 {
+                block[3 + i][3 + j] = self.inertia.col(j)[i];
+            }
+        }
+        let mut block = freed(block, [self.held; 2]);
+        for (k, held) in self.held.into_iter().enumerate() {
+            if held {
+                block[k][k] = 1.0;
+            }
+        }
+        block
+    }
+
     fn free(&self) -> [f64; 6] {
         let [v, w] = self.free;
         [v.x, v.y, v.z, w.x, w.y, w.z]
@@ -316,6 +397,18 @@ impl Pair {
         }
         twist
     }
+}
+
+/// A block without the rows and columns of held freedoms.
+fn freed(mut block: Block, [rows, columns]: [[bool; 6]; 2]) -> Block {
+    for (row, held) in block.iter_mut().zip(rows) {
+        for (x, beside) in row.iter_mut().zip(columns) {
+            if held || beside {
+                *x = 0.0;
+            }
+        }
+    }
+    block
 }
 
 fn minus(a: &[f64; 6], b: &[f64; 6]) -> [f64; 6] {

@@ -3,7 +3,7 @@
 use riprap_geom::{Mat3, Quat, Vec3};
 
 use crate::implicit::geometry::{Reach, reach};
-use crate::implicit::pair::{Pair, Pressure};
+use crate::implicit::memory::Kept;
 use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Effort, Solver};
 use crate::kernel::kit::{Placed, all_faces};
@@ -17,13 +17,6 @@ struct Block {
     mass: f64,
     inertia: Vec3,
     motion: [Vec3; 2],
-}
-
-struct Kept {
-    ends: [usize; 2],
-    shear: Vec3,
-    torsion: f64,
-    pressure: Pressure,
 }
 
 struct Model {
@@ -85,7 +78,8 @@ impl Model {
             let inertia = turn * Mat3::from_diagonal(block.inertia) * turn.transpose();
             let [v, w] = block.motion;
             let free = [v + dt * self.gravity, w];
-            self.solver.bodies.push(Body { mass: block.mass, inertia, free });
+            let held = [false; 6];
+            self.solver.bodies.push(Body { mass: block.mass, inertia, free, held });
             self.solver.motion.push([v.x, v.y, v.z, w.x, w.y, w.z]);
         }
         self.solver.pairs.clear();
@@ -107,19 +101,27 @@ impl Model {
                 let placed = Placed::new([&a.shape, &b.shape], [a.pose, b.pose]);
                 let lists = [all_faces(&a.shape), all_faces(&b.shape)];
                 let [x, y] = placed.bodies();
-                let found =
-                    reach(&mut self.walker, [&x, &y], [&lists[0], &lists[1]], true, out, self.law);
+                let found = reach(
+                    &mut self.walker,
+                    [&x, &y],
+                    [&lists[0], &lists[1]],
+                    true,
+                    None,
+                    out,
+                    self.law,
+                );
                 let mut pair = match found {
-                    Reach::Near(pair) => pair,
+                    Reach::Near(pair, _) => *pair,
                     Reach::Apart(_) => continue,
                     Reach::Lost => panic!("{i} and {j} have no surface"),
                 };
                 pair.ends = [place[i], place[j]];
                 pair.given = [a.motion, b.motion];
-                if let Some(old) = self.kept.iter().find(|k| k.ends == [i, j]) {
-                    pair.recall(old.shear, old.torsion, old.pressure);
+                let numbers = [i as u32, j as u32];
+                if let Some(old) = self.kept.iter().find(|k| k.ends == numbers) {
+                    old.recall(&mut pair);
                 }
-                ends.push([i, j]);
+                ends.push(numbers);
                 self.solver.pairs.push(pair);
             }
         }
@@ -127,11 +129,9 @@ impl Model {
         let speed = self.gravity.length() * dt + 1e-4;
         self.effort = self.solver.solve(&stepping, speed, 1e-5).unwrap();
         self.rounds += self.effort.rounds;
-        self.kept = (self.solver.pairs.iter().zip(ends).enumerate())
-            .map(|(k, (pair, ends)): (usize, (&Pair, [usize; 2]))| {
-                let (shear, torsion, _) = pair.carried(&self.solver.twist_of(k), &stepping);
-                Kept { ends, shear, torsion, pressure: pair.pressure }
-            })
+        let pairs = self.solver.pairs.iter().zip(&self.solver.replies).zip(ends);
+        self.kept = pairs
+            .filter_map(|((pair, reply), ends)| Kept::of(ends, pair, reply.shear, reply.torsion))
             .collect();
         for (b, place) in place.iter().enumerate() {
             let block = &mut self.blocks[b];
@@ -150,14 +150,14 @@ fn rotation(vector: Vec3) -> Quat {
     crate::setup::rotation::rotation(vector)
 }
 
-/// Weight turned by the angle of a slope whose tangent is `share` of the friction: a block of a metre on a slab.
+/// Weight turned by the angle of a slope whose tangent is `share` of the friction: a brick on a slab.
 fn slope(share: f64, stiffness: f64, dt: f64) -> Model {
     let friction: f64 = 0.6;
     let angle = (share * friction).atan();
     let gravity = 10.0 * Vec3::new(angle.sin(), 0.0, -angle.cos());
     let blocks = vec![
         brick([20.0, 4.0, 1.0], Vec3::new(0.0, 0.0, -0.5), true),
-        brick([1.0, 1.0, 1.0], Vec3::new(0.0, 0.0, 0.5), false),
+        brick([0.25, 0.12, 0.065], Vec3::new(0.0, 0.0, 0.0325), false),
     ];
     let mut model = Model::new(blocks, gravity, law(stiffness, friction));
     for _ in 0..(1.0 / dt).round() as usize {
@@ -173,8 +173,8 @@ fn a_block_below_its_angle_of_friction_stays() {
             let model = slope(0.98, stiffness, dt);
             let block = &model.blocks[1];
             let way = block.pose.position.x.abs();
-            assert!(way < 1e-4, "{stiffness:e} {dt}: {way:e}");
-            assert!(block.motion[0].length() < 1e-9, "{stiffness:e} {dt}: {:?}", block.motion);
+            assert!(way < 3e3 / stiffness, "{stiffness:e} {dt}: {way:e}");
+            assert!(block.motion[0].length() < 1e-12, "{stiffness:e} {dt}: {:?}", block.motion);
         }
     }
 }
@@ -187,32 +187,33 @@ fn a_block_above_it_slides_as_coulomb_says() {
             let way = model.blocks[1].pose.position.x;
             let angle: f64 = (1.02_f64 * 0.6).atan();
             let exact = 0.5 * 10.0 * (angle.sin() - 0.6 * angle.cos()) * (1.0 + dt);
-            assert!((way / exact - 1.0).abs() < 2e-3, "{stiffness:e} {dt}: {way} for {exact}");
+            assert!((way / exact - 1.0).abs() < 1e-3, "{stiffness:e} {dt}: {way} for {exact}");
         }
     }
 }
 
 #[test]
 fn twenty_bricks_rest_on_each_other() {
-    for dt in [1e-3, 5e-3] {
+    for dt in [1e-3_f64, 5e-3] {
         let mut blocks = vec![brick([4.0, 4.0, 1.0], Vec3::new(0.0, 0.0, -0.5), true)];
         for k in 0..20 {
-            blocks.push(brick([0.4, 0.2, 0.1], Vec3::new(0.0, 0.0, 0.05 + 0.1 * k as f64), false));
+            let at = Vec3::new(0.0, 0.0, 0.0325 + 0.065 * k as f64);
+            blocks.push(brick([0.25, 0.12, 0.065], at, false));
         }
         let mut model = Model::new(blocks, Vec3::new(0.0, 0.0, -10.0), law(1e12, 0.6));
-        for _ in 0..(0.2 / dt) as usize {
+        for _ in 0..(1.0 / dt).round() as usize {
             model.step(dt);
         }
         for kept in &model.kept {
             if kept.ends[1] != kept.ends[0] + 1 {
                 continue;
             }
-            let weight = (20 - kept.ends[0]) as f64 * 2000.0 * 0.4 * 0.2 * 0.1 * 10.0;
-            let error = kept.pressure.force / weight - 1.0;
+            let weight = (20 - kept.ends[0]) as f64 * 2000.0 * 0.25 * 0.12 * 0.065 * 10.0;
+            let error = kept.force / weight - 1.0;
             assert!(error.abs() < 1e-5, "{dt} {:?}: {error:e}", kept.ends);
         }
         let top = &model.blocks[20];
         assert!(top.pose.position.truncate().length() < 1e-8);
-        println!("{dt}: {} rounds", model.rounds);
+        assert!((model.rounds as f64) < 1.2 / dt, "{dt}: {} rounds", model.rounds);
     }
 }

@@ -5,6 +5,7 @@
 //! can be taken at any moment: a simulation made from it goes on with the same bits.
 
 mod advance;
+mod automatic;
 mod cause;
 mod cursor;
 mod ends;
@@ -25,7 +26,7 @@ use self::shorter::Shorter;
 use super::engine::{BuildError, Engine, Kind, Stable, View};
 use crate::exec::Exec;
 use crate::ledger::Balance;
-use crate::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
+use crate::plan::{Damping, IMPLICIT_STEP, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::setup::Setup;
 
 /// Share of the unbalanced force that local damping takes in static phases, unless one is given.
@@ -332,6 +333,7 @@ impl Simulation {
             self.cursor.gravity_after = gravity;
         }
         self.end_motion(&phase)?;
+        self.choose_integration(&phase)?;
         if phase.gravity_ramp.is_none() {
             self.engine.set_gravity(self.cursor.gravity_after);
         }
@@ -386,6 +388,7 @@ impl Simulation {
             && self.engine.gravity() != self.cursor.gravity_after;
         let strain = |phase: &Phase| phase.deform.and_then(|d| d.strain);
         gravity
+            || before.integration != phase.integration
             || damping_of(before) != damping_of(phase)
             || phase.edits_forces()
             || strain(phase).is_some_and(|now| strain(before) != Some(now))
@@ -464,7 +467,10 @@ impl Simulation {
             TimeStep::Given { .. } => f64::INFINITY,
             TimeStep::Auto { .. } => self.stable().dt,
         };
-        let wanted = (phase.time_step).wanted(stable, &phase.until, phase.gravity_ramp);
+        let wanted = match phase.time_step {
+            TimeStep::Auto { .. } if self.engine.is_implicit() => IMPLICIT_STEP,
+            rule => rule.wanted(stable, &phase.until, phase.gravity_ramp),
+        };
         let limit = self.engine.step_limit(phase.time_step);
         let mut dt = wanted;
         if limit < dt {
