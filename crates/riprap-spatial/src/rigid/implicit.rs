@@ -10,14 +10,18 @@
 
 mod meet;
 pub(crate) mod obstacle;
+#[cfg(test)]
+mod tests;
 
 use riprap_geom::Vec3;
 
+use crate::contact;
 use crate::implicit::memory::{Books, Implicit, Kept};
 use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Unsolved};
 use crate::joint::patch::turned_inertia;
 use crate::rigid::kick::Acting;
+use crate::state::found::FoundPair;
 use crate::state::scratch::{NotSolved, Scratch};
 use crate::state::world::World;
 
@@ -27,20 +31,33 @@ const TOLERANCE: f64 = 1e-5;
 const STILL: f64 = 1e-4;
 
 /// Turns to implicit contacts, or back to explicit ones.
-pub fn choose(world: &mut World, implicit: bool) {
+///
+/// Joints that nothing but friction holds become contacts, since those are all that an implicit phase knows.
+pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
     if implicit == world.implicit.is_some() {
         return;
     }
+    if implicit {
+        contact::release_loose(world, scratch);
+    }
     world.implicit = implicit.then(|| {
-        let kept = world.found.pairs.iter().filter(|pair| pair.depth > 0.0).map(|pair| {
+        let pressed = |pair: &&FoundPair| pair.memory.area > 0.0;
+        let kept = world.found.pairs.iter().filter(pressed).map(|pair| {
             let force = pair.force.dot(pair.memory.normal);
             Kept::of_explicit(pair.ends, &pair.memory, force)
         });
         Box::new(Implicit { kept: kept.collect(), ..Implicit::default() })
     });
-    // Gaps are known to other bounds than those of the other kind.
-    for pair in &mut world.found.pairs {
+    let (works, pairs) = (&mut world.works, &mut world.found.pairs);
+    for pair in pairs {
+        // Looked at in the first step, whatever the other kind knew.
         pair.gap = 0.0;
+        // The whole overlap presses, so that nothing of the load of a joint goes on beside it.
+        works.contact_path += contact::left(pair);
+        if let Some(offset) = pair.offset.take() {
+            works.contact_path -= offset.stored;
+            works.edit_defect -= offset.stored;
+        }
     }
     world.fresh = true;
 }

@@ -423,7 +423,7 @@ impl Engine {
     pub fn integrate_implicitly(&mut self, implicit: bool) {
         match self {
             Self::Planar(_) => {}
-            Self::Spatial(e) => spatial::choose_integration(&mut e.world, implicit),
+            Self::Spatial(e) => spatial::choose_integration(&mut e.world, &mut e.scratch, implicit),
         }
     }
 

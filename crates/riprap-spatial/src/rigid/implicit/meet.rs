@@ -192,6 +192,7 @@ impl Looking<'_> {
             }
             Reach::Near(mut near, hint) => {
                 pair.gap = 0.0;
+                pair.offset = None;
                 pair.next = hint.map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
                 if let Some(kept) = self.memory.and_then(|memory| memory.of(pair.ends)) {
                     kept.recall(&mut near);

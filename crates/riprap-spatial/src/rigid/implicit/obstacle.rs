@@ -1,5 +1,6 @@
 //! What of a model an implicit phase cannot take yet.
 
+use crate::contact;
 use crate::state::world::World;
 
 /// Something that implicit phases do not take, and what to do instead.
@@ -44,11 +45,10 @@ pub fn obstacle(world: &World) -> Option<Obstacle> {
             "use supports and loads instead",
         );
     }
-    let [i, j] = *world.patches.ends.first()?;
+    let [i, j] = world.patches.ends[contact::holding(world)?];
     let [i, j] = [i, j].map(|b| world.name(b as usize));
-    let more = world.patches.len();
     found(
-        format!("a joint ties blocks `{i}` and `{j}` ({more} such faces in all)"),
-        "leave a gap between blocks that are not to be joined, for example 1 um",
+        format!("a joint with more than friction ties blocks `{i}` and `{j}`"),
+        "leave out cohesion, tension and dilation of the interface",
     )
 }
