@@ -89,6 +89,10 @@ pub fn evaluate(
     stage(scratch, "patches", |scratch| patches(world, scratch));
     if world.implicit.is_some() {
         stage(scratch, "contacts", |scratch| implicit::act(world, scratch, meet));
+        if let Some(failed) = scratch.implicit.failed {
+            // Nothing is booked yet: the instant can be evaluated again with a shorter step.
+            return Err(NonFinite { block: failed.blocks[0] });
+        }
     } else if meet {
         stage(scratch, "contacts", |scratch| contact::act(world, scratch));
     }
@@ -120,10 +124,7 @@ pub fn evaluate(
     world.works.settle();
     world.pending = 0.0;
     world.fresh = false;
-    match scratch.implicit.failed {
-        Some(failed) => Err(NonFinite { block: failed.blocks[0] }),
-        None => result,
-    }
+    result
 }
 
 /// Applies the velocity changes and moves the blocks by `dt`.

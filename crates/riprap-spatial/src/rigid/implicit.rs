@@ -93,7 +93,9 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
             Some(NotSolved { blocks: pair.map_or([0; 2], of), rounds })
         }
     };
-    meet::hand_over(world, scratch);
+    if scratch.implicit.failed.is_none() {
+        meet::hand_over(world, scratch);
+    }
 }
 
 /// The blocks of the pairs within reach: those that answer, and the motion of those that do not.

@@ -232,7 +232,7 @@ impl Simulation {
             found => found?,
         };
         let revision = self.engine.revision();
-        self.evaluate(&damping, self.dt)?;
+        self.evaluate_step(&phase)?;
         self.refine(&damping)?;
         self.cut()?;
         let sudden = self.engine.contact_step_limit(phase.time_step) < SUDDEN * self.dt;
@@ -241,7 +241,7 @@ impl Simulation {
             let dt = self.checked_step(&phase)?;
             if dt != self.dt {
                 self.dt = dt;
-                self.evaluate(&damping, dt)?;
+                self.evaluate_step(&phase)?;
             }
         }
         // The next load step waits until nothing breaks: bonds that this one
@@ -313,6 +313,23 @@ impl Simulation {
 
     fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
         self.engine.evaluate(damping, dt).map_err(|block| self.no_force(block))
+    }
+
+    /// Finds the forces for the coming step, which is halved where an implicit one does not converge.
+    fn evaluate_step(&mut self, phase: &Rules) -> Result<(), RunError> {
+        for _ in 0..HALVINGS {
+            match self.engine.evaluate(&phase.damping, self.dt) {
+                Ok(()) => return Ok(()),
+                Err(_) if self.engine.not_solved().is_some_and(|failed| failed.rounds > 0) => {
+                    self.dt *= 0.5;
+                    self.cursor.shortened += 1;
+                    let why = "contacts that did not come to balance in a longer implicit step";
+                    self.note_shorter(phase.time_step, self.dt, why);
+                }
+                Err(block) => return Err(self.no_force(block)),
+            }
+        }
+        self.evaluate(&phase.damping, self.dt)
     }
 
     fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {
@@ -476,7 +493,8 @@ impl Simulation {
         if limit < dt {
             dt = limit;
             self.cursor.shortened += 1;
-            self.note_shorter(phase.time_step, limit);
+            let why = self.engine.limited_by(phase.time_step);
+            self.note_shorter(phase.time_step, limit, why);
         }
         if let Some(span) = phase.until.time {
             let left = self.cursor.start_time + span - self.time();
@@ -492,6 +510,9 @@ impl Simulation {
 /// Contacts whose longest step has fallen below this share of the coming one count at once, not from the next step on: those of
 /// the first instant, and of blocks that a change of the model has set free.
 const SUDDEN: f64 = 0.5;
+
+/// How often an implicit step that does not converge is halved before the run stops.
+const HALVINGS: usize = 6;
 
 /// What the loop needs of a phase at each step.
 #[derive(Clone, Copy, Debug)]

@@ -89,8 +89,8 @@ fn flight(world: &World, desk: &ContactScratch) -> f64 {
     let smallest = desk.shapes.iter().map(|shape| shape.radius).fold(f64::INFINITY, f64::min);
     let search = &world.found.search;
     let mut longest = f64::INFINITY;
-    for (b, role) in world.found.roles.iter().enumerate().filter(|(_, r)| **r != Role::Absent) {
-        let _ = role;
+    let roles = world.found.roles.iter().enumerate();
+    for b in roles.filter(|(_, role)| **role != Role::Absent).map(|(b, _)| b) {
         let size = world.solid_of(b).radius.min(2.0 * smallest);
         let way = FLIGHT * search.margin[b].max(MARGIN * size);
         let speed = speed(world, b);
@@ -169,15 +169,21 @@ impl Looking<'_> {
         let bodies = pair.ends.map(|b| self.placed.body(world, contacts, b));
         let candidate = &contacts.candidates.pairs[k];
         let margins: f64 = pair.ends.map(|b| world.found.search.margin[b as usize]).iter().sum();
-        let all = bodies.each_ref().map(|body| (0..body.shape.faces() as u16).collect::<Vec<_>>());
-        let listed = candidate.faces(&contacts.candidates.lists);
-        let faces = if out <= LISTED * margins { listed } else { [&all[0][..], &all[1][..]] };
+        let listed = out <= LISTED * margins;
+        let all: [Vec<u16>; 2] = match listed {
+            true => Default::default(),
+            false => bodies.each_ref().map(|body| (0..body.shape.faces() as u16).collect()),
+        };
+        let faces = match listed {
+            true => candidate.faces(&contacts.candidates.lists),
+            false => [&all[0][..], &all[1][..]],
+        };
         let place =
             |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
         let hint = pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
         let law = constants.law(&contacts.rows);
         let bodies = bodies.each_ref();
-        let ties = candidate.ties || out > LISTED * margins;
+        let ties = candidate.ties || !listed;
         match reach(walker, bodies, faces, ties, hint, out, law) {
             Reach::Apart(gap) => {
                 *pair = FoundPair {
