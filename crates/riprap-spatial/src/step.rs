@@ -88,7 +88,7 @@ pub fn evaluate(
     }
     stage(scratch, "patches", |scratch| patches(world, scratch));
     if world.implicit.is_some() {
-        stage(scratch, "contacts", |scratch| implicit::act(world, scratch, meet));
+        implicit::act(world, scratch, meet);
         if let Some(failed) = scratch.implicit.failed {
             // Nothing is booked yet: the instant can be evaluated again with a shorter step.
             return Err(NonFinite { block: failed.blocks[0] });

@@ -44,14 +44,15 @@ pub(crate) fn reach(
         return Reach::Lost;
     }
     let direction = sums.force / size;
-    let mut pieces = Vec::new();
+    let (mut pieces, mut corners) = (Vec::new(), Vec::new());
     walker.show_pieces(|planes, [f, g], frame, polygon, share| {
         let facing = [planes.normal(f).dot(direction), -planes.normal(g).dot(direction)];
         if facing.iter().any(|c| *c < GLANCING) {
             return;
         }
         let [w, u, v] = polygon.slope;
-        let corners = polygon.s().iter().zip(polygon.t()).map(|(s, t)| [*s, *t]).collect();
+        let from = corners.len();
+        corners.extend(polygon.s().iter().zip(polygon.t()).map(|(s, t)| [*s, *t]));
         let weight = share * frame.normal.dot(direction);
         let place = (frame.foot, frame.axes);
         let depth = [w - out, -u, -v];
@@ -62,7 +63,7 @@ pub(crate) fn reach(
             weight,
             place,
             depth,
-            corners,
+            from..corners.len(),
         ));
     });
     let from = origin(bodies[0], bodies[1]);
@@ -74,6 +75,7 @@ pub(crate) fn reach(
         direction,
         across: [first, direction.cross(first)],
         pieces,
+        corners,
         law,
         shear: Vec3::ZERO,
         torsion: 0.0,

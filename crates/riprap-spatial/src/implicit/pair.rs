@@ -35,6 +35,8 @@ pub(crate) struct Pair {
     /// Two unit vectors across it.
     pub across: [Vec3; 2],
     pub pieces: Vec<Piece>,
+    /// Corners of all pieces, m.
+    pub corners: Vec<[f64; 2]>,
     pub law: ContactLaw,
     /// Shear force (N) on the second block and torsion (N m) of the step before.
     pub shear: Vec3,
@@ -131,16 +133,16 @@ impl Pair {
 
     /// Energy in its pressure where nothing moves, J.
     pub(crate) fn stored(&self, spare: &mut Vec<[f64; 2]>) -> f64 {
-        self.pieces.iter().map(|piece| piece.stored(spare)).sum()
+        self.pieces.iter().map(|piece| piece.stored(&self.corners, spare)).sum()
     }
 
     /// What it has done in a step that ends with this twist.
     pub(crate) fn reply(&self, twist: &Twist, step: &Stepping, spare: &mut Vec<[f64; 2]>) -> Reply {
         let mut reply = Reply::default();
         for piece in &self.pieces {
-            let pressed = piece.press(twist, step, 1.0, spare);
+            let pressed = piece.press(&self.corners, twist, step, 1.0, spare);
             piece.add_wrench(&pressed, &mut reply.elastic);
-            let most = piece.most(&pressed.pressure) / self.law.normal_stiffness;
+            let most = piece.most(&self.corners, &pressed.pressure) / self.law.normal_stiffness;
             reply.depth = reply.depth.max(most);
         }
         let Some(rubbing) = self.rubbing(twist, step, 1.0) else {
@@ -176,7 +178,7 @@ impl Pair {
     ) -> Answer {
         let mut answer = Answer::default();
         for piece in &self.pieces {
-            let pressed = piece.press(twist, step, soft, spare);
+            let pressed = piece.press(&self.corners, twist, step, soft, spare);
             piece.add_wrench(&pressed, &mut answer.wrench);
             if with_rate {
                 piece.add_rate(&pressed, step, soft, &mut answer.rate);
@@ -223,7 +225,7 @@ impl Pair {
         let mut found = Pressure::default();
         let (mut first, mut second, mut area_first) = (Vec3::ZERO, 0.0, Vec3::ZERO);
         for piece in &self.pieces {
-            let pressed = piece.press(twist, step, 1.0, spare);
+            let pressed = piece.press(&self.corners, twist, step, 1.0, spare);
             let part = piece.shares(&pressed);
             found.force += part.force;
             first += part.force_first;

@@ -15,6 +15,8 @@
 //!
 //! Source: own derivation (the family of convex steps for contact of Castro et al., 2020 and 2022); pieces as in [`crate::kernel::surface`].
 
+use std::ops::Range;
+
 use riprap_geom::Vec3;
 
 /// Relative motion of the second block against the first at the origin of their pair: velocity (m/s) and spin (rad/s).
@@ -56,8 +58,8 @@ pub(crate) struct Piece {
     weight: f64,
     /// A point of it and two axes in it.
     frame: [Vec3; 3],
-    /// Corners in the frame of the piece, m, anticlockwise.
-    corners: Vec<[f64; 2]>,
+    /// Its corners among those of the pair, in its own frame, m, anticlockwise.
+    corners: Range<usize>,
 }
 
 /// Moments of `b b'` over an area: 1, u, v, uu, uv, vv.
@@ -128,7 +130,7 @@ impl Piece {
         weight: f64,
         place: (Vec3, [Vec3; 2]),
         depth: [f64; 3],
-        corners: Vec<[f64; 2]>,
+        corners: Range<usize>,
     ) -> Self {
         let (foot, [along, across]) = place;
         let [f, g] = facing;
@@ -154,9 +156,10 @@ impl Piece {
         self.frame
     }
 
-    /// Its pressure and wet part at a twist; `soft` scales its stiffness.
+    /// Its pressure and wet part at a twist; `soft` scales its stiffness, `corners` are those of the pair.
     pub(crate) fn press(
         &self,
+        corners: &[[f64; 2]],
         twist: &Twist,
         step: &Stepping,
         soft: f64,
@@ -167,16 +170,16 @@ impl Piece {
         {
             *p = soft * (at_rest - step.dt * self.kappa * dot(screw, twist));
         }
-        wet(&self.corners, &pressure, spare);
+        wet(&corners[self.corners.clone()], &pressure, spare);
         let moments = Moments::of(spare);
         let load = moments.times(&pressure).map(|x| self.weight * x);
         Pressed { moments, load, pressure }
     }
 
     /// Energy in its pressure where nothing moves, J.
-    pub(crate) fn stored(&self, spare: &mut Vec<[f64; 2]>) -> f64 {
+    pub(crate) fn stored(&self, corners: &[[f64; 2]], spare: &mut Vec<[f64; 2]>) -> f64 {
         let at_rest = Stepping { span: 0.0, dt: 0.0 };
-        let Pressed { load, pressure, .. } = self.press(&[0.0; 6], &at_rest, 1.0, spare);
+        let Pressed { load, pressure, .. } = self.press(corners, &[0.0; 6], &at_rest, 1.0, spare);
         let mut sum = 0.0;
         for (load, p) in load.iter().zip(&pressure) {
             sum += load * p;
@@ -185,9 +188,9 @@ impl Piece {
     }
 
     /// Largest of a pressure in its polygon, Pa.
-    pub(crate) fn most(&self, pressure: &[f64; 3]) -> f64 {
+    pub(crate) fn most(&self, corners: &[[f64; 2]], pressure: &[f64; 3]) -> f64 {
         let at = |[u, v]: &[f64; 2]| pressure[0] + pressure[1] * u + pressure[2] * v;
-        self.corners.iter().map(at).fold(0.0, f64::max)
+        corners[self.corners.clone()].iter().map(at).fold(0.0, f64::max)
     }
 
     /// Adds the wrench on the second block over which `pressed` acts, about the origin of the pair.

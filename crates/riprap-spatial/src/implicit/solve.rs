@@ -24,7 +24,7 @@ const MOST: usize = 200;
 /// Solutions with new normal forces in friction.
 const LAGS: usize = 4;
 /// Share of the normal forces that may still change from one solution to the next.
-const SETTLED: f64 = 0.005;
+const SETTLED: f64 = 0.02;
 /// First stiffness of softened pairs, over theirs.
 const SOFTEST: f64 = 1e-4;
 /// Softened pairs need not settle better than this, over what is asked for.

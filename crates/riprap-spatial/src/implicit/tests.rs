@@ -187,7 +187,7 @@ fn a_block_above_it_slides_as_coulomb_says() {
             let way = model.blocks[1].pose.position.x;
             let angle: f64 = (1.02_f64 * 0.6).atan();
             let exact = 0.5 * 10.0 * (angle.sin() - 0.6 * angle.cos()) * (1.0 + dt);
-            assert!((way / exact - 1.0).abs() < 1e-3, "{stiffness:e} {dt}: {way} for {exact}");
+            assert!((way / exact - 1.0).abs() < 2e-3, "{stiffness:e} {dt}: {way} for {exact}");
         }
     }
 }

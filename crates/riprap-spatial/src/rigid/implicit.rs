@@ -13,6 +13,8 @@ pub(crate) mod obstacle;
 #[cfg(test)]
 mod tests;
 
+use std::time::Instant;
+
 use riprap_geom::Vec3;
 
 use crate::contact;
@@ -26,7 +28,7 @@ use crate::state::scratch::{NotSolved, Scratch};
 use crate::state::world::World;
 
 /// Accuracy of the velocities of a step, over the motion that gravity makes in it.
-const TOLERANCE: f64 = 1e-5;
+const TOLERANCE: f64 = 1e-4;
 /// Speed that is nothing, m/s: the accuracy without gravity.
 const STILL: f64 = 1e-4;
 
@@ -75,7 +77,10 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
         dt => dt,
     };
     let step = Stepping { span: 0.5 * (world.last_dt + scratch.coming_dt), dt };
+    let start = Instant::now();
     meet::find(world, scratch, dt);
+    let found = Instant::now();
+    scratch.profile.add("pieces", found - start);
     lay_out(world, scratch);
     let speed = world.gravity.length() * dt + STILL;
     let solver = &mut scratch.implicit.solver;
@@ -93,8 +98,9 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
             Some(NotSolved { blocks: pair.map_or([0; 2], of), rounds })
         }
     };
+    scratch.profile.add("implicit step", found.elapsed());
     if scratch.implicit.failed.is_none() {
-        meet::hand_over(world, scratch);
+        meet::hand_over(world, scratch, step.span);
     }
 }
 
