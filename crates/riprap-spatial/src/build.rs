@@ -76,6 +76,7 @@ impl World {
             bolts: Vec::new(),
             deform: None,
             found: FoundContacts::default(),
+            implicit: None,
             failed: FailedPoints::default(),
             last_check_step: 0,
             events: Vec::new(),

@@ -49,10 +49,10 @@ use crate::state::lineage::Origin;
 use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
-pub(crate) use acting::act;
+pub(crate) use acting::{act, sum};
 use held::Joints;
 pub use relaw::change_laws;
-pub(crate) use release::release;
+pub(crate) use release::{holding, release, release_loose};
 pub(crate) use stored::{begin, stored};
 
 /// Steps between two looks at joints that have failed since.
@@ -200,7 +200,7 @@ fn leave(world: &mut World, scratch: &mut Scratch) {
 }
 
 /// Energy of the normal springs of a joint whose load no contact has taken over yet, J.
-fn left(pair: &FoundPair) -> f64 {
+pub(crate) fn left(pair: &FoundPair) -> f64 {
     let joint = pair.offset.as_ref().and_then(|offset| offset.joint);
     joint.map_or(0.0, |joint| joint.energy)
 }

@@ -14,7 +14,7 @@ use crate::push::bolts;
 use crate::setup::JointLaw;
 use crate::state::contact_scratch::ContactScratch;
 use crate::state::push::Pushes;
-use crate::state::scratch::{Lost, Partial, Scratch};
+use crate::state::scratch::{ImplicitDesk, Lost, Partial, Scratch};
 use crate::state::sums::Sums;
 use crate::state::tiles::{Cut, Tiles};
 use crate::state::wide::Wide;
@@ -36,6 +36,7 @@ impl Scratch {
             damping: Damping::default(),
             rebuilds: 0,
             deform: None,
+            implicit: ImplicitDesk::default(),
             desk: ContactScratch::default(),
             deformable: TetContactScratch::default(),
             inradii: Vec::new(),

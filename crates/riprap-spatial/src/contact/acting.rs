@@ -460,7 +460,7 @@ impl InPair<'_> {
 }
 
 /// Adds what the pairs exert, block by block in the order of the pairs.
-fn sum(desk: &mut ContactScratch, exec: &Exec) {
+pub(crate) fn sum(desk: &mut ContactScratch, exec: &Exec) {
     let ContactScratch { acting, first_pair, incidence, slots, groups, .. } = desk;
     exec.chunks(acting, |first, chunk| {
         for (ends, acting) in first_pair[first..].windows(2).zip(chunk) {

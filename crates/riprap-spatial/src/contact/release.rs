@@ -82,6 +82,22 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
     release_pairs(world, scratch, &pairs);
 }
 
+/// The first patch that more than pressure and friction holds.
+pub(crate) fn holding(world: &World) -> Option<usize> {
+    (0..world.patches.len()).find(|p| !is_loose(world, *p))
+}
+
+/// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are.
+pub(crate) fn release_loose(world: &mut World, scratch: &mut Scratch) {
+    let loose = (0..world.patches.len()).filter(|p| is_loose(world, *p));
+    let mut pairs: Vec<[u32; 2]> = loose.map(|p| sorted(world.patches.ends[p])).collect();
+    pairs.sort_unstable();
+    pairs.dedup();
+    if !pairs.is_empty() {
+        release_pairs(world, scratch, &pairs);
+    }
+}
+
 /// Gives what all patches of these pairs (sorted) carry to the found contacts of their blocks.
 pub(super) fn release_pairs(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]]) {
     let mut parted = vec![false; world.alive.len()];

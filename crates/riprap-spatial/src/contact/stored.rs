@@ -144,6 +144,10 @@ fn below(world: &World, desk: &ContactScratch, pair: &FoundPair, patch: &Contact
 /// an impact leave in that work what they made or lost, and blocks that are apart store nothing: what is left over is a defect of the law.
 pub(crate) fn stored(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
     let work = world.works.contact_path;
+    // Those of implicit phases know their potential.
+    if world.implicit.is_some() {
+        return work;
+    }
     if work == 0.0 || desk.slots.len() != world.found.pairs.len() {
         return work;
     }
@@ -158,6 +162,9 @@ pub(crate) fn stored(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
 
 /// Notes what contacts of blocks that are built into each other store at the start, which no work has put in.
 pub(crate) fn begin(world: &mut World, desk: &ContactScratch, exec: &Exec) {
+    if world.implicit.is_some() {
+        return;
+    }
     [_, world.found.at_start] = bounds(world, desk, exec, Bound::Way);
 }
 

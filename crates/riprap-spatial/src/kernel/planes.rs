@@ -95,6 +95,13 @@ impl Planes {
         }
     }
 
+    /// Moves all planes outward by `by` (m).
+    pub fn inflate(&mut self, by: f64) {
+        if by != 0.0 {
+            self.d[..self.len].iter_mut().for_each(|d| *d += by);
+        }
+    }
+
     /// Number of planes.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -102,6 +102,8 @@ pub struct Walker {
     ties: Vec<Tie>,
     clip: FaceClip,
     radius: f64,
+    /// How far all faces are moved outward, m.
+    inflation: f64,
     largest_weight: f64,
     sums: Sums,
 }
@@ -126,6 +128,36 @@ impl Walker {
         Found::Touching(self.sums)
     }
 
+    /// As [`Walker::find`] with all faces of both blocks `by` (m) further out: depths are larger by as much, and blocks that are less than twice
+    /// that apart have a surface too.
+    pub(crate) fn find_inflated(&mut self, pair: &Pair, by: f64) -> Found {
+        self.inflation = by;
+        let found = self.find(pair);
+        self.inflation = 0.0;
+        found
+    }
+
+    /// Shows the pieces of the pair evaluated last, with the numbers of their planes and the share of them that counts. It must have been
+    /// evaluated with the same inflation.
+    pub(crate) fn show_pieces(
+        &mut self,
+        mut show: impl FnMut(&Planes, [usize; 2], &Frame, &Polygon, f64),
+    ) {
+        let count = self.pieces.len();
+        let mut polygon = Polygon::default();
+        for k in 0..count {
+            let piece = self.pieces[k];
+            let numbers = self.numbers(piece);
+            if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
+                && let Some(share) = self.make(&frame, piece, &mut polygon)
+            {
+                show(&self.planes, numbers, &frame, &polygon, share);
+            }
+        }
+        // Those that were made again.
+        self.pieces.truncate(count);
+    }
+
     /// Tests for separation and walks from the peak; a verdict when there is no surface.
     ///
     /// With all planes, not only the listed ones: those are enough where the blocks overlap, but without the others two blocks
@@ -133,6 +165,7 @@ impl Walker {
     fn start_from_peak(&mut self, pair: &Pair) -> Option<Found> {
         let [a, b] = pair.bodies;
         self.all.gather_all(pair.bodies, origin(a, b));
+        self.all.inflate(self.inflation);
         let (depth, start) = match peak(&self.all, 4.0 * (a.shape.radius + b.shape.radius)) {
             Peak::Apart { gap, .. } => return Some(Found::Apart(gap)),
             Peak::Unsure => return self.look_for_proof(),
@@ -185,6 +218,7 @@ impl Walker {
     fn begin(&mut self, pair: &Pair) {
         let [a, b] = pair.bodies;
         self.planes.gather(pair.bodies, pair.faces, origin(a, b));
+        self.planes.inflate(self.inflation);
         self.radius = a.shape.radius.min(b.shape.radius);
         let (first, second) = (pair.faces[0].len(), pair.faces[1].len());
         if self.seen.len() < first * second {
@@ -480,7 +514,7 @@ impl Walker {
             return false;
         }
         // A face that is tied to one of the other block counts on either side of it.
-        let slack = if pair.ties { TIE_BAND * self.radius } else { 0.0 };
+        let slack = if pair.ties { TIE_BAND * self.radius } else { 0.0 } + 2.0 * self.inflation;
         self.clip.is_left(slack)
     }
 }

@@ -78,6 +78,7 @@ pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         slots: &scratch.slots,
         pushes: &scratch.pushes,
         found: &scratch.desk,
+        implicit: world.implicit.is_some(),
         plain: scratch.plain(),
         width: scratch.width,
     };
@@ -116,6 +117,8 @@ struct Gathering<'a> {
     pushes: &'a Pushes,
     /// What found contacts do to each block.
     found: &'a ContactScratch,
+    /// Whether contacts are implicit ones, which book all their work together.
+    implicit: bool,
     /// Whether blocks in rows need nothing but gravity and water.
     plain: bool,
     width: Width,
@@ -379,7 +382,11 @@ impl Gathering<'_> {
         let change = self.kick.works(b, &moving, &acting, loads, arrival, departure);
         if let Some(found) = &found {
             let [before, after] = self.kick.half;
-            let power = |v: Vec3, w: Vec3| found.elastic.force.dot(v) + found.elastic.moment.dot(w);
+            let mut pressing = found.elastic;
+            if self.implicit {
+                pressing.plus(&found.spring);
+            }
+            let power = |v: Vec3, w: Vec3| pressing.force.dot(v) + pressing.moment.dot(w);
             // What the pressure stores is what has been done against it, hence the sign.
             arrival.contact_path -= before * power(v, w);
             departure.contact_path -= after * power(v + change.velocity, w + change.spin);

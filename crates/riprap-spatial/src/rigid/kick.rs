@@ -126,6 +126,12 @@ impl Kick<'_> {
         &self.solids[self.solid[b] as usize]
     }
 
+    /// By what mass damping makes masses and moments of inertia larger for forces that are not known yet.
+    pub(crate) fn inertia_factors(&self) -> [f64; 2] {
+        let Damping { mass, rotation, .. } = self.damping;
+        [mass, rotation.unwrap_or(mass)].map(|alpha| 1.0 + kick::fade(alpha, self.span))
+    }
+
     /// Velocity change of block `b`.
     #[must_use]
     pub fn change(&self, b: usize, moving: &Moving, acting: &Acting) -> Change {

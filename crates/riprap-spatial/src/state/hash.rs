@@ -2,6 +2,7 @@
 
 use riprap_core::state_hash::StateHash;
 
+use crate::implicit::memory::Implicit;
 use crate::kernel::offset::Offset;
 use crate::kernel::{Memory, Pose};
 use crate::state::deform::{Deform, State};
@@ -61,6 +62,9 @@ impl World {
             hash.numbers(&anchor.to_array());
         }
         contacts(&mut hash, &self.found);
+        if let Some(memory) = &self.implicit {
+            implicit(&mut hash, memory);
+        }
         for bolt in &self.bolts {
             hash.count(u64::from(bolt.number));
             for list in bolt.chain.memory() {
@@ -146,6 +150,17 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
     }
     for left in &found.left_terrain {
         hash.count(u64::from(*left));
+    }
+}
+
+/// Pairs that press in an implicit phase.
+fn implicit(hash: &mut StateHash, memory: &Implicit) {
+    hash.count(memory.kept.len() as u64);
+    for kept in &memory.kept {
+        hash.pair(kept.ends);
+        hash.numbers(&kept.shear.to_array());
+        hash.numbers(&kept.arm.to_array());
+        hash.numbers(&[kept.torsion, kept.force, kept.area, kept.radius]);
     }
 }
 

@@ -9,6 +9,7 @@ use crate::plan::{
     Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxation, Relaxing,
     TimeStep, Until,
 };
+use crate::plan::{IMPLICIT_STEP, Integration};
 use crate::planar::setup::ContactLaw;
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::read::{Given, Provenance, with_unit};
@@ -38,8 +39,14 @@ impl Builder<'_> {
     fn phase(&mut self, said: &language::Phase, laws: &mut Laws) -> Phase {
         let mut read = self.reading(format!("phases.{}", said.name), said);
         let kind = read.kind();
+        let integration = read.integration();
         let time_step = match read.time_step() {
             Some(dt) => TimeStep::Given { dt },
+            None if integration == Integration::Implicit => {
+                let text = format!("{} or less", with_unit(IMPLICIT_STEP, "s"));
+                read.note("time_step", text, Provenance::Default, "");
+                TimeStep::Given { dt: IMPLICIT_STEP }
+            }
             None => {
                 let safety = read.safety();
                 let text = format!("{} of the stable step", with_unit(safety, ""));
@@ -48,6 +55,10 @@ impl Builder<'_> {
             }
         };
         let max_residual = read.max_residual();
+        if integration == Integration::Implicit {
+            self.refuse_implicit(said, kind);
+        }
+        let mut read = self.reading(format!("phases.{}", said.name), said);
         let none = language::Damping::default();
         let mut read = read.within("damping", said.damping.as_ref().unwrap_or(&none));
         let damping = Damping {
@@ -71,6 +82,7 @@ impl Builder<'_> {
                 kinetic: said.until.kinetic.as_ref().map(Quantity::si),
                 steps: said.until.steps,
             },
+            integration,
             time_step,
             damping,
             remove,
@@ -138,6 +150,39 @@ impl Builder<'_> {
                 let message = format!("`{name}` is terrain, which cannot move");
                 self.error_at("terrain.release", name, message, "leave it out");
             }
+        }
+    }
+
+    /// Reports what an implicit phase does not take of its own keys.
+    fn refuse_implicit(&mut self, said: &language::Phase, kind: PhaseKind) {
+        let name = &said.name;
+        let mut refuse = |message: String, help: &str| {
+            let error = Diagnostic::error("phase.integration", message).at(name.span.clone());
+            self.found.push(error.help(help));
+        };
+        if kind == PhaseKind::Static {
+            let message =
+                format!("phase `{name}` is static and implicit: implicit phases are dynamic");
+            let help = "leave out `kind`: an implicit phase damps by itself and comes to rest; or use integration = \"explicit\"";
+            refuse(message, help);
+        }
+        let local = said.damping.as_ref().and_then(|damping| damping.local.as_ref());
+        if local.is_some_and(|local| local.si() > 0.0) {
+            let message = format!(
+                "phase `{name}` is implicit and has local damping, which needs explicit steps"
+            );
+            refuse(message, "leave out `damping.local`; `damping.mass` works in both");
+        }
+        let rebounds = self.parsed.scenario.interfaces.iter().find(|(_, interface)| {
+            interface.restitution.as_ref().is_some_and(|wanted| wanted.si() > 0.0)
+        });
+        if let Some((interface, _)) = rebounds {
+            let message = format!(
+                "phase `{name}` is implicit: impacts do not rebound in its steps, and `interfaces.{interface}.restitution` has no effect"
+            );
+            let note = Diagnostic::warning("phase.restitution", message).at(name.span.clone());
+            let help = "use integration = \"explicit\" where rebounds matter";
+            self.found.push(note.help(help));
         }
     }
 

@@ -403,6 +403,41 @@ impl Engine {
         }
     }
 
+    /// Steps implicitly, or explicitly, from here on.
+    pub fn integrate_implicitly(&mut self, implicit: bool) {
+        match self {
+            Self::Planar(_) => {}
+            Self::Spatial(e) => spatial::choose_integration(&mut e.world, &mut e.scratch, implicit),
+        }
+    }
+
+    /// What of the model implicit phases do not take.
+    #[must_use]
+    pub fn obstacle(&self) -> Option<spatial::Obstacle> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(e) => spatial::obstacle(&e.world),
+        }
+    }
+
+    /// Whether steps are implicit.
+    #[must_use]
+    pub fn is_implicit(&self) -> bool {
+        match self {
+            Self::Planar(_) => false,
+            Self::Spatial(e) => e.world.implicit.is_some(),
+        }
+    }
+
+    /// Blocks (twice the same one where it is one alone) whose contact has kept the last implicit step from a solution, and its rounds.
+    #[must_use]
+    pub fn not_solved(&self) -> Option<spatial::NotSolved> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(e) => e.scratch.not_solved(),
+        }
+    }
+
     /// Measures displacements from here on.
     pub fn zero_displacements(&mut self) {
         match self {

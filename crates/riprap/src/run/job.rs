@@ -15,7 +15,7 @@ use super::checks::{CheckResult, Watch};
 use super::drive::{Control, Drive, DriveError, Ending, Look, Pause};
 use super::engine::{BuildError, Kind};
 use super::forecast::doubts;
-use super::given_step::{self, TooLong};
+use super::given_step::{self, RefusedStep};
 use super::origin::Origin;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
@@ -105,9 +105,9 @@ pub enum JobError {
     /// The engine cannot build the model.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A time step of the scene is too long.
+    /// A step that the scene asks for cannot be made.
     #[error(transparent)]
-    Step(#[from] TooLong),
+    Step(#[from] RefusedStep),
     /// No threads.
     #[error(transparent)]
     Exec(#[from] ExecError),
