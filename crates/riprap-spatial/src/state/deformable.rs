@@ -3,7 +3,8 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use crate::kernel::{Pose, Role};
+use crate::broad::search::Search;
+use crate::kernel::Role;
 
 /// Found contacts of deformable blocks with each other and with rigid ones.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -23,10 +24,8 @@ pub struct DeformableContacts {
 pub struct DeformableSearch {
     /// Displacements of all nodes, m.
     pub displacement: Vec<[f64; 3]>,
-    /// Poses of all blocks, of use for rigid ones.
-    pub poses: Vec<Pose>,
-    /// How far a point of each block may move, m.
-    pub margins: Vec<f64>,
+    /// Poses of all blocks, of use for rigid ones, and margins.
+    pub blocks: Search,
 }
 
 /// Two blocks that can touch, at least one of them deformable.

@@ -133,7 +133,8 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
         }
     }
     let deformable = &found.deformable;
-    poses(hash, &deformable.search.poses, &deformable.search.margins);
+    let blocks = &deformable.search.blocks;
+    poses(hash, &blocks.pose, &blocks.margin);
     hash.numbers(deformable.search.displacement.as_flattened());
     hash.number(deformable.longest_step.unwrap_or(-1.0));
     hash.count(deformable.pairs.len() as u64);
