@@ -2,9 +2,9 @@
 
 use riprap_geom::Vec3;
 
-use crate::kernel::cells::PairSlot;
+use crate::kernel::cells::{CellPatch, Spot};
 use crate::query::view::View;
-use crate::state::deformable::DeformablePair;
+use crate::state::deformable::DeformableMemory;
 use crate::state::found::ContactPatch;
 
 /// A found contact that touches.
@@ -36,15 +36,19 @@ impl Contact {
 
 impl View<'_> {
     /// The found contacts that touch: of rigid blocks in their order, those of glued parts for each two pieces; of rigid blocks on terrain, one
-    /// a facet and piece; then of deformable ones.
+    /// a facet and piece; then of deformable ones, on terrain one a facet.
     pub fn contacts(&self) -> impl Iterator<Item = Contact> + '_ {
         let desk = &self.scratch.deformable;
         let pairs = self.world.found.deformable.pairs.iter();
         let pairs = pairs.zip(desk.slots.iter().zip(&desk.constants));
         let touching = pairs.filter(|(_, (slot, _))| slot.touching);
-        let deformable = touching.map(|(pair, (slot, constants))| {
+        let deformable = touching.flat_map(move |(pair, (slot, constants))| {
             let centres = constants.members.map(|m| desk.stars[m as usize].origin);
-            self.of_deformable(pair, slot, centres)
+            let contacts = slot.patches.iter().zip(&pair.contacts);
+            contacts.map(move |(patch, contact)| {
+                let spots = &slot.spots[patch.spots.clone()];
+                self.of_deformable(pair.ends, (patch, spots), &contact.memory, centres)
+            })
         });
         self.of_rigid().chain(deformable)
     }
@@ -71,25 +75,31 @@ impl View<'_> {
 
     /// A contact of which one block at least deforms: its point is the centre of the pressure. `centres`: where the tetrahedra of each block
     /// meet, from where spots are counted.
-    fn of_deformable(&self, pair: &DeformablePair, slot: &PairSlot, centres: [Vec3; 2]) -> Contact {
-        let pressure: f64 = slot.spots.iter().map(|spot| spot.pressure).sum();
+    fn of_deformable(
+        &self,
+        ends: [u32; 2],
+        (patch, spots): (&CellPatch, &[Spot]),
+        memory: &DeformableMemory,
+        centres: [Vec3; 2],
+    ) -> Contact {
+        let pressure: f64 = spots.iter().map(|spot| spot.pressure).sum();
         let arms = if pressure > 0.0 {
             [0, 1].map(|side| {
-                let parts = slot.spots.iter().map(|s| s.pressure * s.arms[side]);
+                let parts = spots.iter().map(|s| s.pressure * s.arms[side]);
                 let from_centre = parts.sum::<Vec3>() / pressure;
-                from_centre + centres[side] - self.position(pair.ends[side] as usize)
+                from_centre + centres[side] - self.position(ends[side] as usize)
             })
         } else {
-            self.midway(pair.ends)
+            self.midway(ends)
         };
         Contact {
-            ends: pair.ends,
-            force: pair.force,
+            ends,
+            force: patch.force,
             arms,
-            normal: pair.memory.normal,
-            area: slot.area,
-            depth: pair.depth,
-            sliding: pair.memory.sliding,
+            normal: memory.normal,
+            area: patch.area,
+            depth: patch.depth,
+            sliding: memory.sliding,
         }
     }
 

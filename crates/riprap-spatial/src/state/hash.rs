@@ -6,6 +6,7 @@ use crate::implicit::memory::Implicit;
 use crate::kernel::offset::Offset;
 use crate::kernel::{Memory, Pose};
 use crate::state::deform::{Deform, State};
+use crate::state::deformable::DeformableContact;
 use crate::state::found::FoundContacts;
 use crate::state::patches::{Patches, flag};
 use crate::state::world::World;
@@ -136,17 +137,23 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
         }
     }
     let deformable = &found.deformable;
-    poses(hash, &deformable.search.poses, &deformable.search.margins);
+    let blocks = &deformable.search.blocks;
+    poses(hash, &blocks.pose, &blocks.margin);
     hash.numbers(deformable.search.displacement.as_flattened());
     hash.number(deformable.longest_step.unwrap_or(-1.0));
     hash.count(deformable.pairs.len() as u64);
+    // A pair that does not touch counts as one contact without memory.
+    let apart = [DeformableContact::default()];
     for pair in &deformable.pairs {
-        let m = &pair.memory;
         hash.pair(pair.ends);
-        hash.count(u64::from(pair.known) | u64::from(m.sliding) << 1);
-        hash.numbers(&m.shear.to_array());
-        hash.numbers(&m.normal.to_array());
-        hash.numbers(&[m.torsion, m.area, m.polar]);
+        let contacts = if pair.contacts.is_empty() { &apart } else { pair.contacts.as_slice() };
+        for DeformableContact { key, memory: m } in contacts {
+            let flags = u64::from(pair.known) | u64::from(m.sliding) << 1;
+            hash.count(u64::from(*key) << 2 | flags);
+            hash.numbers(&m.shear.to_array());
+            hash.numbers(&m.normal.to_array());
+            hash.numbers(&[m.torsion, m.area, m.polar]);
+        }
     }
     for left in &found.left_terrain {
         hash.count(u64::from(*left));
