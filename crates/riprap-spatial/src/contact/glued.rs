@@ -190,10 +190,6 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
     let model = [
         (!setup.found_contacts, "interacts only by contact: set `found_contacts = true`"),
         (
-            !setup.deform.sets.is_empty(),
-            "cannot touch deformable blocks yet: make all blocks rigid",
-        ),
-        (
             !setup.sources.is_empty(),
             "cannot be loaded by [[sources]] yet: remove them, or make the block convex",
         ),
@@ -221,6 +217,10 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
             continue;
         };
         let listed = |blocks: &[u32]| blocks.binary_search(&(b as u32)).is_ok();
+        if setup.deform.sets.iter().any(|set| set.blocks.contains(&(b as u32))) {
+            let reason = "cannot deform yet: make it rigid, or bond convex blocks to each other";
+            return Err(refused(b, reason));
+        }
         let size = Solid::all(parts).polyhedron().size();
         let on = |set: &FaceSet| match set {
             FaceSet::Blocks { blocks, .. } | FaceSet::Surface { blocks, .. } => listed(blocks),
