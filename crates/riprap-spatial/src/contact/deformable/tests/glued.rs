@@ -5,6 +5,7 @@ use riprap_geom::{Quat, Vec3};
 
 use super::{Run, brick, cube, fixed, model, spec};
 use crate::exec::Exec;
+use crate::faces::deformable::centred;
 use crate::kernel::Pose;
 use crate::kernel::glued::{Glued, Gluer, Placed, Touch};
 use crate::setup::error::BuildError;
@@ -37,6 +38,15 @@ fn glued(parts: &[Box3], turn: Quat, shift: Vec3) -> BlockSpec {
     let parts = solids(parts, turn, shift).into_iter();
     let parts = parts.map(|s| Solid { vertices: s.vertices, faces: s.faces });
     spec(Shape::Glued(parts.collect()))
+}
+
+/// Far from the origin as well; the slopes of heaps are read from it.
+#[test]
+fn the_solid_of_glued_parts_is_about_their_centroid() {
+    let far = Vec3::new(10.0, -20.0, 30.0);
+    let (solid, centroid) = centred(&glued(&L, Quat::IDENTITY, far).shape);
+    assert!(solid.moments().centroid.length() < 1e-12);
+    assert!((centroid - far).length() < 1.0, "{centroid}");
 }
 
 /// A cube that falls askew on a brick, and on the same brick of two and of four parts: the same forces, the same motion.
