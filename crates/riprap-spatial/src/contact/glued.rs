@@ -6,10 +6,11 @@
 use riprap_geom::Vec3;
 
 use crate::contact::limit;
+use crate::faces::region::{Bounds, Extent};
 use crate::kernel::glued::{Glued, Placed, Touch};
 use crate::kernel::{ContactInput, ContactLaw, Motion, Pose, respond};
 use crate::setup::error::BuildError;
-use crate::setup::{FaceSet, Setup, Shape, Solid};
+use crate::setup::{Bolt, FaceSet, Region, Setup, Shape, Solid};
 use crate::state::contact_scratch::{
     Deepest, Exerted, FacePair, GluedWorkspace, PairGroup, Pressed, Slot,
 };
@@ -194,10 +195,6 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
             "cannot be loaded by [[sources]] yet: remove them, or make the block convex",
         ),
         (
-            !setup.bolts.is_empty(),
-            "cannot be bolted yet: remove the bolts, or make the block convex",
-        ),
-        (
             setup.in_situ.is_some(),
             "has no joints to carry in-situ stress: remove the stress, or make the block convex",
         ),
@@ -216,6 +213,15 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
         let Shape::Glued(parts) = &block.shape else {
             continue;
         };
+        let crossed = |bolt: &Bolt| {
+            let line = Region::Line(bolt.head, bolt.toe);
+            let bounds = |part: &Solid| Bounds::around(&part.vertices);
+            parts.iter().any(|part| Extent::Solid(part.polyhedron(), bounds(part)).touches(&line))
+        };
+        if setup.bolts.iter().any(crossed) {
+            let reason = "cannot be bolted yet: move the bolts out of it, or make the block convex";
+            return Err(refused(b, reason));
+        }
         let listed = |blocks: &[u32]| blocks.binary_search(&(b as u32)).is_ok();
         if setup.deform.sets.iter().any(|set| set.blocks.contains(&(b as u32))) {
             let reason = "cannot deform yet: make it rigid, or bond convex blocks to each other";
