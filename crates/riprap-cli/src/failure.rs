@@ -1,6 +1,6 @@
 //! Why a command did not do what was asked, and the exit code that says so.
 
-use riprap::run::given_step::TooLong;
+use riprap::run::given_step::RefusedStep;
 use riprap::run::job::JobError;
 use riprap::scenario::{Diagnostics, Parsed};
 
@@ -43,8 +43,8 @@ impl Failure {
         }
     }
 
-    /// A time step that is too long, at its place in the scene.
-    pub fn step(error: &TooLong, scene: &Parsed) -> Self {
+    /// A step that cannot be made, at its place in the scene.
+    pub fn step(error: &RefusedStep, scene: &Parsed) -> Self {
         Failure::Scene(error.at(scene))
     }
 

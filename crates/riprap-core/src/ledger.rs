@@ -43,6 +43,9 @@ pub struct Works {
     pub bolts: f64,
     /// Done by the gas of cavities and other pressures in them.
     pub gas: f64,
+    /// Taken by the integration itself in implicit phases: what contacts have taken up in a step and do not store at its end. With half the
+    /// step it is half as much.
+    pub integrator: f64,
     /// Made (+) or lost (-) by a contact law without potential, booked when a contact ends; or by steps too long for contacts and joints.
     pub law_defect: f64,
     /// Added by edits: removed blocks, velocities set to zero, hand-over of bonds.
@@ -166,6 +169,7 @@ impl Works {
             absorbed: factor * self.absorbed,
             bolts: factor * self.bolts,
             gas: factor * self.gas,
+            integrator: factor * self.integrator,
             law_defect: factor * self.law_defect,
             edit_defect: factor * self.edit_defect,
             step_change: factor * self.step_change,
@@ -190,6 +194,7 @@ impl Works {
         self.absorbed += other.absorbed;
         self.bolts += other.bolts;
         self.gas += other.gas;
+        self.integrator += other.integrator;
         self.law_defect += other.law_defect;
         self.edit_defect += other.edit_defect;
         self.step_change += other.step_change;
@@ -255,7 +260,8 @@ impl Balance {
             - w.damping
             - w.fracture
             - w.absorbed
-            - w.bolts;
+            - w.bolts
+            - w.integrator;
         self.total() - expected
     }
 
@@ -324,7 +330,7 @@ impl std::fmt::Display for Unexplained {
 pub type Term = fn(&Balance) -> f64;
 
 /// Columns of `energy.csv`: name (behind `energy.` in the field table) and how it is read.
-pub const COLUMNS: [(&str, Term); 18] = [
+pub const COLUMNS: [(&str, Term); 19] = [
     ("kinetic", |b| b.kinetic),
     ("gravity", |b| b.gravity),
     ("contact_normal", |b| b.contact_normal),
@@ -339,6 +345,7 @@ pub const COLUMNS: [(&str, Term); 18] = [
     ("fracture", |b| b.works.fracture),
     ("absorbed", |b| b.works.absorbed),
     ("bolt_loss", |b| b.works.bolts),
+    ("integrator", |b| b.works.integrator),
     ("law_defect", |b| b.works.law_defect),
     ("edit_defect", |b| b.works.edit_defect),
     ("step_change", |b| b.works.step_change),

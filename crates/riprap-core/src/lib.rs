@@ -4,6 +4,7 @@
 //! - [`ledger`]: energy; [`accounts`]: the work of single conditions; [`profile`]: stage timers;
 //! - [`state_hash`]: equal hashes, equal states;
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
+//! - [`sparse`]: linear systems of bodies that share contacts;
 //! - [`rhythm`]: how often something is done;
 //! - [`field`], [`frame`]: the vocabulary in which an engine tells what it can be asked, and one picture of its blocks.
 //!
@@ -27,6 +28,7 @@ pub mod numbers;
 pub mod profile;
 pub mod rhythm;
 pub mod sets;
+pub mod sparse;
 pub mod state_hash;
 pub mod sums;
 

@@ -300,6 +300,7 @@ riprap_core::fields! {
     "energy.damping" "J/m" Energy Scalar true "Dissipated by contact, joint, mass and local damping." |v, _| one(v.world.works.damping);
     "energy.fracture" "J/m" Energy Scalar true "Released by the failure of joints." |v, _| one(v.world.works.fracture);
     "energy.bolt_loss" "J/m" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
+    "energy.integrator" "J/m" Energy Scalar true "Taken by the integration itself in implicit phases." |v, _| one(v.world.works.integrator);
     "energy.law_defect" "J/m" Energy Scalar true "Created (+) or lost (-) by a contact law without potential, or by too long steps." |v, _| one(v.world.works.law_defect);
     "energy.edit_defect" "J/m" Energy Scalar true "Added by edits: removed blocks, zeroed velocities, changed laws, joints released to contact." |v, _| one(v.world.works.edit_defect);
     "energy.step_change" "J/m" Energy Scalar true "Added by changes of the time step, including the first, and by jumps of forces: the difference between the kinetic energies at half steps and at whole steps." |v, _| one(v.world.works.step_change);

@@ -66,6 +66,7 @@
 pub mod setup;
 
 mod broad;
+mod implicit;
 mod kernel;
 
 mod faces;
@@ -94,7 +95,10 @@ pub use kernel::surface::{Found, Pair, Walker};
 pub use push::{bolts, charge};
 pub use query::view;
 pub use read::fields;
+pub use rigid::implicit::choose as choose_integration;
+pub use rigid::implicit::obstacle::{Obstacle, obstacle};
 pub use riprap_core::lanes;
 use riprap_core::{accounts, dynamics, exec, failed, field, frame, laws, ledger, profile};
 pub use state::contact_scratch::{Deepest, Pressed};
+pub use state::scratch::NotSolved;
 pub use state::{sums, tiles, world};

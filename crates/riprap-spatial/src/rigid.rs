@@ -2,5 +2,6 @@
 
 pub(crate) mod bound;
 pub(crate) mod gather;
+pub(crate) mod implicit;
 pub(crate) mod integrate;
 pub(crate) mod kick;

@@ -22,6 +22,7 @@ use crate::push::bolts;
 use crate::query::view::View;
 use crate::rigid::bound::Bound;
 use crate::rigid::gather;
+use crate::rigid::implicit;
 use crate::rigid::integrate;
 use crate::setup::Kinematics;
 use crate::state::bodies::Turned;
@@ -71,7 +72,6 @@ pub fn evaluate(
         contact::release(world, scratch);
         crate::contact::deformable::part(world, scratch);
         let meet = contact::refresh(world, scratch);
-        contact::terrain::prepare(world, scratch);
         [meet, crate::contact::deformable::refresh(world, scratch)]
     });
     stage(scratch, "cavities", |scratch| {
@@ -86,17 +86,18 @@ pub fn evaluate(
         });
     }
     stage(scratch, "patches", |scratch| patches(world, scratch));
-    if meet {
+    if world.implicit.is_some() {
+        implicit::act(world, scratch, meet);
+        if let Some(failed) = scratch.implicit.failed {
+            // Nothing is booked yet: the instant can be evaluated again with a shorter step.
+            return Err(NonFinite { block: failed.blocks[0] });
+        }
+    } else if meet {
         stage(scratch, "contacts", |scratch| contact::act(world, scratch));
     }
     if deformable {
         stage(scratch, "contacts", |scratch| {
             crate::contact::deformable::act(world, scratch);
-        });
-    }
-    if world.has_terrain() {
-        stage(scratch, "terrain", |scratch| {
-            contact::terrain::act(world, scratch);
         });
     }
     // Only now is it known how deep blocks lie in each other, whose energy is part of that of the start.
@@ -108,6 +109,7 @@ pub fn evaluate(
         let nodes = stage(scratch, "nodes", |scratch| deform::step::evaluate(world, scratch, dt));
         result = result.and(nodes);
     }
+    implicit::book(world, scratch);
     if !world.accounts.is_empty() {
         stage(scratch, "accounts", |scratch| condition_work::book(world, scratch));
     }
@@ -121,6 +123,7 @@ pub fn evaluate(
 
 /// Applies the velocity changes and moves the blocks by `dt`.
 pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    implicit::remember(world, scratch);
     stage(scratch, "integrate", |scratch| {
         integrate::integrate(world, scratch, dt);
     });

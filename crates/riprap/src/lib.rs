@@ -6,7 +6,10 @@
 //! A program begins with [`run::simulation::Simulation`]: made of a scene as text (`from_toml`) or of a [`setup::Setup`] and a
 //! [`plan::Plan`] built by hand, advanced in batches (`advance`, `run_for`, `run`), asked by name (`field`). Runs with a folder,
 //! checks and checkpoints are [`run::job`]. [`prelude`] brings what nearly every program needs. Features: `scenario` (the language, and all that runs scene files) and `plot`.
-
+#![cfg_attr(
+    not(feature = "scenario"),
+    allow(dead_code, reason = "what only scenes and their forecasts ask for")
+)]
 // What no other crate can name does not look as if it could be.
 #![cfg_attr(not(test), warn(unreachable_pub))]
 // Tests may compare with the functions of the platform.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 pub use check::{Check, Expected, Part, Reduce, Window};
 
 pub use crate::dynamics::damping::Damping;
-pub use crate::dynamics::relaxation::{Breaks, PhaseKind, Relaxation};
+pub use crate::dynamics::relaxation::{Breaks, Integration, PhaseKind, Relaxation};
 use crate::planar::setup::ContactLaw;
 pub use crate::rhythm::Every;
 use crate::spatial::setup::JointLaw;
@@ -62,6 +62,8 @@ pub struct Phase {
     pub kind: PhaseKind,
     /// What ends it; whichever comes first.
     pub until: Until,
+    /// How it steps through time.
+    pub integration: Integration,
     /// Time step rule.
     pub time_step: TimeStep,
     /// Damping besides that of the contacts.
@@ -133,6 +135,7 @@ impl Phase {
             name: name.to_owned(),
             kind: PhaseKind::Dynamic,
             until: Until { time: Some(time), ..Until::default() },
+            integration: Integration::Explicit,
             time_step: TimeStep::Auto { safety: SAFETY },
             damping: Damping::default(),
             remove: Vec::new(),
@@ -220,6 +223,9 @@ pub enum TimeStep {
         dt: f64,
     },
 }
+
+/// Length of an implicit step where none is given, s.
+pub const IMPLICIT_STEP: f64 = 1e-3;
 
 /// Steps that a phase, and the ramp of its gravity, are given at least where nothing bounds the step.
 const FEWEST_STEPS: f64 = 100.0;

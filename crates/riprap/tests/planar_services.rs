@@ -3,7 +3,7 @@
 use crate::common::{DISTANCE, block, comb, hold, l_shape, law, moved, rectangle, setup};
 use riprap::Vec2;
 use riprap::exec::Exec;
-use riprap::plan::{Damping, Phase, PhaseKind, Plan, TimeStep, Until};
+use riprap::plan::{Damping, Integration, Phase, PhaseKind, Plan, TimeStep, Until};
 use riprap::planar::bond::Bond;
 use riprap::planar::setup::{BondLaw, Setup, Strength};
 use riprap::record::checkpoint;
@@ -16,6 +16,7 @@ fn plan(time_step: TimeStep) -> Plan {
             name: "fall".into(),
             kind: PhaseKind::Dynamic,
             until: Until { time: Some(10.0), ..Until::default() },
+            integration: Integration::Explicit,
             time_step,
             damping: Damping::default(),
             remove: vec![],

@@ -13,6 +13,18 @@ pub enum PhaseKind {
     Dynamic,
 }
 
+/// How a phase steps through time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
+pub enum Integration {
+    /// Short steps, each from the forces of its start: waves, blasts, impacts, fracture.
+    #[default]
+    Explicit,
+    /// Long steps that find the forces of their end: stiff blocks that move slowly.
+    Implicit,
+    /// Implicit where its step is 20 times the explicit one or more and all of the model can take it.
+    Automatic,
+}
+
 /// How a static phase of deformable blocks relaxes; the default is adaptive damping, equilibrium by the forces and
 /// breaking event by event.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

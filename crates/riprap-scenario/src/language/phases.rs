@@ -8,7 +8,7 @@ use crate::quantity::{
     Acceleration, Down, EnergyPerLength, Name, Names, NotNegativeTime, PositiveLength,
     PositivePlain, PositiveTime, Quantity, Rate, Share, ShareBelowOne, Strength, Table, TimeStep,
 };
-use riprap_core::dynamics::relaxation::{Breaks, PhaseKind};
+use riprap_core::dynamics::relaxation::{Breaks, Integration, PhaseKind};
 use riprap_core::laws::fracture::Criterion;
 use riprap_core::laws::parameters::CutAnchor;
 use riprap_core::laws::tetrahedron::Strain;
@@ -24,7 +24,11 @@ pub struct Phase {
     pub kind: Option<PhaseKind>,
     /// When the phase ends: the first condition that is reached.
     pub until: Until,
-    /// Time step, s. Default automatic: `safety` times the stable one.
+    /// How the phase steps through time.
+    #[key(space = "spatial")]
+    #[key(default)]
+    pub integration: Option<Integration>,
+    /// Time step, s. Default automatic: `safety` times the stable one; 1 ms in an implicit phase, less where blocks approach each other fast.
     pub time_step: Option<Quantity<TimeStep>>,
     /// Share of the stable time step that is used. Contacts that are found in space have a share of their own, which
     /// goes down with this one below 0.5 and does not grow above.

@@ -23,6 +23,7 @@ use crate::kernel::peak::{Peak, peak};
 use crate::kernel::planes;
 use crate::kernel::planes::Planes;
 use crate::kernel::shape::{Body, Pose, Shape, turn};
+use crate::kernel::surface::Witness;
 
 /// Margin of a block over its size (the smaller of its radius and twice the median radius).
 const MARGIN: f64 = 0.04;
@@ -151,15 +152,24 @@ impl Candidate {
         let (of_i, rest) = lists[self.start..].split_at(m);
         [of_i, &rest[..n]]
     }
+
+    /// What is kept beside these faces.
+    #[must_use]
+    pub fn witnesses<'a>(&self, witnesses: &'a [Witness]) -> &'a [Witness] {
+        let [m, n] = self.counts.map(usize::from);
+        &witnesses[self.start..self.start + m + n]
+    }
 }
 
 /// The candidate list; scratch that keeps its room.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Candidates {
     /// Pairs that can touch, sorted by (i, j).
     pub pairs: Vec<Candidate>,
     /// Faces of all pairs.
     pub lists: Vec<u16>,
+    /// Guesses for each of them ([`Pair::witnesses`](crate::kernel::Pair::witnesses)).
+    pub witnesses: Vec<Witness>,
     /// Pairs that would be candidates by their boxes, but are held; sorted.
     pub held: Vec<[u32; 2]>,
     /// The smallest inradius of each block and of those that it can touch, m.
@@ -214,6 +224,9 @@ impl Candidates {
             );
             self.lists.append(&mut std::mem::take(&mut workspace.lists));
         }
+        // None yet: no list of planes is so long.
+        renew(&mut self.witnesses, self.lists.len());
+        self.witnesses.resize_with(self.lists.len(), || Witness::new(u8::MAX));
         self.reach.clear();
         self.reach.extend((0..blocks.roles.len()).map(|b| blocks.shape(b).inradius));
         for pair in &self.pairs {

@@ -14,7 +14,7 @@ use crate::push::bolts;
 use crate::setup::JointLaw;
 use crate::state::contact_scratch::ContactScratch;
 use crate::state::push::Pushes;
-use crate::state::scratch::{Lost, Partial, Scratch};
+use crate::state::scratch::{ImplicitDesk, Lost, Partial, Scratch};
 use crate::state::sums::Sums;
 use crate::state::tiles::{Cut, Tiles};
 use crate::state::wide::Wide;
@@ -36,6 +36,7 @@ impl Scratch {
             damping: Damping::default(),
             rebuilds: 0,
             deform: None,
+            implicit: ImplicitDesk::default(),
             desk: ContactScratch::default(),
             deformable: TetContactScratch::default(),
             inradii: Vec::new(),
@@ -136,7 +137,6 @@ impl Scratch {
     pub(crate) fn need_drag(&mut self, world: &World, stiffness_damping: f64) {
         let damped = stiffness_damping > 0.0
             || self.desk.damped
-            || self.desk.terrain.damped
             || world.classes.iter().any(|c| c.beta > 0.0);
         if damped == self.drag.is_empty() {
             let (n, slots) = if damped { (world.alive.len(), self.tiles.slots) } else { (0, 0) };

@@ -157,7 +157,7 @@ pub struct Spot {
 
 /// One contact of a pair: that of a block with a facet of terrain or a convex piece of glued parts, or the only one.
 #[derive(Clone, Debug, Default)]
-pub struct ContactPatch {
+pub struct CellPatch {
     /// Its key among those of the pair.
     pub key: u32,
     /// Surface of equal depth, about the centre of the first block.
@@ -186,7 +186,7 @@ pub struct PairSlot {
     /// Where friction and dashpots act, contact by contact.
     pub spots: Vec<Spot>,
     /// The contacts of the pair by their keys.
-    pub patches: Vec<ContactPatch>,
+    pub patches: Vec<CellPatch>,
     /// Whether the blocks touch.
     pub touching: bool,
 }

@@ -394,6 +394,7 @@ riprap_core::fields! {
     "energy.fracture" "J" Energy Scalar true "Released when points fail and open." |v, _| one(v.world.works.fracture);
     "energy.bolts" "J" Energy Scalar true "Elastic energy of bolts: bars, grout, plates and dowels." |v, _| one(v.world.bolt_energy());
     "energy.bolt_loss" "J" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
+    "energy.integrator" "J" Energy Scalar true "Taken by the integration itself in implicit phases." |v, _| one(v.world.works.integrator);
     "energy.law_defect" "J" Energy Scalar true "Created (+) or lost (-) by contacts and joints in violation of their laws: by too long steps." |v, _| one(v.balance().works.law_defect);
     "energy.edit_defect" "J" Energy Scalar true "Added by edits: removed and split blocks, zeroed velocities, changed laws, joints released to contact." |v, _| one(v.world.works.edit_defect);
     "energy.step_change" "J" Energy Scalar true "Added by changes of the time step, including the first, and by jumps of forces: the difference between the kinetic energies at half steps and at whole steps." |v, _| one(v.world.works.step_change);

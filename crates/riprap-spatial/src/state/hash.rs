@@ -2,6 +2,7 @@
 
 use riprap_core::state_hash::StateHash;
 
+use crate::implicit::memory::Implicit;
 use crate::kernel::offset::Offset;
 use crate::kernel::{Memory, Pose};
 use crate::state::deform::{Deform, State};
@@ -62,6 +63,9 @@ impl World {
             hash.numbers(&anchor.to_array());
         }
         contacts(&mut hash, &self.found);
+        if let Some(memory) = &self.implicit {
+            implicit(&mut hash, memory);
+        }
         for bolt in &self.bolts {
             hash.count(u64::from(bolt.number));
             for list in bolt.chain.memory() {
@@ -121,12 +125,12 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
             hash.count(faces.map_or(u64::MAX, |[a, b]| u64::from(a) << 16 | u64::from(b)));
         }
         hash.number(pair.gap);
-        if touches {
-            remember(hash, &pair.memory);
-        }
-        for piece in &pair.pieces {
-            hash.pair(piece.pieces.map(u32::from));
-            remember(hash, &piece.memory);
+        // Those of two convex blocks have no number.
+        for patch in pair.patches.iter().filter(|_| touches) {
+            if patch.key != [0; 2] {
+                hash.pair(patch.key);
+            }
+            remember(hash, &patch.memory);
         }
         if let Some(offset) = &pair.offset {
             carried_on(hash, offset);
@@ -151,13 +155,19 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
             hash.numbers(&[m.torsion, m.area, m.polar]);
         }
     }
-    for on in &found.terrain {
-        hash.number(on.clear);
-        hash.count((on.facets.len() as u64) << 1 | u64::from(on.left));
-        for facet in &on.facets {
-            hash.pair(facet.key);
-            remember(hash, &facet.memory);
-        }
+    for left in &found.left_terrain {
+        hash.count(u64::from(*left));
+    }
+}
+
+/// Pairs that press in an implicit phase.
+fn implicit(hash: &mut StateHash, memory: &Implicit) {
+    hash.count(memory.kept.len() as u64);
+    for kept in &memory.kept {
+        hash.pair(kept.ends);
+        hash.numbers(&kept.shear.to_array());
+        hash.numbers(&kept.arm.to_array());
+        hash.numbers(&[kept.torsion, kept.force, kept.area, kept.radius]);
     }
 }
 

@@ -2,9 +2,12 @@
 
 use std::sync::OnceLock;
 
+use riprap_geom::Vec3;
+
 use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::implicit::solve::{Effort, Solver};
 use crate::kernel::cells::TetContactScratch;
 use crate::lanes::Width;
 use crate::laws::bolt::BoltScratch;
@@ -40,6 +43,8 @@ pub struct Scratch {
     pub rebuilds: u64,
     /// Of deformable blocks, where there are any.
     pub deform: Option<Box<Workspace>>,
+    /// Of the contacts of implicit phases.
+    pub(crate) implicit: ImplicitDesk,
     /// Of found contacts.
     pub desk: ContactScratch,
     /// Of found contacts of deformable blocks.
@@ -64,6 +69,52 @@ pub struct Scratch {
     pub(crate) partial: Vec<Partial>,
     /// Whether a block has turned beyond the bound of small kinematics.
     pub(crate) turning: bool,
+}
+
+/// What the contacts of an implicit step work with.
+#[derive(Debug, Default)]
+pub(crate) struct ImplicitDesk {
+    pub(crate) solver: Solver,
+    /// Places in the list of found contacts of the pairs of the solver.
+    pub(crate) pairs: Vec<u32>,
+    /// The same of blocks that lie in each other without a surface on which they could press each other.
+    pub(crate) lost: Vec<u32>,
+    /// The blocks of the solver.
+    pub(crate) blocks: Vec<u32>,
+    /// Place of each block of the model among these.
+    pub(crate) place: Vec<Option<u32>>,
+    /// Velocity and spin of each block of a pair after the kick of all other forces.
+    pub(crate) given: Vec<[Vec3; 2]>,
+    /// Energy in the pressure, and in the springs along the contacts, J.
+    pub(crate) stored: [f64; 2],
+    /// Work of the solver so far.
+    pub(crate) effort: Effort,
+    /// That the last step was not solved.
+    pub(crate) failed: Option<NotSolved>,
+}
+
+impl ImplicitDesk {
+    /// Empties the lists, for a model of so many blocks.
+    pub(crate) fn begin(&mut self, blocks: usize) {
+        self.solver.begin();
+        self.pairs.clear();
+        self.lost.clear();
+        self.blocks.clear();
+        self.place.clear();
+        self.place.resize(blocks, None);
+        self.given.clear();
+        self.given.resize(blocks, [Vec3::ZERO; 2]);
+        self.stored = [0.0; 2];
+    }
+}
+
+/// The contacts of an implicit step have not come to balance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotSolved {
+    /// The pair whose force changed most in the last round; the same block twice where it is one block that is not a number.
+    pub blocks: [u32; 2],
+    /// Rounds of Newton's method.
+    pub rounds: usize,
 }
 
 /// What the condition on a free face has done in a kick.
@@ -113,6 +164,12 @@ impl Scratch {
     /// Uses no wider instructions than `width` from now on; results stay the same bits.
     pub fn limit_width(&mut self, width: Width) {
         self.width = width;
+    }
+
+    /// What kept the last implicit step from a solution, if anything did.
+    #[must_use]
+    pub fn not_solved(&self) -> Option<NotSolved> {
+        self.implicit.failed
     }
 
     /// Whether nothing but patches and gravity acts on blocks in rows.

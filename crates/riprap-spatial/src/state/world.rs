@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::accounts::{Account, Holder, of};
 use crate::failed::FailedPoints;
+use crate::implicit::memory::Implicit;
 use crate::ledger::Works;
 use crate::setup::{Motion, Setup};
 use crate::state::anchor::{Anchor, Freedoms};
@@ -83,6 +84,8 @@ pub struct World {
     pub deform: Option<Box<Deform>>,
     /// Contacts that are found anew in each step.
     pub found: FoundContacts,
+    /// Memory of the contacts of an implicit phase; `None` in explicit ones.
+    pub implicit: Option<Box<Implicit>>,
     /// Failed points of patches that found contact has taken over, and of patches and facets whose blocks were removed.
     pub failed: FailedPoints,
     /// Step at which the criteria of splitting were last looked at: once a step is enough.

@@ -9,10 +9,11 @@ use crate::plan::{
     Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxation, Relaxing,
     TimeStep, Until,
 };
+use crate::plan::{IMPLICIT_STEP, Integration};
 use crate::planar::setup::ContactLaw;
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::read::{Given, Provenance, with_unit};
-use crate::scenario::{Diagnostic, Quantity, Span};
+use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::spatial::setup::JointLaw;
 use riprap_geom::Vec3;
 
@@ -38,8 +39,14 @@ impl Builder<'_> {
     fn phase(&mut self, said: &language::Phase, laws: &mut Laws) -> Phase {
         let mut read = self.reading(format!("phases.{}", said.name), said);
         let kind = read.kind();
+        let integration = read.integration();
         let time_step = match read.time_step() {
             Some(dt) => TimeStep::Given { dt },
+            None if integration == Integration::Implicit => {
+                let text = format!("{} or less", with_unit(IMPLICIT_STEP, "s"));
+                read.note("time_step", text, Provenance::Default, "");
+                TimeStep::Given { dt: IMPLICIT_STEP }
+            }
             None => {
                 let safety = read.safety();
                 let text = format!("{} of the stable step", with_unit(safety, ""));
@@ -48,6 +55,10 @@ impl Builder<'_> {
             }
         };
         let max_residual = read.max_residual();
+        if integration == Integration::Implicit {
+            self.refuse_implicit(said, kind);
+        }
+        let mut read = self.reading(format!("phases.{}", said.name), said);
         let none = language::Damping::default();
         let mut read = read.within("damping", said.damping.as_ref().unwrap_or(&none));
         let damping = Damping {
@@ -56,48 +67,12 @@ impl Builder<'_> {
             stiffness: read.stiffness(),
             local: read.local(),
         };
-        let (mut contacts, mut joints) = (Vec::new(), Vec::new());
-        for (name, change) in said.interfaces.iter() {
-            let mut names = self.parsed.scenario.interfaces.names();
-            // Unknown interfaces are reported by the rules of the language.
-            let Some(row) = names.position(|one| one == name.as_str()) else {
-                continue;
-            };
-            if let Some(law) = laws.contacts.get_mut(row) {
-                change_contact(law, change);
-                contacts.push((row as u16, *law));
-            }
-            if let Some(law) = laws.joints.get_mut(row) {
-                change_joint(law, change);
-                joints.push((row as u16, *law));
-                if let Some(strength) = law.strength.filter(|s| s.dilation > s.dilating()) {
-                    let least = libm::atan(strength.dilating()).to_degrees();
-                    let message = format!(
-                        "phase `{}` lowers the friction of interfaces.{name} below its dilation angle: its dilation angle is limited to {least:.4} \
-                         deg from then on",
-                        said.name
-                    );
-                    let note = Diagnostic::warning("phase.dilation", message);
-                    let help = "sliding with more dilation than friction would create energy";
-                    self.found.push(note.at(name.span.clone()).help(help));
-                }
-            }
-        }
+        let (contacts, joints) = self.changed_laws(said, laws);
         let [remove, fix, release] = [&said.remove, &said.fix, &said.release].map(|names| {
             let blocks = self.directory.all(names);
             self.take(blocks).unwrap_or_default()
         });
-        for name in &said.release {
-            let blocks = self.directory.all(std::slice::from_ref(name));
-            let terrain = |b: &u32| {
-                let block = self.spatial.blocks.get(*b as usize);
-                block.is_some_and(|block| block.shape.is_terrain())
-            };
-            if blocks.is_ok_and(|blocks| blocks.iter().any(terrain)) {
-                let message = format!("`{name}` is terrain, which cannot move");
-                self.error_at("terrain.release", name, message, "leave it out");
-            }
-        }
+        self.refuse_released_terrain(&said.release);
         Phase {
             name: said.name.text.clone(),
             kind,
@@ -107,6 +82,7 @@ impl Builder<'_> {
                 kinetic: said.until.kinetic.as_ref().map(Quantity::si),
                 steps: said.until.steps,
             },
+            integration,
             time_step,
             damping,
             remove,
@@ -127,6 +103,89 @@ impl Builder<'_> {
         }
     }
 
+    /// The laws that a phase changes, with their rows of the table.
+    fn changed_laws(
+        &mut self,
+        said: &language::Phase,
+        laws: &mut Laws,
+    ) -> (Vec<(u16, ContactLaw)>, Vec<(u16, JointLaw)>) {
+        let (mut contacts, mut joints) = (Vec::new(), Vec::new());
+        for (name, change) in said.interfaces.iter() {
+            let mut names = self.parsed.scenario.interfaces.names();
+            // Unknown interfaces are reported by the rules of the language.
+            let Some(row) = names.position(|one| one == name.as_str()) else {
+                continue;
+            };
+            if let Some(law) = laws.contacts.get_mut(row) {
+                change_contact(law, change);
+                contacts.push((row as u16, *law));
+            }
+            let Some(law) = laws.joints.get_mut(row) else {
+                continue;
+            };
+            change_joint(law, change);
+            joints.push((row as u16, *law));
+            if let Some(strength) = law.strength.filter(|s| s.dilation > s.dilating()) {
+                let least = libm::atan(strength.dilating()).to_degrees();
+                let message = format!(
+                    "phase `{}` lowers the friction of interfaces.{name} below its dilation angle: its dilation angle is limited to {least:.4} \
+                     deg from then on",
+                    said.name
+                );
+                let help = "sliding with more dilation than friction would create energy";
+                self.warn_at("phase.dilation", name.span.clone(), message, help);
+            }
+        }
+        (contacts, joints)
+    }
+
+    fn refuse_released_terrain(&mut self, release: &[Name]) {
+        for name in release {
+            let blocks = self.directory.all(std::slice::from_ref(name));
+            let terrain = |b: &u32| {
+                let block = self.spatial.blocks.get(*b as usize);
+                block.is_some_and(|block| block.shape.is_terrain())
+            };
+            if blocks.is_ok_and(|blocks| blocks.iter().any(terrain)) {
+                let message = format!("`{name}` is terrain, which cannot move");
+                self.error_at("terrain.release", name, message, "leave it out");
+            }
+        }
+    }
+
+    /// Reports what an implicit phase does not take of its own keys.
+    fn refuse_implicit(&mut self, said: &language::Phase, kind: PhaseKind) {
+        let name = &said.name;
+        let mut refuse = |message: String, help: &str| {
+            let error = Diagnostic::error("phase.integration", message).at(name.span.clone());
+            self.found.push(error.help(help));
+        };
+        if kind == PhaseKind::Static {
+            let message =
+                format!("phase `{name}` is static and implicit: implicit phases are dynamic");
+            let help = "leave out `kind`: an implicit phase damps by itself and comes to rest; or use integration = \"explicit\"";
+            refuse(message, help);
+        }
+        let local = said.damping.as_ref().and_then(|damping| damping.local.as_ref());
+        if local.is_some_and(|local| local.si() > 0.0) {
+            let message = format!(
+                "phase `{name}` is implicit and has local damping, which needs explicit steps"
+            );
+            refuse(message, "leave out `damping.local`; `damping.mass` works in both");
+        }
+        let rebounds = self.parsed.scenario.interfaces.iter().find(|(_, interface)| {
+            interface.restitution.as_ref().is_some_and(|wanted| wanted.si() > 0.0)
+        });
+        if let Some((interface, _)) = rebounds {
+            let message = format!(
+                "phase `{name}` is implicit: impacts do not rebound in its steps, and `interfaces.{interface}.restitution` has no effect"
+            );
+            let note = Diagnostic::warning("phase.restitution", message).at(name.span.clone());
+            let help = "use integration = \"explicit\" where rebounds matter";
+            self.found.push(note.help(help));
+        }
+    }
+
     /// Time over which the forces of removed blocks fade, s. It must pass: where blocks relax, it does in load steps.
     fn removal_ramp(&mut self, said: &language::Phase) -> Option<f64> {
         let ramp = said.removal_ramp.as_ref().filter(|ramp| ramp.si() > 0.0)?;
@@ -137,9 +196,8 @@ impl Builder<'_> {
                 "phase `{}` has no duration; the removed blocks cannot fade out",
                 said.name
             );
-            let error = Diagnostic::error("key.missing", message).at(ramp.span.clone());
             let help = "give `until.time`, as long as `removal_ramp`, and `load_steps`";
-            self.found.push(error.help(help));
+            self.error_at("key.missing", ramp.span.clone(), message, help);
         }
         Some(ramp.si())
     }
@@ -259,8 +317,8 @@ impl Builder<'_> {
         };
         if let Some(run) = run {
             let message = format!("{what}: `every` ({rhythm}) is longer than the run ({run})");
-            let note = Diagnostic::warning("output.rare", message).at(span.clone());
-            self.found.push(note.help("write every = \"phase\" if this is intended"));
+            let help = "write every = \"phase\" if this is intended";
+            self.warn_at("output.rare", span.clone(), message, help);
         }
     }
 

@@ -315,18 +315,15 @@ impl Engine {
         }
     }
 
-    /// Splits blocks whose criterion is met, after [`Engine::evaluate`] with the same numbers.
+    /// Splits and cuts the blocks whose criterion is met, after [`Engine::evaluate`] with the same step, and re-evaluates.
     ///
     /// # Errors
     /// The edit is not exact, or makes too many blocks: what is wrong, in words.
-    pub fn refine(&mut self, damping: &Damping, dt: f64) -> Result<(), String> {
+    pub fn divide(&mut self, dt: f64) -> Result<(), String> {
         match self {
             Self::Planar(_) => Ok(()),
-            Self::Spatial(e) => {
-                spatial::topology::refine_running(&mut e.world, &mut e.scratch, damping, dt)
-                    .map(|_| ())
-                    .map_err(|error| error.to_string())
-            }
+            Self::Spatial(e) => spatial::topology::divide(&mut e.world, &mut e.scratch, dt)
+                .map_err(|error| error.to_string()),
         }
     }
 
@@ -389,19 +386,6 @@ impl Engine {
         }
     }
 
-    /// Cuts the deformable blocks whose criterion is met, after [`Engine::evaluate`] with the same step, and re-evaluates;
-    /// returns how many.
-    ///
-    /// # Errors
-    /// Why it failed, in words.
-    pub fn cut(&mut self, dt: f64) -> Result<usize, String> {
-        match self {
-            Self::Planar(_) => Ok(0),
-            Self::Spatial(e) => spatial::topology::cut::step(&mut e.world, &mut e.scratch, dt)
-                .map_err(|error| error.to_string()),
-        }
-    }
-
     /// Gravity now, m/s²; in the plane the third component is 0.
     #[must_use]
     pub fn gravity(&self) -> [f64; 3] {
@@ -416,6 +400,41 @@ impl Engine {
         match self {
             Self::Planar(e) => e.world.gravity = Vec2::new(gravity[0], gravity[1]),
             Self::Spatial(e) => e.world.gravity = Vec3::from(gravity),
+        }
+    }
+
+    /// Steps implicitly, or explicitly, from here on.
+    pub fn integrate_implicitly(&mut self, implicit: bool) {
+        match self {
+            Self::Planar(_) => {}
+            Self::Spatial(e) => spatial::choose_integration(&mut e.world, &mut e.scratch, implicit),
+        }
+    }
+
+    /// What of the model implicit phases do not take.
+    #[must_use]
+    pub fn obstacle(&self) -> Option<spatial::Obstacle> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(e) => spatial::obstacle(&e.world),
+        }
+    }
+
+    /// Whether steps are implicit.
+    #[must_use]
+    pub fn is_implicit(&self) -> bool {
+        match self {
+            Self::Planar(_) => false,
+            Self::Spatial(e) => e.world.implicit.is_some(),
+        }
+    }
+
+    /// Blocks (twice the same one where it is one alone) whose contact has kept the last implicit step from a solution, and its rounds.
+    #[must_use]
+    pub fn not_solved(&self) -> Option<spatial::NotSolved> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(e) => e.scratch.not_solved(),
         }
     }
 

@@ -7,14 +7,14 @@ use thiserror::Error;
 
 use super::cpu::Work;
 use super::engine::{BuildError, Kind, View};
-use super::given_step::{self, TooLong};
+use super::given_step::{self, RefusedStep};
 use super::meeting::{self, Outlook, Toe};
 use super::overruled;
 use super::simulation::{RunError, Simulation, Stage};
 use crate::dynamics::TimeFunction;
 use crate::exec::Exec;
 use crate::model::memory::{self, Parts};
-use crate::plan::{Phase, PhaseKind, Plan, Relaxing, SAFETY_IN_SPACE, TimeStep};
+use crate::plan::{Integration, Phase, PhaseKind, Plan, Relaxing, SAFETY_IN_SPACE, TimeStep};
 use crate::planar;
 use crate::setup::Setup;
 use crate::spatial::read::outlook::can_give_way;
@@ -33,9 +33,9 @@ pub enum ForecastError {
     /// The engine cannot build the model.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A time step of the scene is too long.
+    /// A step that the scene asks for cannot be made.
     #[error(transparent)]
-    Step(#[from] TooLong),
+    Step(#[from] RefusedStep),
     /// The physics stops it at once.
     #[error(transparent)]
     Physics(#[from] RunError),
@@ -364,7 +364,13 @@ fn may_rest(phase: &Phase) -> bool {
 fn total_steps(plan: &Plan, stable: f64, touching: f64) -> [Option<u64>; 2] {
     let wanted = |phase: &Phase| phase.time_step.wanted(stable, &phase.until, phase.gravity_ramp);
     let least = total(plan, |phase| (!may_rest(phase)).then(|| wanted(phase)));
-    let most = |phase: &Phase| Some(wanted(phase).min(phase.time_step.of_contacts() * touching));
+    let most = |phase: &Phase| {
+        let contacts = match phase.integration {
+            Integration::Implicit => f64::INFINITY,
+            Integration::Explicit | Integration::Automatic => touching,
+        };
+        Some(wanted(phase).min(phase.time_step.of_contacts() * contacts))
+    };
     [least, total(plan, most)]
 }
 

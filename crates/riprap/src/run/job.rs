@@ -14,8 +14,9 @@ use thiserror::Error;
 use super::checks::{CheckResult, Watch};
 use super::drive::{Control, Drive, DriveError, Ending, Look, Pause};
 use super::engine::{BuildError, Kind};
+#[cfg(feature = "scenario")]
 use super::forecast::doubts;
-use super::given_step::{self, TooLong};
+use super::given_step::{self, RefusedStep};
 use super::origin::Origin;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
@@ -105,9 +106,9 @@ pub enum JobError {
     /// The engine cannot build the model.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A time step of the scene is too long.
+    /// A step that the scene asks for cannot be made.
     #[error(transparent)]
-    Step(#[from] TooLong),
+    Step(#[from] RefusedStep),
     /// No threads.
     #[error(transparent)]
     Exec(#[from] ExecError),
@@ -163,11 +164,14 @@ pub fn preview(mut job: Job, folder: &Path) -> Result<Live, JobError> {
     let mut live = Live::begin(job, folder, Existing::Force, 1)?;
     let first = Pause { step: Some(0), time: None };
     live.advance(first, &mut |_| Control::Continue)?;
-    // The page lists what `riprap check` would say.
-    let stable = live.drive.stable();
-    let simulation = live.drive.simulation();
-    let doubts = doubts(simulation, simulation.plan(), stable);
-    live.manifest.warnings.extend(doubts);
+    // The page lists what `riprap check` would say of a scene.
+    #[cfg(feature = "scenario")]
+    {
+        let stable = live.drive.stable();
+        let simulation = live.drive.simulation();
+        let doubts = doubts(simulation, simulation.plan(), stable);
+        live.manifest.warnings.extend(doubts);
+    }
     if let Some(recorder) = live.drive.recorder() {
         recorder.folder.write_manifest(&live.manifest)?;
     }

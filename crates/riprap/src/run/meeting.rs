@@ -5,7 +5,6 @@ use serde::Serialize;
 use super::engine::View;
 use crate::plan::Plan;
 use crate::planar;
-use crate::scenario::diagnostic::list;
 use crate::spatial;
 use crate::spatial::limits;
 use crate::spatial::read::outlook::{self, Meets};
@@ -129,7 +128,7 @@ pub(super) fn words(view: &View<'_>) -> Vec<String> {
         let verb = if keys.len() == 1 { "has" } else { "have" };
         found.push(format!(
             "{} of {name} {verb} no effect: no joint of the model has this interface, and new contacts do not read these keys",
-            list(&keys)
+            keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", ")
         ));
     }
     let meeting = spatial::meeting(world);

@@ -18,6 +18,7 @@ pub mod checks;
 pub mod cpu;
 pub mod drive;
 pub mod engine;
+#[cfg(feature = "scenario")]
 pub mod forecast;
 pub mod given_step;
 pub mod job;

@@ -7,7 +7,7 @@ use crate::model::{self, Model};
 use crate::record::manifest::{InputFile, Override};
 use crate::record::{FieldInfo, Manifest};
 use crate::run::engine::{BuildError, Kind};
-use crate::run::given_step::{self, TooLong};
+use crate::run::given_step::{self, RefusedStep};
 use crate::run::job::Job;
 use crate::run::simulation::{RunError, Simulation};
 use crate::scenario::foreign::dfnworks::companions;
@@ -157,14 +157,21 @@ impl Prepared {
     }
 }
 
-impl TooLong {
+impl RefusedStep {
     /// The same at its place in the scene.
     #[must_use]
     pub fn at(&self, scene: &Parsed) -> Diagnostics {
-        let mut found = Diagnostic::error("phase.time_step", self.to_string());
-        let phase = scene.scenario.phases.get(self.phase);
-        if let Some(given) = phase.and_then(|p| p.time_step.as_ref()) {
-            found = found.at(given.span.clone());
+        let (code, phase) = match self {
+            Self::TooLong { phase, .. } => ("phase.time_step", *phase),
+            Self::Implicit { phase, .. } => ("phase.integration", *phase),
+        };
+        let mut found = Diagnostic::error(code, self.to_string());
+        if let Some(phase) = scene.scenario.phases.get(phase) {
+            let given = match self {
+                Self::TooLong { .. } => phase.time_step.as_ref().map(|given| &given.span),
+                Self::Implicit { .. } => Some(&phase.name.span),
+            };
+            found = given.map_or(found.clone(), |span| found.at(span.clone()));
         }
         Diagnostics::new(scene.source.clone(), vec![found])
     }
@@ -179,9 +186,9 @@ pub enum SceneError {
     /// The engine cannot build the model.
     #[error(transparent)]
     Build(#[from] BuildError),
-    /// A time step of the scene is too long.
+    /// A step that the scene asks for cannot be made.
     #[error(transparent)]
-    Step(#[from] TooLong),
+    Step(#[from] RefusedStep),
     /// The physics stops it at once.
     #[error(transparent)]
     Physics(#[from] RunError),

@@ -5,6 +5,7 @@
 //! can be taken at any moment: a simulation made from it goes on with the same bits.
 
 mod advance;
+mod automatic;
 mod cause;
 mod cursor;
 mod ends;
@@ -25,7 +26,7 @@ use self::shorter::Shorter;
 use super::engine::{BuildError, Engine, Kind, Stable, View};
 use crate::exec::Exec;
 use crate::ledger::Balance;
-use crate::plan::{Damping, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
+use crate::plan::{Damping, IMPLICIT_STEP, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
 use crate::setup::Setup;
 
 /// Share of the unbalanced force that local damping takes in static phases, unless one is given.
@@ -61,24 +62,10 @@ impl Simulation {
             // No phase before it has had a gravity that the ramp could begin from.
             engine.set_gravity([0.0; 3]);
         }
-        Ok(Self {
-            plan,
-            cursor,
-            engine,
-            stable: None,
-            dt: 0.0,
-            standing: false,
-            residual: None,
-            reason: None,
-            shorter: None,
-        })
+        Ok(Self::at(plan, cursor, engine))
     }
 
-    /// A run that goes on from a snapshot.
-    #[must_use]
-    pub fn resume(snapshot: Snapshot, exec: Exec) -> Self {
-        let Snapshot { plan, cursor, state } = snapshot;
-        let engine = Engine::resume(state, exec);
+    fn at(plan: Plan, cursor: Cursor, engine: Engine) -> Self {
         Self {
             // With the engine's present revision, so that it is not searched for again: joints that have failed
             // since then would make it longer than that of a run that was not stopped.
@@ -92,6 +79,13 @@ impl Simulation {
             reason: None,
             shorter: None,
         }
+    }
+
+    /// A run that goes on from a snapshot.
+    #[must_use]
+    pub fn resume(snapshot: Snapshot, exec: Exec) -> Self {
+        let Snapshot { plan, cursor, state } = snapshot;
+        Self::at(plan, cursor, Engine::resume(state, exec))
     }
 
     /// What a checkpoint holds. A run goes on from it with the same bits where it is taken between a step and the next
@@ -231,16 +225,15 @@ impl Simulation {
             found => found?,
         };
         let revision = self.engine.revision();
-        self.evaluate(&damping, self.dt)?;
-        self.refine(&damping)?;
-        self.cut()?;
+        self.evaluate_step(&phase)?;
+        self.divide()?;
         let sudden = self.engine.contact_step_limit(phase.time_step) < SUDDEN * self.dt;
         if self.engine.revision() != revision || sudden {
             // New neighbours can shorten the step.
             let dt = self.checked_step(&phase)?;
             if dt != self.dt {
                 self.dt = dt;
-                self.evaluate(&damping, dt)?;
+                self.evaluate_step(&phase)?;
             }
         }
         // The next load step waits until nothing breaks: bonds that this one
@@ -314,9 +307,26 @@ impl Simulation {
         self.engine.evaluate(damping, dt).map_err(|block| self.no_force(block))
     }
 
-    fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {
-        let refined = self.engine.refine(damping, self.dt);
-        refined.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })
+    fn divide(&mut self) -> Result<(), RunError> {
+        let divided = self.engine.divide(self.dt);
+        divided.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })
+    }
+
+    /// Finds the forces for the coming step, which is halved where an implicit one does not converge.
+    fn evaluate_step(&mut self, phase: &Rules) -> Result<(), RunError> {
+        for _ in 0..HALVINGS {
+            match self.engine.evaluate(&phase.damping, self.dt) {
+                Ok(()) => return Ok(()),
+                Err(_) if self.engine.not_solved().is_some_and(|failed| failed.rounds > 0) => {
+                    self.dt *= 0.5;
+                    self.cursor.shortened += 1;
+                    let why = "contacts that did not come to balance in a longer implicit step";
+                    self.note_shorter(phase.time_step, self.dt, why);
+                }
+                Err(block) => return Err(self.no_force(block)),
+            }
+        }
+        self.evaluate(&phase.damping, self.dt)
     }
 
     /// Applies what the phase changes; the energy this adds is booked as an edit.
@@ -332,6 +342,7 @@ impl Simulation {
             self.cursor.gravity_after = gravity;
         }
         self.end_motion(&phase)?;
+        self.choose_integration(&phase)?;
         if phase.gravity_ramp.is_none() {
             self.engine.set_gravity(self.cursor.gravity_after);
         }
@@ -386,6 +397,7 @@ impl Simulation {
             && self.engine.gravity() != self.cursor.gravity_after;
         let strain = |phase: &Phase| phase.deform.and_then(|d| d.strain);
         gravity
+            || before.integration != phase.integration
             || damping_of(before) != damping_of(phase)
             || phase.edits_forces()
             || strain(phase).is_some_and(|now| strain(before) != Some(now))
@@ -423,14 +435,6 @@ impl Simulation {
         true
     }
 
-    fn cut(&mut self) -> Result<usize, RunError> {
-        self.engine.cut(self.dt).map_err(|reason| RunError::Edit {
-            reason,
-            step: self.steps(),
-            time: self.time(),
-        })
-    }
-
     fn fracture(&mut self) -> Result<usize, RunError> {
         self.engine.fracture(self.dt).map_err(|block| self.not_finite(block, "the force on it"))
     }
@@ -464,13 +468,17 @@ impl Simulation {
             TimeStep::Given { .. } => f64::INFINITY,
             TimeStep::Auto { .. } => self.stable().dt,
         };
-        let wanted = (phase.time_step).wanted(stable, &phase.until, phase.gravity_ramp);
+        let wanted = match phase.time_step {
+            TimeStep::Auto { .. } if self.engine.is_implicit() => IMPLICIT_STEP,
+            rule => rule.wanted(stable, &phase.until, phase.gravity_ramp),
+        };
         let limit = self.engine.step_limit(phase.time_step);
         let mut dt = wanted;
         if limit < dt {
             dt = limit;
             self.cursor.shortened += 1;
-            self.note_shorter(phase.time_step, limit);
+            let why = self.engine.limited_by(phase.time_step);
+            self.note_shorter(phase.time_step, limit, why);
         }
         if let Some(span) = phase.until.time {
             let left = self.cursor.start_time + span - self.time();
@@ -486,6 +494,9 @@ impl Simulation {
 /// Contacts whose longest step has fallen below this share of the coming one count at once, not from the next step on: those of
 /// the first instant, and of blocks that a change of the model has set free.
 const SUDDEN: f64 = 0.5;
+
+/// How often an implicit step that does not converge is halved before the run stops.
+const HALVINGS: usize = 6;
 
 /// What the loop needs of a phase at each step.
 #[derive(Clone, Copy, Debug)]

@@ -5,8 +5,8 @@ use std::path::Path;
 use riprap::Vec3;
 use riprap::plan::{Check, Expected, Window};
 use riprap::plan::{
-    Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Plan, Relaxation, Relaxing,
-    TimeStep, Until,
+    Damping, Deforming, Every, Gauge, History, Integration, Phase, PhaseKind, Plan, Relaxation,
+    Relaxing, TimeStep, Until,
 };
 use riprap::record::folder::Existing;
 use riprap::record::table::Table;
@@ -43,6 +43,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         name: "settle".to_owned(),
         kind: PhaseKind::Static,
         until: Until { unbalanced: Some(1e-9), time: Some(1.0), ..Until::default() },
+        integration: Integration::Explicit,
         time_step: TimeStep::Auto { safety: 0.5 },
         damping: Damping::default(),
         remove: Vec::new(),

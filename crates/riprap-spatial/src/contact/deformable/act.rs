@@ -7,7 +7,7 @@ use crate::contact::deformable::law::{Asked, Sides, respond};
 use crate::contact::deformable::limit;
 use crate::contact::pose;
 use crate::kernel::cells::{
-    ContactPatch, Member, PairConstants, PairSlot, PairWorkspace, Spot, TetFan,
+    CellPatch, Member, PairConstants, PairSlot, PairWorkspace, Spot, TetFan,
 };
 use crate::kernel::grid::Box3;
 use crate::kernel::springs::stored;
@@ -317,9 +317,9 @@ fn press(
 }
 
 /// The contact with this key, a new one where there is none.
-fn patch_of(patches: &mut Vec<ContactPatch>, key: u32) -> &mut ContactPatch {
+fn patch_of(patches: &mut Vec<CellPatch>, key: u32) -> &mut CellPatch {
     let known = patches.iter().position(|patch| patch.key == key).unwrap_or_else(|| {
-        patches.push(ContactPatch { key, ..ContactPatch::default() });
+        patches.push(CellPatch { key, ..CellPatch::default() });
         patches.len() - 1
     });
     &mut patches[known]

@@ -13,7 +13,7 @@
 use riprap_geom::Vec3;
 
 use crate::kernel::ContactLaw;
-use crate::kernel::cells::{ContactPatch, Member, PairSlot, Spot};
+use crate::kernel::cells::{CellPatch, Member, PairSlot, Spot};
 use crate::kernel::slip::{Rub, Rubs, Three, hold};
 use crate::kernel::springs::{shrunk, turned};
 use crate::laws::mohr_coulomb::shear_limit;
@@ -152,7 +152,7 @@ impl Contact {
     }
 
     /// `None` where the surface has no one normal.
-    fn new(sides: &Sides, patch: &ContactPatch, spots: &[Spot]) -> Option<Self> {
+    fn new(sides: &Sides, patch: &CellPatch, spots: &[Spot]) -> Option<Self> {
         let s = &patch.surface;
         let pressure: f64 = spots.iter().map(|spot| spot.pressure).sum();
         let (length, area) = (patch.elastic.length(), s.vector.length());
@@ -248,7 +248,7 @@ impl Dashpots {
     fn across(
         &self,
         law: &ContactLaw,
-        patches: &[ContactPatch],
+        patches: &[CellPatch],
         spots: &[Spot],
         ridge: usize,
     ) -> (Vec3, f64) {
@@ -268,7 +268,7 @@ impl Dashpots {
 }
 
 /// Finds which facets of terrain share their dashpots across, as `kernel::ridges` does for rigid blocks: those between which the ground is convex.
-fn find_ridges(patches: &mut [ContactPatch], facets: bool) {
+fn find_ridges(patches: &mut [CellPatch], facets: bool) {
     for (k, patch) in patches.iter_mut().enumerate() {
         patch.ridge = k;
     }
@@ -288,10 +288,10 @@ fn find_ridges(patches: &mut [ContactPatch], facets: bool) {
 }
 
 /// Whether the plane of either facet lies above the ground where the block presses on the other one.
-fn is_ridge([a, b]: [&ContactPatch; 2]) -> bool {
-    let above = |plane: &ContactPatch, place: &ContactPatch| {
+fn is_ridge([a, b]: [&CellPatch; 2]) -> bool {
+    let above = |plane: &CellPatch, place: &CellPatch| {
         let at = place.surface.weight_first / place.surface.weight;
-        let depth = |patch: &ContactPatch| patch.plane.0.dot(at) + patch.plane.1;
+        let depth = |patch: &CellPatch| patch.plane.0.dot(at) + patch.plane.1;
         depth(plane) >= depth(place)
     };
     above(a, b) && above(b, a)

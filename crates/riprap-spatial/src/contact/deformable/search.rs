@@ -14,7 +14,7 @@ use riprap_geom::{Mat3, Vec3};
 use crate::broad::search::{Search, any_leaves, carry};
 use crate::contact::LOOKAHEAD;
 use crate::deform::relax;
-use crate::exec::{Exec, piece};
+use crate::exec::Exec;
 use crate::faces::deformable::centred;
 use crate::kernel::Terrain;
 use crate::kernel::cells::{
@@ -22,7 +22,7 @@ use crate::kernel::cells::{
 };
 use crate::kernel::grid::{Box3, Role};
 use crate::setup::{Shape, Solid};
-use crate::state::contact_scratch::TerrainDesk;
+use crate::state::contact_scratch::Grounds;
 use crate::state::deform::Deform;
 use crate::state::deformable::{DeformableContacts, DeformablePair, DeformableSearch};
 use crate::state::event::EditKind;
@@ -208,7 +208,7 @@ fn note_left(world: &mut World, grounds: &[Terrain]) {
     if grounds.is_empty() {
         return;
     }
-    for b in 0..world.found.terrain.len() {
+    for b in 0..world.found.left_terrain.len() {
         let Some(deform) = world.deform.as_deref() else {
             return;
         };
@@ -217,9 +217,8 @@ fn note_left(world: &mut World, grounds: &[Terrain]) {
         };
         let centre = (body.first + body.count - 1) as usize;
         let at = deform.nodes.place[centre] + Vec3::from_array(deform.nodes.displacement[centre]);
-        let state = &mut world.found.terrain[b];
-        if !state.left && grounds.iter().all(|ground| ground.depth(at).is_none()) {
-            state.left = true;
+        if !world.found.left_terrain[b] && grounds.iter().all(|ground| ground.depth(at).is_none()) {
+            world.found.left_terrain[b] = true;
             let event = world.event(EditKind::LeftTerrain, b as u32);
             world.events.push(event);
         }
@@ -276,6 +275,8 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
         |_, pair| super::drop_pair(works, &pair),
     );
     lay_out(world, work, desk, terrain);
+    let count = world.found.deformable.pairs.len();
+    desk.workspaces.resize_with(scratch.exec.workspaces(count), PairWorkspace::default);
     if deform.relax.is_some() {
         let masses = relax::masses(deform, &work.classes);
         let before = std::mem::replace(&mut work.fictitious, masses);
@@ -296,7 +297,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
 }
 
 /// What follows from the list of pairs.
-fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrain: &TerrainDesk) {
+fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrain: &Grounds) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
@@ -368,7 +369,6 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrai
         };
         PairSlot { forces: c.members.map(room), ..PairSlot::default() }
     }));
-    desk.workspaces.resize_with(pairs.len().div_ceil(piece(pairs.len())), PairWorkspace::default);
 }
 
 /// Terrain under a block: it has no far side, and counts as deep as the block.

@@ -13,6 +13,7 @@ use riprap_geom::polygon::{Aabb, signed_area};
 mod checks;
 mod foreign;
 mod in_situ;
+mod integration;
 mod interfaces;
 mod loose;
 mod numbers;

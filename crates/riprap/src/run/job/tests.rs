@@ -3,7 +3,7 @@
 use super::*;
 use crate::Vec2;
 use crate::laws::parameters::{ContactLaw, FrictionLaw, NormalLaw, Reflex};
-use crate::plan::{Damping, Every, Gauge, History, Phase, PhaseKind, TimeStep, Until};
+use crate::plan::{Damping, Every, Gauge, History, Integration, Phase, PhaseKind, TimeStep, Until};
 use crate::plan::{Expected, Window};
 use crate::planar::setup::{self, BlockSpec, Interface, Motion, Support};
 use crate::record::table::Table;
@@ -48,6 +48,7 @@ fn falling() -> Job {
         name: "fall".to_owned(),
         kind: PhaseKind::Dynamic,
         until: Until { time: Some(0.2), ..Until::default() },
+        integration: Integration::Explicit,
         time_step: TimeStep::Given { dt: 1e-4 },
         damping: Damping::default(),
         remove: Vec::new(),

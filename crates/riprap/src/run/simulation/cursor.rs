@@ -31,6 +31,8 @@ pub struct Cursor {
     pub ends: Vec<PhaseEnd>,
     /// What was pressed deepest so far, where it was worth a warning.
     pub deepest: Option<Deep>,
+    /// How phases were stepped that left the choice, in words.
+    pub chosen: Vec<String>,
     /// What the run went through that its laws do not mean.
     pub noted: Noted,
     /// What the fastest block has crossed of its neighbourhood's inscribed radius since overlaps were last looked at.

@@ -92,6 +92,7 @@ impl Simulation {
             .chain(self.made_by_edits())
             .chain(self.left_whole())
             .chain(self.shorter())
+            .chain(cursor.chosen.iter().cloned())
             .chain(self.open_surfaces())
             .chain(rough::crushed(&self.view()));
         let noted = self.noted_words().into_iter();

@@ -55,6 +55,24 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
+    /// The contacts of an implicit step have not come to balance.
+    #[error(
+        "the implicit step did not converge at step {step} (t = {time:.6e} s, time step {dt:.3e} s): after {rounds} iterations the contact between \
+         blocks `{}` and `{}` is not in balance; use a shorter `time_step`, or `integration = \"explicit\"` for this phase",
+        .blocks[0], .blocks[1]
+    )]
+    NotSolved {
+        /// Names of the blocks whose contact changes most.
+        blocks: [String; 2],
+        /// Iterations of Newton's method.
+        rounds: usize,
+        /// Length of the step, s.
+        dt: f64,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
     /// Steady seepage has not been found.
     #[error(
         "seepage did not converge at step {step} (t = {time:.6e} s): flow rates are out of balance by {left:.0e} of the largest possible rate; \
@@ -291,7 +309,11 @@ impl RunError {
                 words.push_str("; ");
                 words.push_str(found);
             }
-            Self::NoStep { .. } | Self::NoFlow { .. } | Self::Edit { .. } | Self::Phase { .. } => {}
+            Self::NoStep { .. }
+            | Self::NotSolved { .. }
+            | Self::NoFlow { .. }
+            | Self::Edit { .. }
+            | Self::Phase { .. } => {}
         }
     }
 
@@ -317,6 +339,7 @@ impl RunError {
                 ("a value is not finite", true, false)
             }
             Self::NoStep { .. } => ("no valid time step", false, false),
+            Self::NotSolved { .. } => ("an implicit step did not converge", false, false),
             Self::NoFlow { .. } => ("seepage did not converge", false, true),
             Self::Residual { what: Unexplained::Residual, .. } => {
                 ("the energy residual", true, true)

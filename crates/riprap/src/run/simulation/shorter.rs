@@ -21,8 +21,8 @@ pub(super) struct Shorter {
 }
 
 impl Simulation {
-    /// Notes a step of `dt` (s) that is shorter than the one that `rule` gives.
-    pub(super) fn note_shorter(&mut self, rule: TimeStep, dt: f64) {
+    /// Notes a step of `dt` (s) that is shorter than the one that `rule` gives, because of `why`.
+    pub(super) fn note_shorter(&mut self, rule: TimeStep, dt: f64, why: &'static str) {
         let TimeStep::Given { dt: given } = rule else {
             return;
         };
@@ -33,7 +33,7 @@ impl Simulation {
                 dt,
                 step: self.steps(),
                 time: self.time(),
-                why: self.engine.limited_by(rule),
+                why,
             });
         }
     }

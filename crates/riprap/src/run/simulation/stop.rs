@@ -221,6 +221,11 @@ impl Simulation {
     /// The error for forces on a block that are no numbers: two blocks so deep in each other that none can be found, or what is to
     /// blame otherwise.
     pub(super) fn no_force(&self, block: u32) -> RunError {
+        if let Some(failed) = self.engine.not_solved().filter(|failed| failed.rounds > 0) {
+            let blocks = failed.blocks.map(|b| self.view().name(b));
+            let (step, time) = (self.steps(), self.time());
+            return RunError::NotSolved { blocks, rounds: failed.rounds, dt: self.dt, step, time };
+        }
         let deepest = self.view().deepest_contact();
         let without = |d: &Deepest| d.pressed == Pressed::NoSurface;
         let blamed = |d: &Deepest| limits::judge(d.ratio, 1.0) == Depth::TooDeep || without(d);

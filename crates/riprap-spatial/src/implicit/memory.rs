@@ -1,0 +1,107 @@
+//! What an implicit phase remembers from step to step.
+
+use riprap_geom::Vec3;
+use serde::{Deserialize, Serialize};
+
+use crate::implicit::pair::{Pair, Pressure};
+use crate::kernel::{ContactLaw, Memory};
+
+/// Memory of all pairs that press, and of the ledger.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Implicit {
+    /// Pairs that pressed at the end of the last step, sorted by their blocks.
+    pub kept: Vec<Kept>,
+    /// The ledger at the last evaluation; `None` before the first.
+    pub books: Option<Books>,
+    /// Heat of friction in the last step, J.
+    pub rubbed: f64,
+}
+
+/// A pair at the end of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Kept {
+    /// The blocks; the smaller number first.
+    pub ends: [u32; 2],
+    /// Friction on the second block, N, and its torsion about the normal, N m.
+    pub shear: Vec3,
+    /// N m.
+    pub torsion: f64,
+    /// Normal force, N.
+    pub force: f64,
+    /// Where it acts, from the centroid of the first block, m.
+    pub arm: Vec3,
+    /// Wet area, m².
+    pub area: f64,
+    /// Mean arm of friction against spinning, m.
+    pub radius: f64,
+}
+
+/// What of the ledger belongs to implicit contacts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Books {
+    /// Energy in the normal direction that is of no implicit contact, J.
+    pub offset: f64,
+    /// Energy in the pressure, J.
+    pub normal: f64,
+    /// Energy in the springs along the contacts, J.
+    pub shear: f64,
+}
+
+impl Implicit {
+    /// What is known of a pair.
+    pub(crate) fn of(&self, ends: [u32; 2]) -> Option<&Kept> {
+        let at = self.kept.binary_search_by_key(&ends, |kept| kept.ends).ok()?;
+        Some(&self.kept[at])
+    }
+}
+
+impl Kept {
+    /// Of a pair after its step; `None` where it does not press.
+    pub(crate) fn of(ends: [u32; 2], pair: &Pair, shear: Vec3, torsion: f64) -> Option<Self> {
+        let Pressure { force, centre, area, radius } = pair.pressure;
+        (force > 0.0).then(|| Self {
+            ends,
+            shear,
+            torsion,
+            force,
+            arm: centre - pair.centres[0],
+            area,
+            radius,
+        })
+    }
+
+    /// Of an explicit contact that presses with a normal force (N).
+    pub(crate) fn of_explicit(ends: [u32; 2], memory: &Memory, force: f64) -> Self {
+        Self {
+            ends,
+            shear: memory.shear,
+            torsion: memory.torsion,
+            force,
+            arm: memory.arms[0],
+            area: memory.area,
+            radius: if memory.area > 0.0 { (memory.polar / memory.area).sqrt() } else { 0.0 },
+        }
+    }
+
+    /// Puts it into the pair of the coming step.
+    pub(crate) fn recall(&self, pair: &mut Pair) {
+        let pressure = Pressure {
+            force: self.force,
+            centre: self.arm + pair.centres[0],
+            area: self.area,
+            radius: self.radius,
+        };
+        pair.recall(self.shear, self.torsion, pressure);
+    }
+}
+
+/// Energy in springs of this stiffness (Pa/m) on an area (m²), J.
+pub(crate) fn sprung(law: &ContactLaw, pair: &Pair) -> f64 {
+    let stiffness = law.shear_stiffness * pair.area_before;
+    if stiffness <= 0.0 {
+        return 0.0;
+    }
+    let arm = pair.pressure.radius;
+    let spin = if arm > 0.0 { pair.torsion / arm } else { 0.0 };
+    0.5 * (pair.shear.length_squared() + spin * spin) / stiffness
+}

@@ -1,0 +1,274 @@
+//! A pair of blocks as a term of the implicit step: the pressure of its pieces, and friction with memory.
+
+use riprap_geom::Vec3;
+
+use crate::implicit::patch::{Piece, Pressed, Stepping, Twist, dot};
+use crate::kernel::ContactLaw;
+
+/// What friction is computed from: the pressure of the last solution.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Pressure {
+    /// Normal force, N.
+    pub force: f64,
+    /// Where it acts, from the origin of the pair, m.
+    pub centre: Vec3,
+    /// Wet area across the direction of the pair, m².
+    pub area: f64,
+    /// Mean radius of friction against spinning, m.
+    pub radius: f64,
+}
+
+/// Mean arm of friction over the radius of gyration of the area.
+const ARM: f64 = 0.93;
+
+/// One pair in a step.
+#[derive(Clone, Debug)]
+pub(crate) struct Pair {
+    /// Places of both blocks among those that move; `None` for one that does not answer.
+    pub ends: [Option<u32>; 2],
+    /// From the origin of the pair to the centroids, m.
+    pub centres: [Vec3; 2],
+    /// Motion of the blocks that do not answer: velocity and spin.
+    pub given: [[Vec3; 2]; 2],
+    /// Unit vector from the first to the second.
+    pub direction: Vec3,
+    /// Two unit vectors across it.
+    pub across: [Vec3; 2],
+    pub pieces: Vec<Piece>,
+    /// Corners of all pieces, m.
+    pub corners: Vec<[f64; 2]>,
+    pub law: ContactLaw,
+    /// Shear force (N) on the second block and torsion (N m) of the step before.
+    pub shear: Vec3,
+    pub torsion: f64,
+    /// That of the last solution.
+    pub pressure: Pressure,
+    /// Wet area of the step before, m².
+    pub area_before: f64,
+}
+
+/// What a pair answers at a twist.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Answer {
+    /// Wrench on the second block about the origin: N and N m.
+    pub wrench: Twist,
+    /// Rate of the impulse against the twist, kg and so on.
+    pub rate: [Twist; 6],
+}
+
+/// What a pair has done in a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Reply {
+    /// Wrenches of pressure and friction on the second block about the origin, N and N m.
+    pub elastic: Twist,
+    pub spring: Twist,
+    /// Friction on the second block, N, and its torsion, N m.
+    pub shear: Vec3,
+    pub torsion: f64,
+    pub sliding: bool,
+    /// Heat of friction, J.
+    pub heat: f64,
+    /// How far the blocks lie in each other at the end of the step, m.
+    pub depth: f64,
+}
+
+/// Friction at a twist.
+struct Rubbing {
+    screws: [Twist; 3],
+    /// Trial forces: two along the surface, one against spinning over its arm, N.
+    trial: [f64; 3],
+    /// Most that it can carry, N.
+    limit: f64,
+    /// Stiffness, N/m.
+    stiffness: f64,
+}
+
+impl Rubbing {
+    fn size(&self) -> f64 {
+        let [a, b, c] = self.trial;
+        (a * a + b * b + c * c).sqrt()
+    }
+
+    /// Share of the trial forces that is carried.
+    fn share(&self) -> f64 {
+        let size = self.size();
+        if size > self.limit { self.limit / size } else { 1.0 }
+    }
+}
+
+impl Pair {
+    /// What is known of it from the step before: friction is turned into its surface, and lost with the area that it has lost.
+    pub(crate) fn recall(&mut self, shear: Vec3, torsion: f64, pressure: Pressure) {
+        self.shear = shear - shear.dot(self.direction) * self.direction;
+        self.torsion = torsion;
+        self.pressure = pressure;
+        self.area_before = pressure.area;
+    }
+
+    fn rubbing(&self, twist: &Twist, step: &Stepping, soft: f64) -> Option<Rubbing> {
+        let p = &self.pressure;
+        let stiffness = soft * self.law.shear_stiffness * p.area;
+        let limit = self.law.friction * p.force + self.law.cohesion * p.area;
+        if stiffness <= 0.0 || limit <= 0.0 {
+            return None;
+        }
+        let along = |direction: Vec3| {
+            let turn = p.centre.cross(direction);
+            [direction.x, direction.y, direction.z, turn.x, turn.y, turn.z]
+        };
+        let spin = p.radius * self.direction;
+        let screws =
+            [along(self.across[0]), along(self.across[1]), [0.0, 0.0, 0.0, spin.x, spin.y, spin.z]];
+        let before = [
+            self.shear.dot(self.across[0]),
+            self.shear.dot(self.across[1]),
+            if p.radius > 0.0 { self.torsion / p.radius } else { 0.0 },
+        ];
+        let mut trial = before;
+        for (y, screw) in trial.iter_mut().zip(&screws) {
+            *y -= step.dt * stiffness * dot(screw, twist);
+        }
+        Some(Rubbing { screws, trial, limit, stiffness })
+    }
+
+    /// Energy in its pressure where nothing moves, J.
+    pub(crate) fn stored(&self, spare: &mut Vec<[f64; 2]>) -> f64 {
+        self.pieces.iter().map(|piece| piece.stored(&self.corners, spare)).sum()
+    }
+
+    /// What it has done in a step that ends with this twist.
+    pub(crate) fn reply(&self, twist: &Twist, step: &Stepping, spare: &mut Vec<[f64; 2]>) -> Reply {
+        let mut reply = Reply::default();
+        for piece in &self.pieces {
+            let pressed = piece.press(&self.corners, twist, step, 1.0, spare);
+            piece.add_wrench(&pressed, &mut reply.elastic);
+            let most = piece.most(&self.corners, &pressed.pressure) / self.law.normal_stiffness;
+            reply.depth = reply.depth.max(most);
+        }
+        let Some(rubbing) = self.rubbing(twist, step, 1.0) else {
+            return reply;
+        };
+        let (share, size) = (rubbing.share(), rubbing.size());
+        for (y, screw) in rubbing.trial.iter().zip(&rubbing.screws) {
+            for k in 0..6 {
+                reply.spring[k] += share * y * screw[k];
+            }
+        }
+        reply.sliding = share < 1.0;
+        reply.heat = share * (1.0 - share) * size * size / rubbing.stiffness;
+        let [a, b, c] = rubbing.trial.map(|y| share * y);
+        reply.shear = a * self.across[0] + b * self.across[1];
+        reply.torsion = c * self.pressure.radius;
+        reply
+    }
+
+    /// What is left of friction where the wet area has become `area` (m²): what has parted carries nothing.
+    pub(crate) fn left(&self, area: f64) -> f64 {
+        if self.area_before > 0.0 { (area / self.area_before).min(1.0) } else { 1.0 }
+    }
+
+    /// Force and, where asked for, its rate.
+    pub(crate) fn answer(
+        &self,
+        twist: &Twist,
+        step: &Stepping,
+        soft: f64,
+        with_rate: bool,
+        spare: &mut Vec<[f64; 2]>,
+    ) -> Answer {
+        let mut answer = Answer::default();
+        for piece in &self.pieces {
+            let pressed = piece.press(&self.corners, twist, step, soft, spare);
+            piece.add_wrench(&pressed, &mut answer.wrench);
+            if with_rate {
+                piece.add_rate(&pressed, step, soft, &mut answer.rate);
+            }
+        }
+        let Some(rubbing) = self.rubbing(twist, step, soft) else {
+            return answer;
+        };
+        let share = rubbing.share();
+        for (y, screw) in rubbing.trial.iter().zip(&rubbing.screws) {
+            for k in 0..6 {
+                answer.wrench[k] += share * y * screw[k];
+            }
+        }
+        if with_rate {
+            let scale = step.span * step.dt * rubbing.stiffness * share;
+            let size = rubbing.size();
+            let unit = rubbing.trial.map(|y| if share < 1.0 { y / size } else { 0.0 });
+            for a in 0..3 {
+                let mut row = [0.0; 6];
+                for b in 0..3 {
+                    let along = f64::from(u8::from(a == b)) - unit[a] * unit[b];
+                    for k in 0..6 {
+                        row[k] += scale * along * rubbing.screws[b][k];
+                    }
+                }
+                for i in 0..6 {
+                    for k in 0..6 {
+                        answer.rate[i][k] += rubbing.screws[a][i] * row[k];
+                    }
+                }
+            }
+        }
+        answer
+    }
+
+    /// The pressure at a twist, for the friction of the next solution.
+    pub(crate) fn pressure_at(
+        &self,
+        twist: &Twist,
+        step: &Stepping,
+        spare: &mut Vec<[f64; 2]>,
+    ) -> Pressure {
+        let mut found = Pressure::default();
+        let (mut first, mut second, mut area_first) = (Vec3::ZERO, 0.0, Vec3::ZERO);
+        for piece in &self.pieces {
+            let pressed = piece.press(&self.corners, twist, step, 1.0, spare);
+            let part = piece.shares(&pressed);
+            found.force += part.force;
+            first += part.force_first;
+            found.area += part.area;
+            area_first += part.area_first;
+            second += part.area_second;
+        }
+        if found.force > 0.0 {
+            found.centre = first / found.force;
+        }
+        if found.area > 0.0 {
+            let middle = area_first / found.area;
+            let gyration = (second / found.area - middle.length_squared()).max(0.0);
+            found.radius = ARM * gyration.sqrt();
+        }
+        found
+    }
+}
+
+/// What a piece adds to the pressure of its pair.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Shares {
+    pub force: f64,
+    pub force_first: Vec3,
+    pub area: f64,
+    pub area_first: Vec3,
+    pub area_second: f64,
+}
+
+impl Piece {
+    fn shares(&self, pressed: &Pressed) -> Shares {
+        let [foot, u, v] = self.frame();
+        let [p, pu, pv] = pressed.load;
+        let [a, au, av, auu, _, avv] = pressed.moments.scaled(self.weight());
+        // Axes are unit vectors across each other.
+        let square =
+            a * foot.length_squared() + 2.0 * (au * foot.dot(u) + av * foot.dot(v)) + auu + avv;
+        Shares {
+            force: p,
+            force_first: p * foot + pu * u + pv * v,
+            area: a,
+            area_first: a * foot + au * u + av * v,
+            area_second: square,
+        }
+    }
+}

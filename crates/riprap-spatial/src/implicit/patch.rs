@@ -1,0 +1,253 @@
+//! One plane piece of the surface between two blocks as a term of the implicit step.
+//!
+//! ```text
+//!      phi = h0 + h1 u + h2 v          depth below either face, in the frame of the piece; below 0 where the blocks are apart
+//!      P b = 2 kn phi - dt kappa vn    pressure at the end of the step, b = (1, u, v)
+//!
+//!            +----------------+
+//!            |   dry    . wet |        only where P b > 0: the toe of a block is found within the solve
+//!            |      P b = 0   |
+//!            +----------------+
+//! ```
+//!
+//! Over the wet part `Phi = span/(2 dt kappa) P' G P` with the moments `G` of `b b'`: convex, with a continuous slope, and exact for a
+//! pressure that is linear. One piece is one contact of three numbers, whatever its polygon: no points, no quadrature.
+//!
+//! Source: own derivation (the family of convex steps for contact of Castro et al., 2020 and 2022); pieces as in [`crate::kernel::surface`].
+
+use std::ops::Range;
+
+use riprap_geom::Vec3;
+
+/// Relative motion of the second block against the first at the origin of their pair: velocity (m/s) and spin (rad/s).
+pub(crate) type Twist = [f64; 6];
+
+/// A wrench per unit of virtual twist, about the origin of a pair.
+fn screw(direction: Vec3, arm: Vec3) -> Twist {
+    let turn = arm.cross(direction);
+    [direction.x, direction.y, direction.z, turn.x, turn.y, turn.z]
+}
+
+pub(crate) fn dot(a: &Twist, b: &Twist) -> f64 {
+    let mut sum = 0.0;
+    for k in 0..6 {
+        sum += a[k] * b[k];
+    }
+    sum
+}
+
+/// What all pieces of a pair share.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Stepping {
+    /// Time over which forces change the velocities, s: the mean of the last step and this one.
+    pub span: f64,
+    /// Length of the step, s.
+    pub dt: f64,
+}
+
+/// One piece.
+#[derive(Clone, Debug)]
+pub(crate) struct Piece {
+    /// Pressure where nothing moves: `2 kn (h0, h1, h2)`, Pa and Pa/m.
+    pressure: [f64; 3],
+    /// Change of the pressure with the twist, over `-dt kappa`.
+    screws: [Twist; 3],
+    /// Stiffness along the direction of the pair, Pa/m.
+    kappa: f64,
+    /// Share of its area that counts, and how far it faces the direction of the pair.
+    weight: f64,
+    /// A point of it and two axes in it.
+    frame: [Vec3; 3],
+    /// Its corners among those of the pair, in its own frame, m, anticlockwise.
+    corners: Range<usize>,
+}
+
+/// Moments of `b b'` over an area: 1, u, v, uu, uv, vv.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Moments([f64; 6]);
+
+impl Moments {
+    /// Of a convex polygon, by a fan from its first corner.
+    fn of(corners: &[[f64; 2]]) -> Self {
+        let mut sum = [0.0; 6];
+        let Some((&[u0, v0], rest)) = corners.split_first() else {
+            return Self(sum);
+        };
+        for side in rest.windows(2) {
+            let ([u1, v1], [u2, v2]) = (side[0], side[1]);
+            let twice = (u1 - u0) * (v2 - v0) - (u2 - u0) * (v1 - v0);
+            let (su, sv) = (u0 + u1 + u2, v0 + v1 + v2);
+            let area = 0.5 * twice;
+            sum[0] += area;
+            sum[1] += area * su / 3.0;
+            sum[2] += area * sv / 3.0;
+            let twelfth = area / 12.0;
+            sum[3] += twelfth * (su * su + u0 * u0 + u1 * u1 + u2 * u2);
+            sum[4] += twelfth * (su * sv + u0 * v0 + u1 * v1 + u2 * v2);
+            sum[5] += twelfth * (sv * sv + v0 * v0 + v1 * v1 + v2 * v2);
+        }
+        Self(sum)
+    }
+
+    /// `G p`.
+    fn times(&self, p: &[f64; 3]) -> [f64; 3] {
+        let [one, u, v, uu, uv, vv] = self.0;
+        [
+            one * p[0] + u * p[1] + v * p[2],
+            u * p[0] + uu * p[1] + uv * p[2],
+            v * p[0] + uv * p[1] + vv * p[2],
+        ]
+    }
+
+    pub(crate) fn scaled(&self, share: f64) -> [f64; 6] {
+        self.0.map(|x| share * x)
+    }
+
+    fn entry(&self, a: usize, b: usize) -> f64 {
+        const AT: [[usize; 3]; 3] = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+        self.0[AT[a][b]]
+    }
+}
+
+/// What is asked of a piece in one look at it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Pressed {
+    /// Moments of the wet part.
+    pub moments: Moments,
+    /// `G P`: force along the direction of the pair over the weight, N, and its moments in the frame of the piece, N m.
+    pub load: [f64; 3],
+    /// Pressure in the frame of the piece at the end of the step.
+    pub pressure: [f64; 3],
+}
+
+impl Piece {
+    /// A piece with its own `normal` and axes about `foot` (m, from the origin of the pair), the depth `[h0, h1, h2]` in it, on faces whose
+    /// outward normals have the components `facing` along (first) and against (second block) the direction of the pair.
+    pub(crate) fn new(
+        direction: Vec3,
+        stiffness: f64,
+        facing: [f64; 2],
+        weight: f64,
+        place: (Vec3, [Vec3; 2]),
+        depth: [f64; 3],
+        corners: Range<usize>,
+    ) -> Self {
+        let (foot, [along, across]) = place;
+        let [f, g] = facing;
+        let zero = |arm: Vec3| {
+            let turn = arm.cross(direction);
+            [0.0, 0.0, 0.0, turn.x, turn.y, turn.z]
+        };
+        Self {
+            pressure: depth.map(|h| 2.0 * stiffness * h),
+            screws: [screw(direction, foot), zero(along), zero(across)],
+            kappa: 2.0 * stiffness * f * g / (f + g),
+            weight,
+            frame: [foot, along, across],
+            corners,
+        }
+    }
+
+    pub(crate) fn weight(&self) -> f64 {
+        self.weight
+    }
+
+    pub(crate) fn frame(&self) -> [Vec3; 3] {
+        self.frame
+    }
+
+    /// Its pressure and wet part at a twist; `soft` scales its stiffness, `corners` are those of the pair.
+    pub(crate) fn press(
+        &self,
+        corners: &[[f64; 2]],
+        twist: &Twist,
+        step: &Stepping,
+        soft: f64,
+        spare: &mut Vec<[f64; 2]>,
+    ) -> Pressed {
+        let mut pressure = [0.0; 3];
+        for (p, (at_rest, screw)) in pressure.iter_mut().zip(self.pressure.iter().zip(&self.screws))
+        {
+            *p = soft * (at_rest - step.dt * self.kappa * dot(screw, twist));
+        }
+        wet(&corners[self.corners.clone()], &pressure, spare);
+        let moments = Moments::of(spare);
+        let load = moments.times(&pressure).map(|x| self.weight * x);
+        Pressed { moments, load, pressure }
+    }
+
+    /// Energy in its pressure where nothing moves, J.
+    pub(crate) fn stored(&self, corners: &[[f64; 2]], spare: &mut Vec<[f64; 2]>) -> f64 {
+        let at_rest = Stepping { span: 0.0, dt: 0.0 };
+        let Pressed { load, pressure, .. } = self.press(corners, &[0.0; 6], &at_rest, 1.0, spare);
+        let mut sum = 0.0;
+        for (load, p) in load.iter().zip(&pressure) {
+            sum += load * p;
+        }
+        0.5 * sum / self.kappa
+    }
+
+    /// Largest of a pressure in its polygon, Pa.
+    pub(crate) fn most(&self, corners: &[[f64; 2]], pressure: &[f64; 3]) -> f64 {
+        let at = |[u, v]: &[f64; 2]| pressure[0] + pressure[1] * u + pressure[2] * v;
+        corners[self.corners.clone()].iter().map(at).fold(0.0, f64::max)
+    }
+
+    /// Adds the wrench on the second block over which `pressed` acts, about the origin of the pair.
+    pub(crate) fn add_wrench(&self, pressed: &Pressed, to: &mut Twist) {
+        for (load, screw) in pressed.load.iter().zip(&self.screws) {
+            for k in 0..6 {
+                to[k] += load * screw[k];
+            }
+        }
+    }
+
+    /// Adds the rate of the impulse with the twist: `span dt kappa sum G_ab j_a j_b'`.
+    pub(crate) fn add_rate(
+        &self,
+        pressed: &Pressed,
+        step: &Stepping,
+        soft: f64,
+        to: &mut [Twist; 6],
+    ) {
+        let scale = soft * step.span * step.dt * self.kappa * self.weight;
+        for a in 0..3 {
+            let mut row = [0.0; 6];
+            for b in 0..3 {
+                let g = scale * pressed.moments.entry(a, b);
+                for k in 0..6 {
+                    row[k] += g * self.screws[b][k];
+                }
+            }
+            for i in 0..6 {
+                for k in 0..6 {
+                    to[i][k] += self.screws[a][i] * row[k];
+                }
+            }
+        }
+    }
+}
+
+/// The part of a polygon where a linear pressure is above zero.
+fn wet(corners: &[[f64; 2]], p: &[f64; 3], to: &mut Vec<[f64; 2]>) {
+    to.clear();
+    let at = |[u, v]: [f64; 2]| p[0] + p[1] * u + p[2] * v;
+    let Some(&last) = corners.last() else {
+        return;
+    };
+    let (mut from, mut before) = (last, at(last));
+    for &corner in corners {
+        let here = at(corner);
+        if (before > 0.0) != (here > 0.0) {
+            let share = before / (before - here);
+            to.push([
+                from[0] + share * (corner[0] - from[0]),
+                from[1] + share * (corner[1] - from[1]),
+            ]);
+        }
+        if here > 0.0 {
+            to.push(corner);
+        }
+        (from, before) = (corner, here);
+    }
+}

@@ -1,0 +1,202 @@
+//! The contacts of a step of implicit phases: what the world gives to [`crate::implicit`], and what comes back.
+//!
+//! ```text
+//!   evaluate:  pairs within reach  ->  velocities with all other forces  ->  Newton's method  ->  what each pair exerts
+//!   advance:   what the pairs have become is remembered
+//! ```
+//!
+//! What pairs exert is handed on as that of explicit contacts is, so that the kick, the ledger and all fields take it from there. Evaluating an
+//! instant again changes nothing: the memory belongs to the step that is made.
+
+mod meet;
+pub(crate) mod obstacle;
+#[cfg(test)]
+mod tests;
+
+use std::time::Instant;
+
+use riprap_geom::Vec3;
+
+use crate::contact;
+use crate::implicit::memory::{Books, Implicit, Kept};
+use crate::implicit::patch::Stepping;
+use crate::implicit::solve::{Body, Unsolved};
+use crate::joint::patch::turned_inertia;
+use crate::rigid::kick::Acting;
+use crate::state::scratch::{NotSolved, Scratch};
+use crate::state::world::World;
+
+/// Accuracy of the velocities of a step, over the motion that gravity makes in it.
+const TOLERANCE: f64 = 1e-4;
+/// Speed that is nothing, m/s: the accuracy without gravity.
+const STILL: f64 = 1e-4;
+
+/// Turns to implicit contacts, or back to explicit ones.
+///
+/// Joints that nothing but friction holds become contacts, since those are all that an implicit phase knows.
+pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
+    if implicit == world.implicit.is_some() {
+        return;
+    }
+    if implicit {
+        contact::release_loose(world, scratch);
+    }
+    world.implicit = implicit.then(|| {
+        let kept = world.found.pairs.iter().filter_map(|pair| {
+            let patch = pair.leading().filter(|patch| patch.memory.area > 0.0)?;
+            let force = patch.force.dot(patch.memory.normal);
+            Some(Kept::of_explicit(pair.ends, &patch.memory, force))
+        });
+        Box::new(Implicit { kept: kept.collect(), ..Implicit::default() })
+    });
+    let (works, pairs) = (&mut world.works, &mut world.found.pairs);
+    for pair in pairs {
+        // Looked at in the first step, whatever the other kind knew.
+        pair.gap = 0.0;
+        // The whole overlap presses, so that nothing of the load of a joint goes on beside it.
+        works.contact_path += contact::left(pair);
+        if let Some(offset) = pair.offset.take() {
+            works.contact_path -= offset.stored;
+            works.edit_defect -= offset.stored;
+        }
+    }
+    world.fresh = true;
+}
+
+/// Finds what all pairs exert in the coming step.
+pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
+    scratch.implicit.failed = None;
+    if !meet {
+        scratch.implicit.begin(world.alive.len());
+        return;
+    }
+    let dt = match scratch.coming_dt {
+        // An end of a motion: its last kick is that of a step that is not made.
+        dt if dt == 0.0 => world.last_dt,
+        dt => dt,
+    };
+    let step = Stepping { span: 0.5 * (world.last_dt + scratch.coming_dt), dt };
+    let start = Instant::now();
+    meet::find(world, scratch, dt);
+    let found = Instant::now();
+    scratch.profile.add("pieces", found - start);
+    lay_out(world, scratch);
+    let speed = world.gravity.length() * dt + STILL;
+    let solver = &mut scratch.implicit.solver;
+    scratch.implicit.failed = match solver.solve(&step, speed, TOLERANCE) {
+        Ok(effort) => {
+            scratch.implicit.effort.add(&effort);
+            None
+        }
+        Err(Unsolved::NotFinite(body)) => {
+            let block = scratch.implicit.blocks[body];
+            Some(NotSolved { blocks: [block; 2], rounds: 0 })
+        }
+        Err(Unsolved::Rounds(pair, rounds)) => {
+            let of = |k: usize| world.found.pairs[scratch.implicit.pairs[k] as usize].ends;
+            Some(NotSolved { blocks: pair.map_or([0; 2], of), rounds })
+        }
+    };
+    scratch.profile.add("implicit step", found.elapsed());
+    if scratch.implicit.failed.is_none() {
+        meet::hand_over(world, scratch, step.span);
+    }
+}
+
+/// The blocks of the pairs within reach: those that answer, and the motion of those that do not.
+fn lay_out(world: &World, scratch: &mut Scratch) {
+    let kick = scratch.kick(world);
+    let mut desk = std::mem::take(&mut scratch.implicit);
+    let ends = desk.pairs.iter().map(|k| world.found.pairs[*k as usize].ends);
+    let mut blocks: Vec<u32> = ends.flatten().collect();
+    blocks.sort_unstable();
+    blocks.dedup();
+    for &b in &blocks {
+        let b = b as usize;
+        let solid = world.solid_of(b);
+        let mut other = Acting { force: solid.mass * kick.gravity, ..Acting::default() };
+        for list in [&scratch.pushes.loads.blocks, &scratch.pushes.own.blocks] {
+            let push = list.get(b).copied().unwrap_or_default();
+            other.force += push.force;
+            other.moment += push.moment;
+        }
+        let moving = world.moving(b);
+        let change = kick.change(b, &moving, &other);
+        let turning = world.turning(b);
+        let free = [moving.velocity + change.velocity, turning.spin + change.spin];
+        desk.given[b] = free;
+        let freedoms = world.freedoms(b);
+        if freedoms == [Vec3::ZERO; 2] {
+            continue;
+        }
+        desk.place[b] = Some(desk.blocks.len() as u32);
+        desk.blocks.push(b as u32);
+        let attitude = world.turned[b].as_ref().map(|turned| turned.attitude);
+        let inertia = attitude.map_or(solid.inertia, |q| turned_inertia(&solid.inertia, q));
+        let [along, about] = freedoms.map(|free| free.to_array());
+        let held = std::array::from_fn(|k| [along, about][k / 3][k % 3] == 0.0);
+        let [mass, turn] = kick.inertia_factors();
+        desk.solver.bodies.push(Body {
+            mass: mass * solid.mass,
+            inertia: inertia * turn,
+            free,
+            held,
+        });
+        let [v, w] = [moving.velocity, moving.spin];
+        let motion = [v.x, v.y, v.z, w.x, w.y, w.z];
+        let [v, w] = free;
+        let given = [v.x, v.y, v.z, w.x, w.y, w.z];
+        desk.solver
+            .motion
+            .push(std::array::from_fn(|k| if held[k] { given[k] } else { motion[k] }));
+    }
+    for (pair, k) in desk.solver.pairs.iter_mut().zip(&desk.pairs) {
+        let ends = world.found.pairs[*k as usize].ends;
+        pair.ends = ends.map(|b| desk.place[b as usize]);
+        pair.given = ends.map(|b| desk.given[b as usize]);
+    }
+    scratch.implicit = desk;
+}
+
+/// Books the energy of the contacts of an instant, once all works before it are: what the integration has taken.
+pub(crate) fn book(world: &mut World, scratch: &Scratch) {
+    let Some(implicit) = world.implicit.as_deref_mut() else {
+        return;
+    };
+    let [normal, shear] = scratch.implicit.stored;
+    let path = &mut world.works.contact_path;
+    match implicit.books {
+        None => implicit.books = Some(Books { offset: *path - normal, normal, shear }),
+        Some(mut books) => {
+            if world.pending > 0.0 {
+                // What the forces have taken up along both directions, less what is stored and what was rubbed away.
+                let taken = *path - books.offset - books.normal;
+                let lost = taken - (normal - books.normal) - (shear - books.shear);
+                world.works.integrator += lost - implicit.rubbed;
+                implicit.rubbed = 0.0;
+            }
+            *path = books.offset + normal;
+            books.normal = normal;
+            books.shear = shear;
+            implicit.books = Some(books);
+        }
+    }
+}
+
+/// Remembers what the pairs have become in the step that is made.
+pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
+    let Some(implicit) = world.implicit.as_deref_mut() else {
+        return;
+    };
+    implicit.kept.clear();
+    let mut heat = 0.0;
+    let solver = &scratch.implicit.solver;
+    for ((k, pair), reply) in scratch.implicit.pairs.iter().zip(&solver.pairs).zip(&solver.replies)
+    {
+        let ends = world.found.pairs[*k as usize].ends;
+        implicit.kept.extend(Kept::of(ends, pair, reply.shear, reply.torsion));
+        heat += reply.heat;
+    }
+    implicit.rubbed = heat;
+    world.works.friction += heat;
+}

@@ -1,0 +1,312 @@
+//! Pairs of found contact for the implicit step: the one place that knows both.
+
+use riprap_core::sums::GROUP;
+use riprap_geom::Vec3;
+
+use crate::contact;
+use crate::implicit::geometry::{Reach, reach};
+use crate::implicit::memory::{Implicit, sprung};
+use crate::implicit::pair::{Pair, Reply};
+use crate::implicit::patch::Twist;
+use crate::implicit::solve::Solver;
+use crate::kernel::friction::Wrench;
+use crate::kernel::surface::Walker;
+use crate::kernel::{Body, Memory, Role, turn};
+use crate::state::contact_scratch::{
+    Acting, ContactScratch, Deepest, Exerted, PairGroup, Pressed, Slot,
+};
+use crate::state::found::{ContactPatch, FoundPair};
+use crate::state::scratch::{ImplicitDesk, Scratch};
+use crate::state::world::World;
+
+/// Gap that every pair is looked at within, m.
+const NEAR: f64 = 2e-5;
+/// Way of the blocks in a step, over that at their present speeds, that pieces are made for.
+const AHEAD: f64 = 0.7;
+/// Way of two blocks towards each other in a step at most, over the smaller inscribed radius.
+const TRANSIT: f64 = 0.5;
+/// Faces that are listed for a candidate hold as long as faces are moved outward by at most so much of the sum of the margins.
+const LISTED: f64 = 0.25;
+/// What rounding may take from a gap, over the gap.
+const ROUNDING: f64 = 1e-9;
+/// Way of a block in a step at most, over the largest margin that the search gives it.
+const FLIGHT: f64 = 0.9;
+/// That margin over the radius of the block.
+const MARGIN: f64 = 0.4;
+
+/// What was found of a pair.
+#[derive(Clone, Debug, Default)]
+struct Found {
+    slot: Slot,
+    near: Option<Box<Pair>>,
+    /// Whether no surface was found between blocks that lie in each other.
+    lost: bool,
+}
+
+/// Finds the pairs within reach of a step of `dt` (s).
+pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    let mut pairs = std::mem::take(&mut world.found.pairs);
+    let mut found = vec![Found::default(); pairs.len()];
+    let mut workspaces = std::mem::take(&mut scratch.desk.workspaces);
+    let placed = Placed::of(world, &scratch.desk);
+    let looking =
+        Looking { world, memory: world.implicit.as_deref(), contacts: &scratch.desk, placed, dt };
+    let width = scratch.width;
+    let mut nothing = vec![(); pairs.len().div_ceil(GROUP)];
+    scratch.exec.groups2(
+        &mut pairs,
+        &mut found,
+        &mut nothing,
+        &mut workspaces,
+        |first, pairs, found, (), workspace| {
+            workspace.walker.cutter.limit_width(width);
+            for (k, (pair, found)) in pairs.iter_mut().zip(found).enumerate() {
+                looking.at(first + k, pair, found, &mut workspace.walker);
+            }
+        },
+    );
+    let mut longest = flight(world, &scratch.desk);
+    let (mut spare, desk) = (Vec::new(), &mut scratch.implicit);
+    desk.begin(world.alive.len());
+    for (k, found) in found.into_iter().enumerate() {
+        let way = pairs[k].gap.max(0.0) + TRANSIT * scratch.desk.constants[k].inradius;
+        if found.slot.nearing > 0.0 {
+            longest = longest.min(way / found.slot.nearing);
+        }
+        scratch.desk.slots[k] = found.slot;
+        if found.lost {
+            desk.lost.push(k as u32);
+        }
+        let Some(pair) = found.near else { continue };
+        desk.stored[0] += pair.stored(&mut spare);
+        desk.stored[1] += sprung(&pair.law, &pair);
+        desk.pairs.push(k as u32);
+        desk.solver.pairs.push(*pair);
+    }
+    scratch.desk.workspaces = workspaces;
+    world.found.pairs = pairs;
+    world.found.longest_step = Some(longest);
+}
+
+/// Longest step in which no block outruns the search, s.
+fn flight(world: &World, desk: &ContactScratch) -> f64 {
+    let smallest = desk.shapes.iter().map(|shape| shape.radius).fold(f64::INFINITY, f64::min);
+    let search = &world.found.search;
+    let mut longest = f64::INFINITY;
+    let roles = world.found.roles.iter().enumerate();
+    for b in roles.filter(|(_, role)| **role != Role::Absent).map(|(b, _)| b) {
+        let size = world.solid_of(b).radius.min(2.0 * smallest);
+        let way = FLIGHT * search.margin[b].max(MARGIN * size);
+        let speed = speed(world, b);
+        if speed > 0.0 {
+            longest = longest.min(way / speed);
+        }
+    }
+    longest
+}
+
+/// Bound of the speed of the points of a block, m/s.
+fn speed(world: &World, b: usize) -> f64 {
+    world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
+}
+
+/// Normals of the blocks that are in a pair, turned to where they are now.
+struct Placed {
+    normals: Vec<Vec<Vec3>>,
+}
+
+impl Placed {
+    fn of(world: &World, desk: &ContactScratch) -> Self {
+        let mut normals = vec![Vec::new(); desk.blocks.len()];
+        for (b, normals) in desk.blocks.iter().zip(&mut normals) {
+            let b = *b as usize;
+            turn(&desk.shapes[world.solid[b] as usize], world.pose(b).rotation, normals);
+        }
+        Self { normals }
+    }
+
+    fn body<'a>(&'a self, world: &World, desk: &'a ContactScratch, b: u32) -> Body<'a> {
+        let pose = world.pose(b as usize);
+        Body {
+            shape: &desk.shapes[world.solid[b as usize] as usize],
+            normals: &self.normals[desk.place[b as usize] as usize],
+            turn: riprap_geom::Mat3::from_quat(pose.rotation),
+            position: pose.position,
+        }
+    }
+}
+
+/// What a look at the pairs needs.
+struct Looking<'a> {
+    world: &'a World,
+    memory: Option<&'a Implicit>,
+    contacts: &'a ContactScratch,
+    placed: Placed,
+    /// Length of the coming step, s.
+    dt: f64,
+}
+
+impl Looking<'_> {
+    /// Looks at pair `k`.
+    fn at(&self, k: usize, pair: &mut FoundPair, found: &mut Found, walker: &mut Walker) {
+        let Self { world, contacts, dt, .. } = self;
+        let speeds = pair.ends.map(|b| speed(world, b as usize));
+        let fall = world.gravity.length() * dt;
+        found.slot.nearing = {
+            let [i, j] = pair.ends.map(|b| b as usize);
+            let apart = world.bodies.velocity(i) - world.bodies.velocity(j);
+            let turning = |b: usize| world.bodies.spin(b).length() * world.solid_of(b).radius;
+            apart.length() + turning(i) + turning(j)
+        };
+        let constants = &contacts.constants[k];
+        let most = TRANSIT * constants.inradius;
+        let out = (NEAR + AHEAD * dt * (speeds[0] + speeds[1] + fall)).min(most);
+        if pair.gap > 0.0 {
+            pair.gap -= found.slot.nearing * world.pending;
+            if pair.gap > 2.0 * out {
+                return;
+            }
+        }
+        if world.pending > 0.0 {
+            pair.start = pair.next;
+        }
+        let bodies = pair.ends.map(|b| self.placed.body(world, contacts, b));
+        let candidate = &contacts.candidates.pairs[k];
+        let margins: f64 = pair.ends.map(|b| world.found.search.margin[b as usize]).iter().sum();
+        let listed = out <= LISTED * margins;
+        let all: [Vec<u16>; 2] = match listed {
+            true => Default::default(),
+            false => bodies.each_ref().map(|body| (0..body.shape.faces() as u16).collect()),
+        };
+        let faces = match listed {
+            true => candidate.faces(&contacts.candidates.lists),
+            false => [&all[0][..], &all[1][..]],
+        };
+        let place =
+            |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
+        let hint = pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
+        let law = constants.law(&contacts.rows);
+        let bodies = bodies.each_ref();
+        let ties = candidate.ties || !listed;
+        match reach(walker, bodies, faces, ties, hint, out, law) {
+            Reach::Apart(gap) => {
+                *pair = FoundPair {
+                    ends: pair.ends,
+                    gap: gap - ROUNDING * gap,
+                    ..FoundPair::default()
+                };
+            }
+            Reach::Lost => {
+                found.lost = true;
+                pair.depth = 2.0 * constants.inradius;
+            }
+            Reach::Near(mut near, hint) => {
+                pair.gap = 0.0;
+                pair.offset = None;
+                pair.next = hint.map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
+                if let Some(kept) = self.memory.and_then(|memory| memory.of(pair.ends)) {
+                    kept.recall(&mut near);
+                }
+                found.near = Some(near);
+            }
+        }
+    }
+}
+
+/// Hands what the pairs exert to the blocks and to those who read contacts.
+///
+/// `span`: time between the velocities before and after the kick, s.
+pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch, span: f64) {
+    let desk = &mut scratch.desk;
+    desk.groups.iter_mut().for_each(PairGroup::begin);
+    let implicit = &scratch.implicit;
+    let unknown =
+        Exerted { elastic: Wrench { force: Vec3::NAN, ..Wrench::default() }, ..Exerted::default() };
+    let mut deepest = None;
+    let solver = &implicit.solver;
+    let mut near = implicit.pairs.iter().zip(&solver.pairs).zip(&solver.replies).peekable();
+    let mut lost = implicit.lost.iter().peekable();
+    for (k, pair) in world.found.pairs.iter_mut().enumerate() {
+        let (group, slot) = (&mut desk.groups[k / GROUP], &mut desk.slots[k]);
+        let reach = desk.constants[k].inradius;
+        if lost.next_if(|at| **at as usize == k).is_some() {
+            // No force can be given: not a number stops the run, and the deepest contact is to blame.
+            slot.at = group.push(unknown);
+            let deep = Deepest::new(pair.ends, Pressed::NoSurface, pair.depth, reach);
+            deepest = Deepest::deeper(deepest, Some(deep));
+            continue;
+        }
+        let near = near.next_if(|((at, _), _)| **at as usize == k);
+        let Some(((_, of), reply)) = near.filter(|((_, of), _)| of.pressure.force > 0.0) else {
+            pair.depth = 0.0;
+            pair.patches.clear();
+            continue;
+        };
+        let exerted = Exerted {
+            elastic: about_centroids(&reply.elastic, of),
+            spring: about_centroids(&reply.spring, of),
+            drag: Wrench::default(),
+        };
+        pair.depth = reply.depth;
+        pair.patches.clear();
+        pair.patches.push(ContactPatch {
+            key: [0; 2],
+            memory: told(of, reply),
+            stored: sprung(&of.law, of),
+            force: exerted.elastic.force + exerted.spring.force,
+            pressed: exerted.elastic.force.length(),
+            depth: reply.depth,
+            area: of.pressure.area,
+        });
+        slot.at = group.push(exerted);
+        slot.touching = true;
+        slot.area = of.pressure.area;
+        let deep = Deepest::new(pair.ends, Pressed::Contact, pair.depth, reach);
+        deepest = Deepest::deeper(deepest, Some(deep));
+    }
+    desk.deepest = deepest;
+    contact::sum(desk, &scratch.exec);
+    if span > 0.0 {
+        make_exact(desk, implicit, span);
+    }
+}
+
+/// Gives each block the wrench that makes its velocities those of the solution: that of its pairs, and what Newton's method has left over. In
+/// stiff directions a tiny rest of the velocities is a large force, and a kick from the forces alone would be off by that.
+fn make_exact(desk: &mut ContactScratch, implicit: &ImplicitDesk, span: f64) {
+    let Solver { bodies, motion, .. } = &implicit.solver;
+    for ((b, body), motion) in implicit.blocks.iter().zip(bodies).zip(motion) {
+        let acting = &mut desk.acting[desk.place[*b as usize] as usize];
+        let [x, y, z, p, q, r] = *motion;
+        let [v, w] = body.free;
+        let force = body.mass / span * (Vec3::new(x, y, z) - v);
+        let moment = body.inertia * (Vec3::new(p, q, r) - w) / span;
+        let free = body.held.map(|held| f64::from(u8::from(!held)));
+        let [along, about] = [0, 3].map(|k| Vec3::new(free[k], free[k + 1], free[k + 2]));
+        let Acting { elastic, spring, .. } = acting;
+        elastic.force += along * (force - elastic.force - spring.force);
+        elastic.moment += about * (moment - elastic.moment - spring.moment);
+    }
+}
+
+/// The memory of an explicit contact in the same state, for who reads contacts and for an explicit phase that comes next.
+fn told(of: &Pair, reply: &Reply) -> Memory {
+    let pressure = &of.pressure;
+    Memory {
+        shear: reply.shear,
+        torsion: reply.torsion,
+        normal: of.direction,
+        area: pressure.area,
+        polar: pressure.area * pressure.radius * pressure.radius,
+        sliding: reply.sliding,
+        arms: of.centres.map(|centre| pressure.centre - centre),
+    }
+}
+
+/// A wrench on the second block about the origin of a pair as what both blocks feel.
+fn about_centroids(wrench: &Twist, of: &Pair) -> Wrench {
+    let [fx, fy, fz, mx, my, mz] = *wrench;
+    let (force, moment) = (Vec3::new(fx, fy, fz), Vec3::new(mx, my, mz));
+    let [a, b] = of.centres;
+    Wrench { force, moment_a: a.cross(force) - moment, moment_b: moment - b.cross(force) }
+}

@@ -1,0 +1,54 @@
+//! What of a model an implicit phase cannot take yet.
+
+use crate::contact;
+use crate::state::world::World;
+
+/// Something that implicit phases do not take, and what to do instead.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Obstacle {
+    /// What, with the name of one of its kind.
+    pub what: String,
+    /// The remedy besides an explicit phase.
+    pub remedy: &'static str,
+}
+
+/// The first thing of a model that an implicit phase does not take.
+#[must_use]
+pub fn obstacle(world: &World) -> Option<Obstacle> {
+    let found = |what: String, remedy: &'static str| Some(Obstacle { what, remedy });
+    let living = || (0..world.alive.len()).filter(|b| world.alive[*b]);
+    let first = |is: &dyn Fn(usize) -> bool| living().find(|b| is(*b)).map(|b| world.name(b));
+    if let Some(name) = first(&|b| world.deforms(b)) {
+        return found(format!("block `{name}` is deformable"), "make its set of blocks rigid");
+    }
+    if !world.setup.found_contacts {
+        let what = "contact detection is switched off (`space.spatial.found_contacts`)";
+        return found(what.to_owned(), "switch it on");
+    }
+    if let Some(source) = world.setup.sources.first() {
+        return found(format!("source `{}` pushes from a cavity", source.name), "remove it");
+    }
+    if let Some(name) = first(&|b| world.is_terrain(b)) {
+        return found(format!("block `{name}` is terrain"), "use a held block instead");
+    }
+    if let Some(name) = first(&|b| world.is_glued(b)) {
+        return found(format!("block `{name}` has glued `parts`"), "use convex blocks");
+    }
+    if !world.setup.bolts.is_empty() {
+        return found("the model has bolts".to_owned(), "remove them");
+    }
+    if let Some(face) = world.faces.iter().find(|face| face.boundary.is_some()) {
+        let number = usize::from(face.boundary.unwrap_or_default());
+        let name = &world.setup.boundaries[number].name;
+        return found(
+            format!("boundary `{name}` acts on faces of blocks"),
+            "use supports and loads instead",
+        );
+    }
+    let [i, j] = world.patches.ends[contact::holding(world)?];
+    let [i, j] = [i, j].map(|b| world.name(b as usize));
+    found(
+        format!("a joint with more than friction ties blocks `{i}` and `{j}`"),
+        "leave out cohesion, tension and dilation of the interface",
+    )
+}

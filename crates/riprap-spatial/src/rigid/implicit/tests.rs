@@ -1,0 +1,189 @@
+//! Implicit steps of a world: momentum, energy, threads, restart.
+
+use riprap_geom::Vec3;
+
+use crate::contact::tests::joint;
+use crate::dynamics::damping::Damping;
+use crate::exec::Exec;
+use crate::ledger::Balance;
+use crate::query::view::View;
+use crate::rigid::implicit::choose;
+use crate::setup::{BlockName, BlockSpec, InterfaceLaw, Material, Motion, Setup, Shape, Support};
+use crate::state::scratch::Scratch;
+use crate::state::world::World;
+use crate::step;
+
+fn brick(centre: [f64; 3], size: [f64; 3], velocity: Vec3, spin: Vec3) -> BlockSpec {
+    let (centre, half) = (Vec3::from_array(centre), 0.5 * Vec3::from_array(size));
+    BlockSpec {
+        name: BlockName { base: 0, number: 0 },
+        shape: Shape::Brick { centre, half },
+        material: 0,
+        velocity,
+        spin,
+    }
+}
+
+/// Blocks of a rock with friction, the first one held or not.
+fn model(mut blocks: Vec<BlockSpec>, held: bool, gravity: f64) -> Setup {
+    for (k, block) in blocks.iter_mut().enumerate() {
+        block.name.number = k as u32 + 1;
+    }
+    let motion = Motion::Fixed { translation: [true; 3], rotation: [true; 3] };
+    let rock = Material { name: "rock".into(), density: 2500.0, young: None, poisson: None };
+    let law = joint(0.5, 0.0);
+    Setup {
+        gravity: Vec3::new(0.0, 0.0, -gravity),
+        materials: vec![rock],
+        names: vec!["rock".into()],
+        blocks,
+        interfaces: vec![InterfaceLaw {
+            name: "default".into(),
+            bond: None,
+            friction: None,
+            joint: law,
+        }],
+        pair_table: vec![0],
+        supports: if held { vec![Support { blocks: vec![0], motion }] } else { Vec::new() },
+        found_contacts: true,
+        ..Setup::default()
+    }
+}
+
+struct Run {
+    world: World,
+    scratch: Scratch,
+    dt: f64,
+}
+
+impl Run {
+    fn new(setup: Setup, threads: usize, dt: f64) -> Self {
+        let (world, scratch) = World::new(setup, Exec::new(threads).unwrap()).unwrap();
+        let mut run = Self { world, scratch, dt };
+        choose(&mut run.world, &mut run.scratch, true);
+        run.evaluate();
+        run.world.start_energy = Some(run.balance().total());
+        run
+    }
+
+    fn evaluate(&mut self) {
+        let damping = Damping::default();
+        step::evaluate(&mut self.world, &mut self.scratch, &damping, self.dt).unwrap();
+    }
+
+    fn steps(&mut self, count: usize) {
+        for _ in 0..count {
+            step::advance(&mut self.world, &mut self.scratch, self.dt);
+            self.evaluate();
+        }
+    }
+
+    fn balance(&self) -> Balance {
+        View { world: &self.world, scratch: &self.scratch }.balance()
+    }
+
+    fn momentum(&self) -> [Vec3; 2] {
+        let mut sums = [Vec3::ZERO; 2];
+        for b in 0..self.world.alive.len() {
+            let solid = self.world.solid_of(b);
+            let pose = self.world.pose(b);
+            let p = solid.mass * self.world.bodies.velocity(b);
+            let spin = self.world.turning(b).momentum;
+            sums[0] += p;
+            sums[1] += pose.position.cross(p) + spin;
+        }
+        sums
+    }
+}
+
+/// A floor and bricks of several sizes above it, askew.
+fn heap() -> Vec<BlockSpec> {
+    let mut blocks = vec![brick([0.0, 0.0, -0.5], [8.0, 8.0, 1.0], Vec3::ZERO, Vec3::ZERO)];
+    for k in 0..24_u32 {
+        let at = |n: u32, m: u32| f64::from((k * n) % m) / f64::from(m) - 0.5;
+        let centre = [0.8 * at(5, 7), 0.8 * at(3, 5), 0.4 + 0.3 * f64::from(k)];
+        let size = [0.3 + 0.1 * at(7, 11), 0.25 + 0.1 * at(4, 9), 0.2 + 0.1 * at(2, 13)];
+        let spin = Vec3::new(at(3, 11), at(5, 13), at(2, 7));
+        blocks.push(brick(centre, size, Vec3::new(0.0, 0.0, -1.0), spin));
+    }
+    blocks
+}
+
+#[test]
+fn any_number_of_threads_and_a_restart_give_the_same_bits() {
+    let run = |threads: usize| {
+        let mut run = Run::new(model(heap(), true, 9.81), threads, 1e-3);
+        run.steps(600);
+        run
+    };
+    let one = run(1);
+    assert!(one.world.works.friction > 0.0);
+    for threads in [2, 5] {
+        assert_eq!(run(threads).world.hash(), one.world.hash(), "{threads} threads");
+    }
+    let mut first = Run::new(model(heap(), true, 9.81), 1, 1e-3);
+    first.steps(333);
+    // What a checkpoint holds, without any workspace; forces are found again.
+    let mut world = first.world.clone();
+    let scratch = Scratch::new(&mut world, Exec::new(3).unwrap());
+    let mut again = Run { world, scratch, dt: 1e-3 };
+    again.evaluate();
+    again.steps(267);
+    assert_eq!(again.world.hash(), one.world.hash());
+    assert_eq!(again.world.works, one.world.works);
+}
+
+#[test]
+fn evaluating_an_instant_again_changes_nothing() {
+    let mut run = Run::new(model(heap(), true, 9.81), 1, 1e-3);
+    run.steps(300);
+    let (hash, works) = (run.world.hash(), run.world.works);
+    for dt in [1e-4, 0.0, 1e-3] {
+        run.dt = dt;
+        run.evaluate();
+    }
+    assert_eq!((run.world.hash(), run.world.works), (hash, works));
+}
+
+#[test]
+fn momentum_is_exact_and_energy_never_grows() {
+    // Three bricks that fly into each other and touch with friction; nothing else acts.
+    let blocks = vec![
+        brick([0.0; 3], [0.4, 0.5, 0.3], Vec3::ZERO, Vec3::new(0.0, 0.3, 1.0)),
+        brick([0.6, 0.1, 0.05], [0.3; 3], Vec3::new(-2.0, 0.1, 0.0), Vec3::new(0.5, 0.0, 0.0)),
+        brick([0.1, 0.7, 0.0], [0.4, 0.3, 0.2], Vec3::new(0.0, -3.0, 0.2), Vec3::ZERO),
+    ];
+    let mut run = Run::new(model(blocks, false, 0.0), 1, 1e-3);
+    let [p, l] = run.momentum();
+    let mut before = run.balance();
+    let start = before.total();
+    for _ in 0..400 {
+        run.steps(1);
+        let now = run.balance();
+        assert!(now.total() <= before.total() + 1e-9 * start, "{} {}", now.total(), before.total());
+        assert!(now.residual().abs() < 1e-9 * start, "{}", now.residual() / start);
+        before = now;
+    }
+    assert!(before.works.integrator > 0.01 * start && before.works.friction > 0.0);
+    let [q, m] = run.momentum();
+    assert!((q - p).length() < 1e-10 * p.length(), "{p} {q}");
+    assert!((m - l).length() < 1e-3 * l.length(), "{l} {m}");
+}
+
+#[test]
+fn half_the_step_loses_half_to_the_integration() {
+    // A brick that turns about its edge without an impact.
+    let lost = |dt: f64| {
+        let blocks = vec![
+            brick([0.0, 0.0, -0.5], [4.0, 4.0, 1.0], Vec3::ZERO, Vec3::ZERO),
+            brick([0.0, 0.0, 0.5], [0.25, 0.5, 1.0], Vec3::ZERO, Vec3::new(0.0, 1.5, 0.0)),
+        ];
+        let mut run = Run::new(model(blocks, true, 9.81), 1, dt);
+        run.steps((0.3 / dt).round() as usize);
+        let spent = run.balance();
+        assert!(spent.residual_relative().abs() < 1e-4, "{}", spent.residual_relative());
+        spent.works.integrator
+    };
+    let [coarse, fine] = [2e-3, 1e-3].map(lost);
+    assert!(fine > 0.0 && (0.3..0.7).contains(&(fine / coarse)), "{coarse} {fine}");
+}

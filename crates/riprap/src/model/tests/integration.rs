@@ -1,0 +1,123 @@
+//! Implicit phases: what they take, what they refuse and with which words.
+
+use super::*;
+use crate::exec::Exec;
+use crate::plan::{IMPLICIT_STEP, Integration};
+use crate::run::given_step;
+use crate::run::simulation::Simulation;
+
+const TWO: &str = r#"
+riprap = 1
+title = "t"
+[space.spatial]
+gravity = "9.81 m/s2"
+[materials.rock]
+density = "2500 kg/m3"
+young = "20 GPa"
+poisson = 0.25
+[interfaces.default]
+normal_stiffness = "1 GPa/m"
+friction_angle = "30 deg"
+[[blocks]]
+name = "floor"
+material = "rock"
+brick = { size = ["4 m", "4 m", "1 m"], corner = ["-2 m", "-2 m", "-1 m"] }
+[[blocks]]
+name = "stone"
+material = "rock"
+brick = { size = ["1 m", "1 m", "1 m"], corner = ["-0.5 m", "-0.5 m", "0 m"] }
+[[supports]]
+on.block = "floor"
+fixed = {}
+[[phases]]
+name = "rest"
+until.time = "1 s"
+integration = "implicit"
+"#;
+
+fn model(text: &str) -> Result<Model, String> {
+    let parsed = parse(Source::new("t.toml", text)).map_err(|error| error.render())?;
+    build(&parsed, "default", crate::run::engine::Kind::Spatial.fields())
+        .map_err(|error| error.render())
+}
+
+/// What is said against a scene when it is checked, with its place.
+fn refused(text: &str) -> String {
+    let parsed = match parse(Source::new("t.toml", text)) {
+        Ok(parsed) => parsed,
+        Err(error) => return error.render(),
+    };
+    let model = match model(text) {
+        Ok(model) => model,
+        Err(error) => return error,
+    };
+    let simulation = Simulation::new(model.setup, model.plan, Exec::serial()).expect("built");
+    given_step::check(&simulation).err().map_or(String::new(), |e| e.at(&parsed).render())
+}
+
+#[test]
+fn dry_blocks_are_taken_with_steps_of_their_own() {
+    assert_eq!(refused(TWO), "");
+    let phase = &model(TWO).expect("good").plan.phases[0];
+    assert_eq!(phase.integration, Integration::Implicit);
+    assert_eq!(phase.time_step, TimeStep::Given { dt: IMPLICIT_STEP });
+    // Longer than any explicit step of contacts.
+    assert_eq!(refused(&format!("{TWO}time_step = \"5 ms\"\n")), "");
+}
+
+#[test]
+fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
+    let held = TWO.replace("friction_angle", "cohesion = \"1 MPa\"\nfriction_angle");
+    let parts = TWO.replace(
+        "brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] }",
+        "parts = [\n  { brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] } },\n  \
+         { brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"0.5 m\", \"-0.5 m\", \"0 m\"] } },\n]",
+    );
+    let off = TWO.replace("[space.spatial]", "[space.spatial]\nfound_contacts = false");
+    let viscous = format!(
+        "{TWO}[[boundaries]]\nname = \"top\"\non = {{ block = \"stone\", side = \"z-max\" }}\nviscous = {{}}\n"
+    );
+    for (text, words) in [
+        (&held, "a joint with more than friction ties blocks `floor` and `stone`"),
+        (&parts, "block `stone` has glued `parts`"),
+        (&off, "contact detection is switched off"),
+        (&viscous, "boundary `top` acts on faces of blocks"),
+    ] {
+        let said = refused(text);
+        assert!(said.contains(words), "{said}");
+        assert!(said.contains("phase `rest` is implicit") && said.contains("t.toml:"), "{said}");
+        assert!(said.contains("or use `integration = \"explicit\"`"), "{said}");
+        // Explicit phases take all of it.
+        let explicit = text.replace("\"implicit\"", "\"explicit\"");
+        assert_eq!(refused(&explicit), "");
+    }
+}
+
+#[test]
+fn keys_that_have_no_meaning_in_an_implicit_phase_are_refused() {
+    let quiet = format!("{TWO}kind = \"static\"\n");
+    let local = format!("{TWO}damping.local = 0.5\n");
+    for (text, words) in [
+        (&quiet, "phase `rest` is static and implicit"),
+        (&local, "phase `rest` is implicit and has local damping"),
+    ] {
+        let said = refused(text);
+        assert!(said.contains(words) && said.contains("t.toml:"), "{said}");
+    }
+    let plane = format!(
+        "{HEAD}[[blocks]]\nname = \"a\"\nmaterial = \"rock\"\nrectangle = {{ size = [\"1 m\", \"1 m\"], corner = [\"0 m\", \"0 m\"] }}\n\
+         [[phases]]\nname = \"rest\"\nuntil.time = \"1 s\"\nintegration = \"implicit\"\n"
+    );
+    let said = refused(&plane);
+    assert!(said.contains("integration") && said.contains("space"), "{said}");
+}
+
+#[test]
+fn a_rebound_that_would_be_lost_is_reported() {
+    let rebounds = TWO.replace("friction_angle", "restitution = 0.4\nfriction_angle");
+    let warnings = model(&rebounds).expect("good").warnings;
+    let found = warnings.iter().find(|warning| warning.code == "phase.restitution");
+    let message = &found.expect("a warning").message;
+    assert!(message.contains("`interfaces.default.restitution` has no effect"), "{message}");
+    assert!(model(TWO).expect("good").warnings.iter().all(|w| w.code != "phase.restitution"));
+}

@@ -1,0 +1,52 @@
+//! The choice between explicit and implicit steps.
+
+use super::{RunError, Simulation, damping_of};
+use crate::dynamics::damping::Damping;
+use crate::plan::{IMPLICIT_STEP, Integration, Phase, PhaseKind, TimeStep};
+use crate::spatial::Obstacle;
+use crate::spatial::read::outlook;
+
+/// Explicit steps that one implicit step must stand for: it costs about as much as 20.
+const WORTH: f64 = 20.0;
+
+impl Simulation {
+    /// Begins the integration that `phase` asks for.
+    pub(super) fn choose_integration(&mut self, phase: &Phase) -> Result<(), RunError> {
+        let implicit = match phase.integration {
+            Integration::Explicit => false,
+            Integration::Implicit => true,
+            Integration::Automatic => {
+                let damping = damping_of(phase);
+                // Who can meet whom is known after a look.
+                self.evaluate(&damping, 0.0)?;
+                let (implicit, words) = match self.against_implicit(phase, &damping) {
+                    Some(why) => (false, format!("explicit: {why}")),
+                    None => (true, "implicit".to_owned()),
+                };
+                self.cursor.chosen.push(format!("phase `{}` was stepped {words}", phase.name));
+                implicit
+            }
+        };
+        self.engine.integrate_implicitly(implicit);
+        Ok(())
+    }
+
+    /// Why a phase is better stepped explicitly, in words.
+    fn against_implicit(&self, phase: &Phase, damping: &Damping) -> Option<String> {
+        if phase.kind == PhaseKind::Static || damping.local > 0.0 {
+            return Some("it has local damping".to_owned());
+        }
+        if let Some(Obstacle { what, .. }) = self.engine.obstacle() {
+            return Some(what);
+        }
+        let view = self.view().spatial()?;
+        let meets = outlook::outlook(&view);
+        let shortest = meets.iter().map(|meets| meets.step).fold(f64::INFINITY, f64::min);
+        let long = match phase.time_step {
+            TimeStep::Given { dt } => dt,
+            TimeStep::Auto { .. } => IMPLICIT_STEP,
+        };
+        (long < WORTH * shortest)
+            .then(|| format!("steps of {shortest:.1e} s are long enough once blocks touch"))
+    }
+}
