@@ -16,7 +16,7 @@ mod tetrahedra;
 mod touch;
 mod voronoi;
 
-pub use depth::{DepthCells, DepthPoint};
+pub use depth::{DepthCells, DepthPoint, GluedCells};
 pub use glued::GluedError;
 pub use hull::hull;
 pub use mass::{Moments, principal};

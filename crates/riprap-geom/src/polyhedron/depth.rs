@@ -18,6 +18,10 @@
 use super::Tetrahedra;
 use crate::Vec3;
 
+mod glued;
+
+pub use glued::GluedCells;
+
 /// Faces at nearly one distance from the centroid, relative to it: the regions are the tetrahedra of the solid.
 const ROUND: f64 = 1e-9;
 /// Points nearer than this, times the size, are one: more than round-off, and if that does not do, more than what crooked faces

@@ -1,10 +1,11 @@
 //! Blocks of glued parts: their largest faces, and what they cannot stand beside yet.
 
 use crate::contact::limit;
+use crate::faces::region::{Bounds, Extent};
 use crate::kernel::Pose;
 use crate::kernel::glued::Glued;
 use crate::setup::error::BuildError;
-use crate::setup::{FaceSet, Setup, Shape, Solid};
+use crate::setup::{Bolt, FaceSet, Region, Setup, Shape, Solid};
 use crate::state::contact_scratch::FacePair;
 use crate::state::world::World;
 
@@ -54,16 +55,8 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
     let model = [
         (!setup.found_contacts, "interacts only by contact: set `found_contacts = true`"),
         (
-            !setup.deform.sets.is_empty(),
-            "cannot touch deformable blocks yet: make all blocks rigid",
-        ),
-        (
             !setup.sources.is_empty(),
             "cannot be loaded by [[sources]] yet: remove them, or make the block convex",
-        ),
-        (
-            !setup.bolts.is_empty(),
-            "cannot be bolted yet: remove the bolts, or make the block convex",
         ),
         (
             setup.in_situ.is_some(),
@@ -84,7 +77,20 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
         let Shape::Glued(parts) = &block.shape else {
             continue;
         };
+        let crossed = |bolt: &Bolt| {
+            let line = Region::Line(bolt.head, bolt.toe);
+            let bounds = |part: &Solid| Bounds::around(&part.vertices);
+            parts.iter().any(|part| Extent::Solid(part.polyhedron(), bounds(part)).touches(&line))
+        };
+        if setup.bolts.iter().any(crossed) {
+            let reason = "cannot be bolted yet: move the bolts out of it, or make the block convex";
+            return Err(refused(b, reason));
+        }
         let listed = |blocks: &[u32]| blocks.binary_search(&(b as u32)).is_ok();
+        if setup.deform.sets.iter().any(|set| set.blocks.contains(&(b as u32))) {
+            let reason = "cannot deform yet: make it rigid, or bond convex blocks to each other";
+            return Err(refused(b, reason));
+        }
         let size = Solid::all(parts).polyhedron().size();
         let on = |set: &FaceSet| match set {
             FaceSet::Blocks { blocks, .. } | FaceSet::Surface { blocks, .. } => listed(blocks),

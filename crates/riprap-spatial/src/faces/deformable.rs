@@ -12,22 +12,20 @@ use crate::state::world::World;
 /// Cosine beyond which two normals are the same.
 pub(crate) const PARALLEL: f64 = 1.0 - 1e-9;
 
-/// A convex solid with its centroid at the origin, and that centroid.
+fn about_centroid(mut body: Polyhedron) -> (Polyhedron, Vec3) {
+    let centroid = body.moments().centroid;
+    body.vertices.iter_mut().for_each(|v| *v -= centroid);
+    (body, centroid)
+}
+
+/// A solid with its centroid at the origin, and that centroid.
 #[must_use]
 pub(crate) fn centred(shape: &Shape) -> (Polyhedron, Vec3) {
     match shape {
         Shape::Brick { centre, half } => (Polyhedron::brick(Vec3::ZERO, *half), *centre),
-        Shape::Polyhedron(solid) => {
-            let mut body =
-                Polyhedron { vertices: solid.vertices.clone(), faces: solid.faces.clone() };
-            let centroid = body.moments().centroid;
-            for v in &mut body.vertices {
-                *v -= centroid;
-            }
-            (body, centroid)
-        }
-        // Glued parts beside deformable blocks are refused.
-        Shape::Glued(parts) => (Solid::all(parts).polyhedron(), Vec3::ZERO),
+        Shape::Polyhedron(solid) => about_centroid(solid.polyhedron()),
+        // With all faces of its parts; integrals over glued ones cancel.
+        Shape::Glued(parts) => about_centroid(Solid::all(parts).polyhedron()),
         Shape::Terrain(surface) => {
             let body = surface.body();
             let body = Polyhedron { vertices: body.vertices, faces: body.faces };

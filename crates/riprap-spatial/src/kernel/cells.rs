@@ -25,12 +25,13 @@ pub struct TetFan {
     pub cells: Vec<Cell>,
     /// Boxes of the cells.
     pub boxes: Vec<Box3>,
-    /// Key of the contact that each cell belongs to: the facet of terrain. Empty where the block has one contact with another.
+    /// Key of the contact that each cell belongs to: the facet of terrain, the convex piece of a block of glued parts. Empty where the block
+    /// has one contact with another.
     pub keys: Vec<u32>,
     /// Whether no tetrahedron of the block is inside out.
     pub sound: bool,
     /// Where the points of the cells are that are no nodes, m.
-    pub(super) points: Vec<Vec3>,
+    pub(crate) points: Vec<Vec3>,
 }
 
 impl Default for TetFan {
@@ -105,11 +106,13 @@ pub struct Member {
     pub body: Option<u32>,
     /// Cells of a rigid block about its centroid, and the places of their nodes, m.
     pub rigid: Option<(DepthCells, Vec<Vec3>)>,
-    /// Least distance of its centre from a face, m: the half cell of its stiffness.
+    /// Convex piece of each of these cells; empty for a convex block.
+    pub pieces: Vec<u32>,
+    /// Least distance of its centre from a face, m, of glued parts in the thinnest piece: the half cell of its stiffness.
     pub half: f64,
-    /// Largest depth in it, m.
+    /// Largest depth in it, of glued parts in the thinnest piece, m.
     pub peak: f64,
-    /// Area of its largest face, m².
+    /// Area of its largest face, of glued parts half of all faces, m².
     pub largest: f64,
     /// Area that each node of a deformable block stands for, m².
     pub areas: Vec<f64>,
@@ -152,7 +155,7 @@ pub struct Spot {
     pub drag: Vec3,
 }
 
-/// One contact of a pair: that of a block with a facet of terrain, or the only one.
+/// One contact of a pair: that of a block with a facet of terrain or a convex piece of glued parts, or the only one.
 #[derive(Clone, Debug, Default)]
 pub struct CellPatch {
     /// Its key among those of the pair.

@@ -35,7 +35,7 @@ pub struct DeformablePair {
     pub ends: [u32; 2],
     /// Whether the pair has been evaluated before: what a new one stores already comes from an edit.
     pub known: bool,
-    /// Its contacts that touch, by their keys: one, or on terrain one for each facet.
+    /// Its contacts that touch, by their keys: one, on terrain one for each facet, with glued parts one for each of their convex pieces.
     pub contacts: Vec<DeformableContact>,
     /// Energy in their springs, J.
     pub stored: f64,
@@ -61,7 +61,7 @@ impl DeformablePair {
 /// A contact of two blocks with one normal and one limit of friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct DeformableContact {
-    /// Number of the facet of terrain; 0 for the only contact of two blocks.
+    /// Number of the facet of terrain or of the convex piece of glued parts; 0 for the only contact of two convex blocks.
     pub key: u32,
     /// Springs along it.
     pub memory: DeformableMemory,

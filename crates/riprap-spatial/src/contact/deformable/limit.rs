@@ -27,7 +27,16 @@ pub(super) fn longest_step(world: &World, desk: &TetContactScratch) -> f64 {
         let law = &constants.law;
         let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
         let two = constants.members.map(|k| &desk.members[k as usize]);
-        let area = two[0].largest.min(two[1].largest);
+        // Glued parts can press on several faces of the other block at once.
+        let whole = |m: &Member| match m.body {
+            Some(_) => 0.5 * m.areas.iter().sum::<f64>(),
+            None => m.largest,
+        };
+        let area = if two.iter().any(|m| !m.pieces.is_empty()) {
+            whole(two[0]).min(whole(two[1]))
+        } else {
+            two[0].largest.min(two[1].largest)
+        };
         let squares = two.map(|m| match m.body {
             Some(_) => m.own + stiffness * m.ease,
             None if world.is_terrain(m.block as usize) => 0.0,

@@ -20,12 +20,14 @@ pub(crate) use act::{act, depart};
 pub(crate) use part::part;
 pub(crate) use search::refresh;
 
+use riprap_geom::polyhedron::GluedCells;
+
 use crate::contact::CHECK_INTERVAL;
 use crate::joint::classes::stiffness;
 use crate::kernel::ContactLaw;
 use crate::ledger::Works;
 use crate::setup::error::BuildError;
-use crate::setup::{InterfaceLaw, Setup};
+use crate::setup::{InterfaceLaw, Setup, Shape};
 use crate::state::deformable::DeformablePair;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
@@ -70,10 +72,19 @@ pub(crate) fn between(
 /// Looks at all laws that found contacts of deformable blocks can ask for, so that none is missing in the middle of a run.
 ///
 /// # Errors
-/// A stiffness without modulus.
+/// A stiffness without modulus; glued parts whose depth cannot be found on tetrahedra.
 pub(crate) fn check(world: &World) -> Result<(), BuildError> {
     if !world.setup.found_contacts || world.deform.is_none() {
         return Ok(());
+    }
+    for (b, spec) in world.setup.blocks.iter().enumerate() {
+        if let Shape::Glued(parts) = &spec.shape
+            && GluedCells::new(&search::about(parts, world.reference[b])).is_none()
+        {
+            let reason = "cannot touch deformable blocks: the tetrahedra of its depth do not fill it; \
+                          use fewer, larger parts with planar faces, or make all blocks rigid";
+            return Err(BuildError::Glued { block: world.name(b), reason });
+        }
     }
     let count = world.setup.materials.len();
     // A block of each material, deformable and rigid.

@@ -5,9 +5,10 @@
 //! targets alike; it has a member of its own for each block that is near it, with the prisms below that block's box.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use riprap_core::sets::Sets;
-use riprap_geom::polyhedron::{DepthCells, Tetrahedra};
+use riprap_geom::polyhedron::{DepthCells, GluedCells, Polyhedron, Tetrahedra};
 use riprap_geom::{Mat3, Vec3};
 
 use crate::broad::search::{Search, any_leaves, carry};
@@ -20,6 +21,7 @@ use crate::kernel::cells::{
     Member, PairConstants, PairSlot, PairWorkspace, TetContactScratch, TetFan,
 };
 use crate::kernel::grid::{Box3, Role};
+use crate::setup::{Shape, Solid};
 use crate::state::contact_scratch::Grounds;
 use crate::state::deform::Deform;
 use crate::state::deformable::{DeformableContacts, DeformablePair, DeformableSearch};
@@ -307,9 +309,19 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrai
     blocks.dedup();
     // Many blocks are of one class: what follows from it is found once.
     let mut bounds: BTreeMap<u32, f64> = BTreeMap::new();
-    desk.members = blocks.iter().map(|b| member(world, deform, work, *b, &mut bounds)).collect();
+    // So is what follows from glued parts, which takes long.
+    let mut glued = std::mem::take(&mut desk.members);
+    glued.retain(|member| !member.pieces.is_empty());
+    let member = |b: &u32| match deform.body(*b as usize) {
+        Some(body) => {
+            soft_member(*b, deform.slot[*b as usize], work.class(body), bounds.entry(body.class))
+        }
+        None => rigid_member(world, *b, &mut glued),
+    };
+    desk.members = blocks.iter().map(member).collect();
     desk.stars.clear();
-    desk.stars.resize_with(blocks.len(), TetFan::default);
+    let star = |member: &Member| TetFan { keys: member.pieces.clone(), ..TetFan::default() };
+    desk.stars.extend(desk.members.iter().map(star));
     let place = |b: u32| blocks.partition_point(|other| *other < b) as u32;
     let (members, stars, boxes) = (&mut desk.members, &mut desk.stars, &desk.boxes);
     desk.constants = pairs
@@ -365,6 +377,7 @@ fn below(terrain: u32, block: &Member) -> Member {
         block: terrain,
         body: None,
         rigid: None,
+        pieces: Vec::new(),
         half: block.half,
         peak: block.peak,
         largest: f64::INFINITY,
@@ -374,48 +387,75 @@ fn below(terrain: u32, block: &Member) -> Member {
     }
 }
 
-fn member(
-    world: &World,
-    deform: &Deform,
-    work: &Workspace,
-    block: u32,
-    bounds: &mut BTreeMap<u32, f64>,
-) -> Member {
-    let Some(body) = deform.body(block as usize) else {
-        let (solid, _) = centred(&world.setup.blocks[block as usize].shape);
-        let mesh = Tetrahedra::new(&solid).ok();
-        let half = mesh.as_ref().map_or(f64::NAN, Tetrahedra::height);
-        let rigid = mesh.map(|mesh| (DepthCells::new(&mesh), mesh.nodes));
-        let largest =
-            (0..solid.faces.len()).map(|f| solid.area_vector(f).length()).fold(0.0, f64::max);
-        return Member {
-            block,
-            body: None,
-            half,
-            peak: rigid.as_ref().map_or(f64::NAN, |r| r.0.peak()),
-            rigid,
-            largest,
-            areas: Vec::new(),
-            ease: world.freedoms(block as usize)[0].max_element()
-                / world.solid_of(block as usize).mass,
-            own: 0.0,
-        };
-    };
-    let class = work.class(body);
+/// A deformable block; `own`: the bound of the frequency of its class, found once.
+fn soft_member(block: u32, body: u32, class: &BlockClass, own: Entry<'_, u32, f64>) -> Member {
     let (areas, largest) = shown(class);
     let ratios = areas.iter().zip(class.masses()).map(|(a, m)| a / m);
     let ease = ratios.fold(0.0, f64::max);
     Member {
         block,
-        body: Some(deform.slot[block as usize]),
+        body: Some(body),
         rigid: None,
+        pieces: Vec::new(),
         half: class.mesh.height(),
         peak: class.depths().peak(),
         largest,
         areas,
         ease,
-        own: *bounds.entry(body.class).or_insert_with(|| own_frequency(class)),
+        own: *own.or_insert_with(|| own_frequency(class)),
     }
+}
+
+/// A rigid block: convex, or of glued parts. `glued`: the blocks of glued parts that are already known.
+fn rigid_member(world: &World, block: u32, glued: &mut Vec<Member>) -> Member {
+    let b = block as usize;
+    let ease = world.freedoms(b)[0].max_element() / world.solid_of(b).mass;
+    if let Some(at) = glued.iter().position(|member| member.block == block) {
+        return Member { ease, ..glued.swap_remove(at) };
+    }
+    let areas = |solid: &Polyhedron| -> Vec<f64> {
+        (0..solid.faces.len()).map(|f| solid.area_vector(f).length()).collect()
+    };
+    let mut made = Member {
+        block,
+        body: None,
+        rigid: None,
+        pieces: Vec::new(),
+        half: f64::NAN,
+        peak: f64::NAN,
+        largest: f64::NAN,
+        areas: Vec::new(),
+        ease,
+        own: 0.0,
+    };
+    let shape = &world.setup.blocks[b].shape;
+    if let Shape::Glued(parts) = shape {
+        let parts = about(parts, world.reference[b]);
+        made.largest = 0.5 * parts.iter().flat_map(areas).sum::<f64>();
+        if let Some(cells) = GluedCells::new(&parts) {
+            (made.half, made.peak) = (cells.height, cells.peak);
+            (made.rigid, made.pieces) = (Some((cells.field, cells.nodes)), cells.pieces);
+        }
+    } else {
+        let (solid, _) = centred(shape);
+        made.largest = areas(&solid).into_iter().fold(0.0, f64::max);
+        if let Ok(mesh) = Tetrahedra::new(&solid) {
+            let field = DepthCells::new(&mesh);
+            (made.half, made.peak) = (mesh.height(), field.peak());
+            made.rigid = Some((field, mesh.nodes));
+        }
+    }
+    made
+}
+
+/// Parts about a place (m).
+pub(super) fn about(parts: &[Solid], place: Vec3) -> Vec<Polyhedron> {
+    let moved = |part: &Solid| {
+        let mut solid = part.polyhedron();
+        solid.vertices.iter_mut().for_each(|v| *v -= place);
+        solid
+    };
+    parts.iter().map(moved).collect()
 }
 
 /// Area that each node stands for and that of the largest face, m².

@@ -20,6 +20,8 @@ use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use crate::step;
 
+mod glued;
+
 fn spec(shape: Shape) -> BlockSpec {
     BlockSpec {
         name: BlockName { base: 0, number: 0 },

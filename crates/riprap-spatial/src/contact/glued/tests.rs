@@ -13,6 +13,7 @@ use crate::kernel::glued::{Glued, Gluer, Placed, Touch};
 use crate::kernel::surface::Walker;
 use crate::kernel::terrain::Under;
 use crate::kernel::{Body, Found, Pair, Pose, Reached, Shape, Terrain, turn};
+use crate::laws::bolt::Design;
 use crate::setup;
 use crate::setup::error::BuildError;
 use crate::setup::{BlockSpec, Setup, Solid};
@@ -402,4 +403,36 @@ fn what_takes_no_glued_parts_refuses_them_by_name() {
     assert!(boundary.contains("[[boundaries]]"), "{boundary}");
     let periodic = refused(&|setup| setup.periodic[0] = Some(10.0));
     assert!(periodic.contains("periodic"), "{periodic}");
+    let bolted = |head: [f64; 3], toe: [f64; 3]| {
+        move |setup: &mut Setup| {
+            let elastic = f64::INFINITY;
+            let design = Design {
+                axial: 1e8,
+                yields: elastic,
+                hardening: 0.0,
+                breaks: elastic,
+                grout: 1e9,
+                bond: elastic,
+                grouted: elastic,
+                plate: None,
+                pretension: 0.0,
+                dowel: None,
+                piece: 0.1,
+            };
+            let [head, toe] = [head, toe].map(Vec3::from_array);
+            setup.bolts.push(setup::Bolt { name: "bar".into(), head, toe, design });
+        }
+    };
+    let through = refused(&bolted([0.15, 0.15, 3.0], [0.15, 0.15, 1.1]));
+    assert!(through.contains("cannot be bolted"), "{through}");
+    // Beside it and in the opening of the U bolts are none of its business.
+    for (head, toe) in
+        [([-1.5, -1.5, 0.0], [-1.5, -1.5, -0.8]), ([0.45, 0.15, 1.31], [0.45, 0.15, 1.35])]
+    {
+        let mut setup = interlocked();
+        setup.blocks.truncate(2);
+        bolted(head, toe)(&mut setup);
+        let error = World::new(setup, Exec::serial()).err();
+        assert!(!matches!(error, Some(BuildError::Glued { .. })), "{error:?}");
+    }
 }
