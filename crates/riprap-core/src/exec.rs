@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::sync::{Mutex, PoisonError, mpsc};
 
 use rayon::prelude::*;
 
@@ -15,8 +15,9 @@ use crate::sums::{GROUP, Tree};
 /// Items per chunk in parallel stages without sums, and in looks; a power of 2 times [`GROUP`].
 pub const CHUNK: usize = 512;
 
-/// Pieces that work on a whole model should have, several for each thread, unless they get larger than [`LARGEST_PIECE`].
-const PIECES: usize = 16;
+/// Pieces that work on a whole model should have, several for each of as many threads as a machine may have, unless they get larger than
+/// [`LARGEST_PIECE`] or smaller than a group.
+const PIECES: usize = 256;
 /// Most items in a piece.
 const LARGEST_PIECE: usize = 2048;
 
@@ -153,11 +154,17 @@ impl Exec {
         }
     }
 
+    /// Workspaces that [`Exec::groups2`] needs for `count` items: one for each thread that can have work.
+    #[must_use]
+    pub fn workspaces(&self, count: usize) -> usize {
+        count.div_ceil(piece(count)).min(self.threads.max(1))
+    }
+
     /// Calls `f(first_index, group_of_a, group_of_b, partial, workspace)` for each [`GROUP`] of two slices of equal length, with one
-    /// `partial` per group; those of a [`piece`] share a `workspace`.
+    /// `partial` per group. A `workspace` is used by one thread at a time, in any order: no result may depend on what it holds.
     ///
     /// # Panics
-    /// When the slices differ in length.
+    /// When the slices differ in length, or there are fewer than [`Exec::workspaces`].
     pub fn groups2<A: Send, B: Send, P: Send, R: Send>(
         &self,
         a: &mut [A],
@@ -167,6 +174,10 @@ impl Exec {
         f: impl Fn(usize, &mut [A], &mut [B], &mut P, &mut R) + Sync,
     ) {
         assert_eq!(a.len(), b.len(), "grouped slices differ in length");
+        assert!(workspaces.len() >= self.workspaces(a.len()), "a workspace for each thread");
+        let Some(first) = workspaces.first_mut() else {
+            return;
+        };
         let piece = piece(a.len());
         let one = |k: usize, a: &mut [A], b: &mut [B], p: &mut [P], workspace: &mut R| {
             let groups = a.chunks_mut(GROUP).zip(b.chunks_mut(GROUP)).zip(p);
@@ -175,21 +186,30 @@ impl Exec {
             }
         };
         match &self.pool {
-            Some(pool) if a.len() > piece => pool.install(|| {
-                a.par_chunks_mut(piece)
-                    .zip(b.par_chunks_mut(piece))
-                    .zip(partials.par_chunks_mut(piece / GROUP))
-                    .zip(workspaces.par_iter_mut())
-                    .enumerate()
-                    .for_each(|(k, (((a, b), p), workspace))| one(k, a, b, p, workspace));
-            }),
+            Some(pool) if a.len() > piece => {
+                let spare = Mutex::new(workspaces.iter_mut().collect::<Vec<_>>());
+                let spare = || spare.lock().unwrap_or_else(PoisonError::into_inner);
+                pool.install(|| {
+                    a.par_chunks_mut(piece)
+                        .zip(b.par_chunks_mut(piece))
+                        .zip(partials.par_chunks_mut(piece / GROUP))
+                        .enumerate()
+                        .for_each(|(k, ((a, b), p))| {
+                            let taken = spare().pop();
+                            let Some(workspace) = taken else {
+                                unreachable!("there are as many as threads")
+                            };
+                            one(k, a, b, p, workspace);
+                            spare().push(workspace);
+                        });
+                });
+            }
             _ => a
                 .chunks_mut(piece)
                 .zip(b.chunks_mut(piece))
                 .zip(partials.chunks_mut(piece / GROUP))
-                .zip(workspaces.iter_mut())
                 .enumerate()
-                .for_each(|(k, (((a, b), p), workspace))| one(k, a, b, p, workspace)),
+                .for_each(|(k, ((a, b), p))| one(k, a, b, p, first)),
         }
     }
 

@@ -72,28 +72,12 @@ fn report(block: usize, s: &Shape, median: f64, outline: &[Vec2]) -> SliverRepor
 /// first `corners` points) stays where it is.
 pub(crate) fn collapse(parts: &mut Subdivision, corners: usize, smallest: f64) -> usize {
     let mut faces_at: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
-    let mut directed: BTreeSet<(u32, u32)> = BTreeSet::new();
     for (f, face) in parts.faces.iter().enumerate() {
-        directed.extend(sides(face));
         for &p in face {
             faces_at.entry(p).or_default().insert(f as u32);
         }
     }
-    let mut outline = vec![false; parts.points.len()];
-    let mut short: Vec<(f64, u32, u32, bool)> = Vec::new();
-    for &(a, b) in &directed {
-        // An inner side is run through once in either direction.
-        let at_outline = !directed.contains(&(b, a));
-        if at_outline {
-            outline[a as usize] = true;
-            outline[b as usize] = true;
-        }
-        let length = parts.points[a as usize].distance(parts.points[b as usize]);
-        if length < smallest && (at_outline || a < b) {
-            short.push((length, a, b, at_outline));
-        }
-    }
-    short.sort_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
+    let (short, outline) = short_sides(parts, smallest);
     let mut count = 0;
     for (_, a, b, at_outline) in short {
         let (corner_a, corner_b) = ((a as usize) < corners, (b as usize) < corners);
@@ -111,17 +95,8 @@ pub(crate) fn collapse(parts: &mut Subdivision, corners: usize, smallest: f64) -
             parts.points[keep as usize] = 0.5 * (old + parts.points[gone as usize]);
         }
         let touched: Vec<u32> = of_keep.union(of_gone).copied().collect();
-        let renamed = |face: &Vec<u32>| {
-            let mut face: Vec<u32> =
-                face.iter().map(|&p| if p == gone { keep } else { p }).collect();
-            face.dedup();
-            if face.len() > 1 && face[0] == face[face.len() - 1] {
-                face.pop();
-            }
-            face
-        };
-        let new: Vec<Vec<u32>> =
-            touched.iter().map(|&f| renamed(&parts.faces[f as usize])).collect();
+        let renamed = |f: &u32| renamed(&parts.faces[*f as usize], gone, keep);
+        let new: Vec<Vec<u32>> = touched.iter().map(renamed).collect();
         let sound = |face: &Vec<u32>| {
             let corners = parts.corners(face);
             polygon::validate(&corners).is_ok() && polygon::signed_area(&corners) > 0.0
@@ -138,6 +113,37 @@ pub(crate) fn collapse(parts: &mut Subdivision, corners: usize, smallest: f64) -
         count += 1;
     }
     count
+}
+
+/// Sides below `smallest`, the shortest first: length, ends, and whether it lies on the outline; and which points lie there.
+fn short_sides(parts: &Subdivision, smallest: f64) -> (Vec<(f64, u32, u32, bool)>, Vec<bool>) {
+    let directed: BTreeSet<(u32, u32)> = parts.faces.iter().flat_map(|face| sides(face)).collect();
+    let mut outline = vec![false; parts.points.len()];
+    let mut short: Vec<(f64, u32, u32, bool)> = Vec::new();
+    for &(a, b) in &directed {
+        // An inner side is run through once in either direction.
+        let at_outline = !directed.contains(&(b, a));
+        if at_outline {
+            outline[a as usize] = true;
+            outline[b as usize] = true;
+        }
+        let length = parts.points[a as usize].distance(parts.points[b as usize]);
+        if length < smallest && (at_outline || a < b) {
+            short.push((length, a, b, at_outline));
+        }
+    }
+    short.sort_by(|x, y| x.0.total_cmp(&y.0).then((x.1, x.2).cmp(&(y.1, y.2))));
+    (short, outline)
+}
+
+/// A face with one point in place of another.
+fn renamed(face: &[u32], gone: u32, keep: u32) -> Vec<u32> {
+    let mut face: Vec<u32> = face.iter().map(|&p| if p == gone { keep } else { p }).collect();
+    face.dedup();
+    if face.len() > 1 && face[0] == face[face.len() - 1] {
+        face.pop();
+    }
+    face
 }
 
 struct Merging<'a> {

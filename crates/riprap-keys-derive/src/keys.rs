@@ -256,8 +256,7 @@ fn schema(input: &DeriveInput, keys: &[Key<'_>], table: &TableAttributes) -> Res
             None => quote! { None },
         });
         let (space, instead) = (option(key.space.as_deref()), option(key.instead.as_deref()));
-        let required = !key.optional;
-        let texts = key.texts();
+        let (required, texts) = (!key.optional, key.texts());
         quote! {
             table.key(crate::read::KeySchema {
                 word: #word,
@@ -325,97 +324,77 @@ fn read(input: &DeriveInput, keys: &[Key<'_>]) -> Result<TokenStream> {
 
 fn reader(key: &Key<'_>) -> Result<Option<TokenStream>> {
     let (ident, word, ty) = (key.ident, &key.word, key.ty);
-    let doc = format!("`{word}` in SI, written down.");
     let quantity = inner(inner(ty, "Option").unwrap_or(ty), "Quantity");
     let optional = inner(ty, "Option");
-    Ok(Some(match (&key.default, quantity, optional) {
+    let (mut name, mut doc) = (ident.clone(), format!("`{word}` in SI, written down."));
+    let (mut arguments, mut more) = (TokenStream::new(), None);
+    let (result, body) = match (&key.default, quantity, optional) {
         (Default::Text(text), Some(_), Some(_)) => {
-            let other = other(key);
-            quote! {
-                #[doc = #doc]
-                pub fn #ident(&mut self) -> f64 {
-                    self.quantity(#word, self.said().#ident.as_ref(), #text)
-                }
-                #other
-            }
+            more = Some(other(key));
+            (quote! { f64 }, quote! { self.quantity(#word, self.said().#ident.as_ref(), #text) })
         }
-        (Default::Spaces(planar, spatial), Some(_), Some(_)) => quote! {
-            #[doc = #doc]
-            pub fn #ident(&mut self) -> f64 {
+        (Default::Spaces(planar, spatial), Some(_), Some(_)) => {
+            let body = quote! {
                 let default = match self.space() {
                     crate::vectors::InSpace::Planar => #planar,
                     crate::vectors::InSpace::Spatial => #spatial,
                 };
                 self.quantity(#word, self.said().#ident.as_ref(), default)
-            }
-        },
-        (Default::None, Some(_), None) => quote! {
-            #[doc = #doc]
-            pub fn #ident(&mut self) -> f64 {
-                self.required(#word, &self.said().#ident)
-            }
-        },
-        (Default::None, Some(_), Some(_)) => {
-            let other = other(key);
-            quote! {
-                #[doc = #doc]
-                pub fn #ident(&mut self) -> Option<f64> {
-                    self.given(#word, self.said().#ident.as_ref())
-                }
-                #other
-            }
+            };
+            (quote! { f64 }, body)
         }
-        (Default::Word, None, Some(inner)) => quote! {
-            #[doc = #doc]
-            pub fn #ident(&mut self) -> #inner {
-                self.word(#word, self.said().#ident)
-            }
-        },
-        (Default::Plain(value), None, Some(inner)) => quote! {
-            #[doc = #doc]
-            pub fn #ident(&mut self) -> #inner {
-                self.plain(#word, self.said().#ident, #value)
-            }
-        },
+        (Default::None, Some(_), None) => {
+            (quote! { f64 }, quote! { self.required(#word, &self.said().#ident) })
+        }
+        (Default::None, Some(_), Some(_)) => {
+            more = Some(other(key));
+            (quote! { Option<f64> }, quote! { self.given(#word, self.said().#ident.as_ref()) })
+        }
+        (Default::Word, None, Some(inner)) => {
+            (quote! { #inner }, quote! { self.word(#word, self.said().#ident) })
+        }
+        (Default::Plain(value), None, Some(inner)) => {
+            (quote! { #inner }, quote! { self.plain(#word, self.said().#ident, #value) })
+        }
         (Default::None, None, None) if key.told => {
-            let doc = format!("`{word}` as it stands, written down.");
-            quote! {
-                #[doc = #doc]
-                pub fn #ident(&mut self) -> &'said #ty {
-                    let said = &self.said().#ident;
-                    self.told(#word, said);
-                    said
-                }
-            }
+            doc = format!("`{word}` as it stands, written down.");
+            let body = quote! {
+                let said = &self.said().#ident;
+                self.told(#word, said);
+                said
+            };
+            (quote! { &'said #ty }, body)
         }
         (Default::None, None, Some(inner)) if key.told => {
-            let doc = format!("`{word}` as it stands, if it does; written down.");
-            quote! {
-                #[doc = #doc]
-                pub fn #ident(&mut self) -> Option<&'said #inner> {
-                    let said = self.said().#ident.as_ref()?;
-                    self.told(#word, said);
-                    Some(said)
-                }
-            }
+            doc = format!("`{word}` as it stands, if it does; written down.");
+            let body = quote! {
+                let said = self.said().#ident.as_ref()?;
+                self.told(#word, said);
+                Some(said)
+            };
+            (quote! { Option<&'said #inner> }, body)
         }
         (Default::None, None, Some(inner)) if is_plain(inner) => {
-            let name = format_ident!("{}_or", ident);
-            let doc = format!("`{word}`, or a value that comes from elsewhere; written down.");
-            quote! {
-                #[doc = #doc]
-                pub fn #name(&mut self, value: #inner, from: crate::read::Provenance, why: &str) -> #inner {
-                    self.plain_or(#word, self.said().#ident, value, from, why)
-                }
-            }
+            name = format_ident!("{}_or", ident);
+            doc = format!("`{word}`, or a value that comes from elsewhere; written down.");
+            arguments = quote! { value: #inner, from: crate::read::Provenance, why: &str };
+            let body = quote! { self.plain_or(#word, self.said().#ident, value, from, why) };
+            (quote! { #inner }, body)
         }
         (Default::None, None, _) => return Ok(None),
         (_, _, _) => {
             return Err(Error::new_spanned(
-                key.ident,
+                ident,
                 "this default does not suit the type of the key",
             ));
         }
+    };
+    Ok(Some(quote! {
+        #[doc = #doc]
+        pub fn #name(&mut self, #arguments) -> #result {
+            #body
+        }
+        #more
     }))
 }
 

@@ -8,7 +8,7 @@
 use riprap_geom::{Vec2, Vec3};
 
 use super::contact::Relative;
-use super::search::{is_driven, row_of};
+use super::search::{pair_mass, row_of};
 use super::setup::{BondLaw, Setup};
 use super::shapes::Shapes;
 use super::world::{Body, World, Wrench};
@@ -178,13 +178,8 @@ fn apart(setup: &Setup, law: &BondLaw, at: Vec2, n: Vec2) -> Vec2 {
 
 /// Sets the effective masses after supports have changed.
 pub fn set_masses(world: &mut World, shapes: &Shapes) {
-    let inverse = |motion: &Option<Box<super::setup::Motion>>, b: usize| {
-        if is_driven(motion.as_deref()) { 0.0 } else { 1.0 / shapes.mass[b] }
-    };
     for bond in &mut world.bonds {
-        let (i, j) = (bond.i as usize, bond.j as usize);
-        let sum = inverse(&world.motion[i], i) + inverse(&world.motion[j], j);
-        bond.mass = if sum > 0.0 { 1.0 / sum } else { shapes.mass[i].min(shapes.mass[j]) };
+        bond.mass = pair_mass(&world.motion, shapes, [bond.i, bond.j].map(|b| b as usize));
     }
 }
 
@@ -200,14 +195,10 @@ pub fn force(
     if !bond.active {
         return Wrench::default();
     }
-    let (i, j) = (&bodies[bond.i as usize], &bodies[bond.j as usize]);
     let relative = Relative::of(bodies, bond.i, bond.j);
-    let turn = |angle: f64| {
-        let (s, c) = libm::sincos(angle);
-        move |v: Vec2| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y)
-    };
-    let (turn_i, turn_j) = (turn(i.angle), turn(j.angle));
-    let normal = turn(0.5 * (i.angle + j.angle))(bond.normal);
+    let [angle_i, angle_j] = [bond.i, bond.j].map(|b| bodies[b as usize].angle);
+    let [turn_i, turn_j, turn] = [angle_i, angle_j, 0.5 * (angle_i + angle_j)].map(turn);
+    let normal = turn(bond.normal);
     let tangent = normal.perp();
     let (mut stress, mut damp, mut energy) = (Wrench::default(), Wrench::default(), 0.0);
     let general = law.law();
@@ -218,72 +209,92 @@ pub fn force(
     for point in &mut bond.points {
         let (arm_i, arm_j) = (turn_i(point.on_i), turn_j(point.on_j));
         let u = arm_j - arm_i - relative.shift;
-        let (opening, shear) = (u.dot(normal), u.dot(tangent));
-        let failed = point.failed || torn;
+        // The force acts at the middle of the two places.
         let x = arm_i + 0.5 * u;
-        let (r, stored, parted) = match &general {
-            None => {
-                let r = joint_point::joint_point(law, opening, shear, point.slip, failed);
-                (r, None, 0.0)
-            }
-            Some(general) => {
-                let moved = elapsed * relative.at(x);
-                let moved = [moved.dot(normal), moved.dot(tangent), 0.0];
-                let (r, loss) = general_point(general, [opening, shear], &moved, point, failed);
-                (r, Some(loss[0]), loss[1])
-            }
+        let (at, rate) = ([u.dot(normal), u.dot(tangent)], relative.at(x));
+        let moved = elapsed * rate;
+        let moved = [moved.dot(normal), moved.dot(tangent), 0.0];
+        let (r, [stored, parted]) = match &general {
+            None => plain_point(law, at, point.slip, point.failed || torn),
+            Some(general) => general_point(general, at, &moved, point, point.failed || torn),
         };
         failing |= r.failed && !point.failed;
         separation += point.weight * parted;
-        point.failed = r.failed;
-        point.slip = r.slip;
-        point.opening = opening;
-        (point.sigma, point.tau) = (r.sigma, r.tau);
-        // Tension pulls i towards j; the force acts at the middle of the two places.
+        remember(point, &r, at[0]);
+        // Tension pulls i towards j.
         let pull = point.weight * (r.sigma * normal + r.tau * tangent);
         stress = stress.plus(&Wrench::at(pull, x, x + relative.shift));
         if r.sigma != 0.0 || r.tau != 0.0 {
-            energy += match stored {
-                Some(stored) => point.weight * stored,
-                None => {
-                    0.5 * point.weight
-                        * (r.sigma * r.sigma / law.normal_stiffness
-                            + r.tau * r.tau / law.shear_stiffness)
-                }
-            };
-            let rate = relative.at(x);
-            let dash = |stiffness: f64| {
-                let k = stiffness * point.weight;
-                damping::dashpot(law.damping_ratio, k, bond.mass * point.weight / bond.length)
-                    + stiffness_damping * k
-            };
-            let cn = dash(law.normal_stiffness);
-            // Along the joint a failed point has its friction and nothing else.
-            let cs = if r.failed { 0.0 } else { dash(law.shear_stiffness) };
-            // The normal points from i to j: a positive pull is tension.
-            let pull = -cn * rate.dot(normal);
-            // With the pressure there it must not pull.
-            let pull = if r.failed { pull.min(-r.sigma * point.weight) } else { pull };
-            let f = pull * normal - cs * rate.dot(tangent) * tangent;
+            energy += point.weight * stored;
+            let mass = bond.mass * point.weight / bond.length;
+            let c = dashpots(law, point.weight, mass, stiffness_damping);
+            let [pull, drag] = damped(&r, point.weight, c, [rate.dot(normal), rate.dot(tangent)]);
+            let f = pull * normal - drag * tangent;
             damp = damp.plus(&Wrench::at(f, x, x + relative.shift));
         }
     }
     let half = 0.5 * elapsed;
     // Work done on the joint is minus that of its forces on the blocks; what it has not stored of it is lost.
     let lost = -half * relative.power_of(&bond.stress.plus(&stress)) + bond.energy - energy;
-    if general.is_some() {
-        // What was above the residual strength, but no more than was lost at all.
-        let fracture = separation.min(lost).max(0.0);
-        works.dissipate(lost - fracture, fracture);
-    } else if failing {
-        works.dissipate(0.0, lost);
-    } else {
-        works.dissipate(lost, 0.0);
-    }
+    let fracture = by_fracture(lost, failing, general.map(|_| separation));
+    works.dissipate(lost - fracture, fracture);
     works.damping -= half * relative.power_of(&bond.damping.plus(&damp));
     (bond.stress, bond.damping, bond.energy) = (stress, damp, energy);
     bond.torn |= is_torn(bond, law);
     stress.plus(&damp)
+}
+
+/// Rotation by an angle (rad).
+fn turn(angle: f64) -> impl Fn(Vec2) -> Vec2 {
+    let (s, c) = libm::sincos(angle);
+    move |v| Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y)
+}
+
+/// What of a loss of energy is that of fracture, by what was lost above the residual strength where a law says so.
+fn by_fracture(lost: f64, failing: bool, separation: Option<f64>) -> f64 {
+    match separation {
+        // No more than was lost at all.
+        Some(separation) => separation.min(lost).max(0.0),
+        None if failing => lost,
+        None => 0.0,
+    }
+}
+
+fn remember(point: &mut BondPoint, r: &Response, opening: f64) {
+    (point.failed, point.slip, point.opening) = (r.failed, r.slip, opening);
+    (point.sigma, point.tau) = (r.sigma, r.tau);
+}
+
+/// Dashpot coefficients of a point with a share of the mass, across and along the joint.
+#[inline]
+fn dashpots(law: &BondLaw, weight: f64, mass: f64, stiffness_damping: f64) -> [f64; 2] {
+    [law.normal_stiffness, law.shear_stiffness].map(|stiffness| {
+        let k = stiffness * weight;
+        damping::dashpot(law.damping_ratio, k, mass) + stiffness_damping * k
+    })
+}
+
+/// Dashpot forces of a point with the coefficients `c` whose sides part at the velocity `rate`, both across and along the joint: the
+/// pull on the first block, and the drag against the sliding.
+#[inline]
+fn damped(r: &Response, weight: f64, c: [f64; 2], rate: [f64; 2]) -> [f64; 2] {
+    // The normal points from i to j: a positive pull is tension.
+    let pull = -c[0] * rate[0];
+    if r.failed {
+        // With the pressure there it must not pull; along the joint there is friction and nothing else.
+        [pull.min(-r.sigma * weight), 0.0]
+    } else {
+        [pull, c[1] * rate[1]]
+    }
+}
+
+/// A point of the plain law at its opening and shear displacement (m); what it returns is as in [`general_point`].
+#[inline]
+fn plain_point(law: &BondLaw, at: [f64; 2], slip: f64, failed: bool) -> (Response, [f64; 2]) {
+    let r = joint_point::joint_point(law, at[0], at[1], slip, failed);
+    let stored =
+        0.5 * (r.sigma * r.sigma / law.normal_stiffness + r.tau * r.tau / law.shear_stiffness);
+    (r, [stored, 0.0])
 }
 
 /// A point of a law that is not plain, at its opening and shear displacement (m): the response, and per area what it stores and what

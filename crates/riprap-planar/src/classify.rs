@@ -50,31 +50,49 @@ pub struct Classified {
 #[must_use]
 pub fn classify(i: &[Turned], j: &[Turned], shift: Vec2, d0: f64) -> Vec<Classified> {
     let reach = 2.0 * d0;
-    let (a, b) = (i.len(), j.len());
+    let mut found = edge_pairs(i, j, shift, reach);
+    let corners = corner_pairs(i, j, shift, reach, &found);
+    let taken: Vec<Classified> = found.iter().chain(&corners).copied().collect();
+    found.extend(corner_edges([i, j], shift, reach, false, &taken));
+    found.extend(corner_edges([j, i], -shift, reach, true, &taken));
+    found.extend(corners);
+    found.sort_by_key(|c| (c.kind, c.first, c.second));
+    found
+}
+
+fn edge_pairs(i: &[Turned], j: &[Turned], shift: Vec2, reach: f64) -> Vec<Classified> {
     let mut found = Vec::new();
-    for (k, own) in i.iter().enumerate() {
-        for (m, other) in j.iter().enumerate() {
-            if let Some(distance) = parallel_gap(own, other, shift)
-                && distance.abs() < reach
-            {
-                found.push(Classified {
-                    kind: ContactType::EdgeEdge,
-                    first: k,
-                    second: m,
-                    corner_is_second: false,
-                    distance,
-                });
-            }
+    for (first, own) in i.iter().enumerate() {
+        for (second, other) in j.iter().enumerate() {
+            let gap = parallel_gap(own, other, shift).filter(|gap| gap.abs() < reach);
+            found.extend(gap.map(|distance| Classified {
+                kind: ContactType::EdgeEdge,
+                first,
+                second,
+                corner_is_second: false,
+                distance,
+            }));
         }
     }
-    let edges = found.clone();
-    let mut corners = Vec::new();
-    for (k, own) in i.iter().enumerate() {
-        for (m, other) in j.iter().enumerate() {
+    found
+}
+
+/// Pairs of corners, but for those of `edges` that are in contact.
+fn corner_pairs(
+    i: &[Turned],
+    j: &[Turned],
+    shift: Vec2,
+    reach: f64,
+    edges: &[Classified],
+) -> Vec<Classified> {
+    let (a, b) = (i.len(), j.len());
+    let mut found = Vec::new();
+    for (first, own) in i.iter().enumerate() {
+        for (second, other) in j.iter().enumerate() {
             let distance = (own.start + shift - other.start).length();
             let taken = edges.iter().any(|e| {
-                (e.first == k || e.first == (k + a - 1) % a)
-                    && (e.second == m || e.second == (m + b - 1) % b)
+                (e.first == first || e.first == (first + a - 1) % a)
+                    && (e.second == second || e.second == (second + b - 1) % b)
             });
             if distance >= reach || (own.reflex && other.reflex) || taken {
                 continue;
@@ -84,49 +102,46 @@ pub fn classify(i: &[Turned], j: &[Turned], shift: Vec2, d0: f64) -> Vec<Classif
             } else {
                 ContactType::ConvexConvex
             };
-            corners.push(Classified {
-                kind,
-                first: k,
-                second: m,
-                corner_is_second: false,
-                distance,
-            });
+            found.push(Classified { kind, first, second, corner_is_second: false, distance });
         }
     }
-    for (second, (own, other, shift)) in
-        [(false, (i, j, shift)), (true, (j, i, -shift))].into_iter()
-    {
-        for (k, corner) in own.iter().enumerate().filter(|(_, c)| !c.reflex) {
-            for (m, edge) in other.iter().enumerate() {
-                let x = corner.start + shift - edge.start;
-                let along = edge.normal.perp().dot(x);
-                let distance = edge.normal.dot(x);
-                if along < 0.0 || along > edge.length || distance.abs() >= reach {
-                    continue;
+    found
+}
+
+/// Convex corners of the first of two blocks near edges of the other, but for those of the pairs `taken`; `swapped` where that block is the second one.
+fn corner_edges(
+    [own, other]: [&[Turned]; 2],
+    shift: Vec2,
+    reach: f64,
+    swapped: bool,
+    taken: &[Classified],
+) -> Vec<Classified> {
+    let (n, o) = (own.len(), other.len());
+    let mut found = Vec::new();
+    for (k, corner) in own.iter().enumerate().filter(|(_, c)| !c.reflex) {
+        for (m, edge) in other.iter().enumerate() {
+            let x = corner.start + shift - edge.start;
+            let along = edge.normal.perp().dot(x);
+            let distance = edge.normal.dot(x);
+            if along < 0.0 || along > edge.length || distance.abs() >= reach {
+                continue;
+            }
+            let taken = taken.iter().any(|c| {
+                let (e, f) = if swapped { (c.second, c.first) } else { (c.first, c.second) };
+                match c.kind {
+                    ContactType::EdgeEdge => f == m && (e == k || e == (k + n - 1) % n),
+                    ContactType::ConvexConvex
+                    | ContactType::ConcaveConvex
+                    | ContactType::ConvexEdge => e == k && (f == m || f == (m + 1) % o),
                 }
-                let (n, o) = (own.len(), other.len());
-                let of = |c: &Classified| {
-                    if second { (c.second, c.first) } else { (c.first, c.second) }
-                };
-                let by_edge =
-                    edges.iter().map(of).any(|(e, f)| f == m && (e == k || e == (k + n - 1) % n));
-                let by_corner =
-                    corners.iter().map(of).any(|(c, v)| c == k && (v == m || v == (m + 1) % o));
-                if !by_edge && !by_corner {
-                    let (first, second_feature) = if second { (m, k) } else { (k, m) };
-                    found.push(Classified {
-                        kind: ContactType::ConvexEdge,
-                        first,
-                        second: second_feature,
-                        corner_is_second: second,
-                        distance,
-                    });
-                }
+            });
+            if !taken {
+                let (first, second) = if swapped { (m, k) } else { (k, m) };
+                let kind = ContactType::ConvexEdge;
+                found.push(Classified { kind, first, second, corner_is_second: swapped, distance });
             }
         }
     }
-    found.extend(corners);
-    found.sort_by_key(|c| (c.kind, c.first, c.second));
     found
 }
 

@@ -12,7 +12,7 @@
 
 use super::contact::{self, Context, Pressed, Relative};
 use super::scratch::{Scratch, Workspace};
-use super::setup::NormalLaw;
+use super::setup::{ContactLaw, NormalLaw};
 use super::view;
 use super::world::{Contact, PairState, Region, World, Wrench};
 
@@ -114,16 +114,7 @@ fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
         if force == 0.0 {
             continue;
         }
-        let share = force / elastic;
-        let shear = -share * borne.shear;
-        let mut contact = Contact {
-            shear,
-            springs: pressed.length,
-            offset: share * borne.compression - force,
-            offset_left: FADE * borne.length,
-            ..Contact::default()
-        };
-        contact.shear_energy = contact::shear_energy(&law, &contact);
+        let contact = taken_over(&law, &pressed, borne, force / elastic);
         stored += contact.shear_energy;
         work = work.plus(&pressed.normal);
         opened.push(Region { edges, contact });
@@ -141,6 +132,19 @@ fn open(world: &mut World, scratch: &Scratch, borne: &Borne) {
     } else if let Some(state) = general.ok().and_then(|k| world.general.get_mut(k)) {
         state.regions = opened;
     }
+}
+
+/// A contact with this share of the forces of the joints.
+fn taken_over(law: &ContactLaw, pressed: &Pressed, borne: &Borne, share: f64) -> Contact {
+    let mut contact = Contact {
+        shear: -share * borne.shear,
+        springs: pressed.length,
+        offset: share * borne.compression - pressed.normal.force.length(),
+        offset_left: FADE * borne.length,
+        ..Contact::default()
+    };
+    contact.shear_energy = contact::shear_energy(law, &contact);
+    contact
 }
 
 /// Normal force beyond the elastic one that a contact has taken over, N/m: it fades with slip and

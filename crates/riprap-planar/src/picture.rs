@@ -61,25 +61,30 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
         view.contacts().map(|(i, j, contact)| found(view, [i, j], contact)).collect();
     rows.extend(joints(view));
     frame.contact_columns = contact_columns(&rows, slice, unit);
-    if world.water.is_some() {
-        let between = |r: &Row| (r.blocks[0], r.blocks[1]);
-        let pressures = rows.iter().map(|r| world.pressure_between(between(r), r.place));
-        let column = Column::scalar("pore_pressure", "Pa", pressures.collect());
-        frame.contact_columns.push(column);
-        if world.seepage.is_some() {
-            let rates = rows.iter().map(|r| slice * world.seepage_between(between(r)));
-            let unit = told(view, "m2/s");
-            let column = Column::scalar("seepage_rate", unit, rates.collect());
-            frame.contact_columns.push(column);
-            let flow = |r: &Row| slice * world.seepage_flow(between(r), r.place);
-            let flows: Vec<[f64; 2]> = rows.iter().map(|r| flow(r).into()).collect();
-            let column = Column::vector(SEEPAGE_FLOW, unit, flows);
-            frame.contact_columns.push(column);
-        }
-    }
+    frame.contact_columns.extend(water_columns(view, &rows));
     frame.bolts = crate::frame::bars::surfaces(&crate::bolts::read::bars(view));
     frame.contact_points = rows.iter().map(|r| flat(r.place + origin)).collect();
     frame
+}
+
+/// Pressure and flow of water between blocks, where there is any.
+fn water_columns(view: &View<'_>, rows: &[Row]) -> Vec<Column> {
+    let world = view.world;
+    if world.water.is_none() {
+        return Vec::new();
+    }
+    let between = |r: &Row| (r.blocks[0], r.blocks[1]);
+    let pressures = rows.iter().map(|r| world.pressure_between(between(r), r.place));
+    let mut out = vec![Column::scalar("pore_pressure", "Pa", pressures.collect())];
+    if world.seepage.is_some() {
+        let (slice, unit) = (world.setup.slice(), told(view, "m2/s"));
+        let rates = rows.iter().map(|r| slice * world.seepage_between(between(r)));
+        out.push(Column::scalar("seepage_rate", unit, rates.collect()));
+        let flow = |r: &Row| slice * world.seepage_flow(between(r), r.place);
+        let flows: Vec<[f64; 2]> = rows.iter().map(|r| flow(r).into()).collect();
+        out.push(Column::vector(SEEPAGE_FLOW, unit, flows));
+    }
+    out
 }
 
 /// What forces per metre of thickness are multiplied by, and the unit they then have.

@@ -109,7 +109,7 @@ fn collect(
     pieces: &mut Vec<Piece>,
     cuts: &mut Vec<(f64, Option<u16>)>,
 ) {
-    let (n, m) = (own.turned.len(), other.turned.len());
+    let n = own.turned.len();
     for &k in own.active {
         let (p, q) = (own.turned[k as usize].start, own.turned[(k as usize + 1) % n].start);
         // Ends relative to the other centroid.
@@ -117,20 +117,7 @@ fn collect(
         cuts.clear();
         cuts.push((0.0, None));
         for &e in other.nearest {
-            let (a, b) = (other.turned[e as usize].start, other.turned[(e as usize + 1) % m].start);
-            let normal = other.turned[e as usize].normal;
-            let (dp, dq) = (normal.dot(p - a), normal.dot(q - a));
-            if (dp > 0.0) == (dq > 0.0) {
-                continue;
-            }
-            let t = dp / (dp - dq);
-            let x = p + t * (q - p);
-            let along = normal.perp().dot(x - a);
-            // A little more than the edge: a crossing at a corner is found at least once.
-            let slack = 1e-12 * (b - a).length();
-            if along >= -slack && along <= (b - a).length() + slack {
-                cuts.push((t, Some(e)));
-            }
+            cuts.extend(crossing(other, e, p, q).map(|t| (t, Some(e))));
         }
         cuts.push((1.0, None));
         let last = cuts.len() - 1;
@@ -162,6 +149,24 @@ fn collect(
             });
         }
     }
+}
+
+/// Where the line from `p` to `q` crosses edge `e`, as a share of its length.
+#[inline]
+fn crossing(block: Side<'_>, e: u16, p: Vec2, q: Vec2) -> Option<f64> {
+    let (k, m) = (e as usize, block.turned.len());
+    let (a, b) = (block.turned[k].start, block.turned[(k + 1) % m].start);
+    let normal = block.turned[k].normal;
+    let (dp, dq) = (normal.dot(p - a), normal.dot(q - a));
+    if (dp > 0.0) == (dq > 0.0) {
+        return None;
+    }
+    let t = dp / (dp - dq);
+    let along = normal.perp().dot(p + t * (q - p) - a);
+    // A little more than the edge: a crossing at a corner is found at least once.
+    let length = (b - a).length();
+    let slack = 1e-12 * length;
+    (along >= -slack && along <= length + slack).then_some(t)
 }
 
 /// Numbers the regions by the order of their first piece; returns how many there are.

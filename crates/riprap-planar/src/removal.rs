@@ -4,6 +4,7 @@
 //! It is what the block loses when they are gone, found by evaluating before and after, so that it holds for joints and
 //! contacts alike and the state is the same at first.
 
+use super::bolts;
 use super::scratch::{Net, NonFinite, Scratch};
 use super::setup::{Load, LoadKind};
 use super::step::{self, Damping};
@@ -46,6 +47,7 @@ pub fn take_out_gradually(
 ) -> Result<(), NonFinite> {
     let before: Vec<Net> = scratch.net.clone();
     take_out(world, blocks);
+    bolts::follow(world);
     scratch.invalidate(world);
     step::evaluate(world, scratch, damping, 0.0)?;
     let lost = |b: usize| Net {

@@ -270,36 +270,13 @@ fn add_pair(
         high: boxes[a].high.min(boxes[b].high) - origin,
     };
     let start = candidates.lists.len();
-    let mut counts = [0u16; 4];
-    let mut longest = [0.0_f64; 2];
-    for (side, (own, other, own_block, other_block)) in
-        [(&pa, &pb, a, b), (&pb, &pa, b, a)].into_iter().enumerate()
-    {
-        let before = candidates.lists.len();
-        let edges = shapes.of(own_block);
-        for k in 0..edges.len() {
-            let (p, q) = (own.start[k], own.start[(k + 1) % edges.len()]);
-            if segment_meets(p, q, &region, candidates.margin[own_block]) {
-                candidates.lists.push(k as u16);
-                longest[side] = longest[side].max(edges[k].length);
-            }
-        }
-        counts[2 * side] = (candidates.lists.len() - before) as u16;
-        let before = candidates.lists.len();
-        nearest_edges(other, shapes.convex[other_block], &region, gap, &mut candidates.lists);
-        counts[2 * side + 1] = (candidates.lists.len() - before) as u16;
-    }
+    let (counts, longest) = list_edges(shapes, candidates, &region, [a, b], [&pa, &pb]);
     if counts[0] == 0 || counts[2] == 0 {
         candidates.lists.truncate(start);
         return;
     }
-    let inverse = |block: usize| {
-        if is_driven(world.motion[block].as_deref()) { 0.0 } else { 1.0 / shapes.mass[block] }
-    };
-    let (row, inverse_mass) = (row_of(&world.setup, a, b), inverse(a) + inverse(b));
-    // Where nothing can move either, the dashpot still needs a mass to be tuned to.
-    let mass =
-        if inverse_mass > 0.0 { 1.0 / inverse_mass } else { shapes.mass[a].min(shapes.mass[b]) };
+    let row = row_of(&world.setup, a, b);
+    let mass = pair_mass(&world.motion, shapes, [a, b]);
     let law = &world.setup.interfaces[row as usize].contact;
     let candidate = Candidate {
         i: a as u32,
@@ -326,6 +303,50 @@ fn add_pair(
     for block in [a, b] {
         candidates.reach[block] = candidates.reach[block].min(reach);
     }
+}
+
+/// Lists the edges of either block that can meet the region, and those of the other that can be nearest there: their numbers, as in
+/// [`Candidate`], and the longest edge of each block, m.
+fn list_edges(
+    shapes: &Shapes,
+    candidates: &mut Candidates,
+    region: &Box2,
+    blocks: [usize; 2],
+    placed: [&Placed; 2],
+) -> ([u16; 4], [f64; 2]) {
+    let (mut counts, mut longest) = ([0u16; 4], [0.0_f64; 2]);
+    let gap = candidates.margin[blocks[0]] + candidates.margin[blocks[1]];
+    let lists = &mut candidates.lists;
+    for side in 0..2 {
+        let before = lists.len();
+        let (block, start) = (blocks[side], &placed[side].start);
+        for (k, edge) in shapes.of(block).iter().enumerate() {
+            let (p, q) = (start[k], start[(k + 1) % start.len()]);
+            if segment_meets(p, q, region, candidates.margin[block]) {
+                lists.push(k as u16);
+                longest[side] = longest[side].max(edge.length);
+            }
+        }
+        counts[2 * side] = (lists.len() - before) as u16;
+        let before = lists.len();
+        nearest_edges(placed[1 - side], shapes.convex[blocks[1 - side]], region, gap, lists);
+        counts[2 * side + 1] = (lists.len() - before) as u16;
+    }
+    (counts, longest)
+}
+
+/// Mass that the dashpots between two blocks are tuned to, kg/m; one that is driven does not yield.
+pub(crate) fn pair_mass(
+    motion: &[Option<Box<Motion>>],
+    shapes: &Shapes,
+    [a, b]: [usize; 2],
+) -> f64 {
+    let inverse = |block: usize| {
+        if is_driven(motion[block].as_deref()) { 0.0 } else { 1.0 / shapes.mass[block] }
+    };
+    let sum = inverse(a) + inverse(b);
+    // Where nothing can move either, the dashpot still needs a mass to be tuned to.
+    if sum > 0.0 { 1.0 / sum } else { shapes.mass[a].min(shapes.mass[b]) }
 }
 
 /// Row of the interface table for two blocks.

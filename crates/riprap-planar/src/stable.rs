@@ -42,20 +42,7 @@ pub fn stable_step(
             sums[block].add(shapes, block, reach, k, dash);
         }
     }
-    for bond in world.bonds.iter().filter(|b| b.active) {
-        let Some(law) = &world.setup.interfaces[bond.row as usize].bond else {
-            continue;
-        };
-        for point in &bond.points {
-            let [kn, ks] = law.stiffest();
-            let k = kn.max(ks) * point.weight;
-            let mass = bond.mass * point.weight / bond.length;
-            let dash = damping::dashpot(law.damping_ratio, k, mass) + stiffness_damping * k;
-            for (block, place) in [(bond.i, point.on_i), (bond.j, point.on_j)] {
-                sums[block as usize].add(shapes, block as usize, place.length_squared(), k, dash);
-            }
-        }
-    }
+    add_joints(&mut sums, world, shapes, stiffness_damping);
     for (block, reach, k) in world.bolt_springs() {
         sums[block].add(shapes, block, reach, k, 0.0);
     }
@@ -87,6 +74,23 @@ pub fn stable_step(
         }
     }
     worst
+}
+
+fn add_joints(sums: &mut [Sums], world: &World, shapes: &Shapes, stiffness_damping: f64) {
+    for bond in world.bonds.iter().filter(|b| b.active) {
+        let Some(law) = &world.setup.interfaces[bond.row as usize].bond else {
+            continue;
+        };
+        for point in &bond.points {
+            let [kn, ks] = law.stiffest();
+            let k = kn.max(ks) * point.weight;
+            let mass = bond.mass * point.weight / bond.length;
+            let dash = damping::dashpot(law.damping_ratio, k, mass) + stiffness_damping * k;
+            for (block, place) in [(bond.i, point.on_i), (bond.j, point.on_j)] {
+                sums[block as usize].add(shapes, block as usize, place.length_squared(), k, dash);
+            }
+        }
+    }
 }
 
 /// Sums over the contacts of one block, per mass.

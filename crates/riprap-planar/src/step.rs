@@ -185,7 +185,7 @@ impl Scratch {
         (self.first_entry, self.incidence) = incidence(self.shapes.len(), ends);
         let groups = [c, g, b, self.shapes.len()].into_iter().max().unwrap_or(0).div_ceil(GROUP);
         self.partial = vec![Partial::default(); groups.max(1)];
-        self.workspaces.resize_with(g.div_ceil(piece(g)).max(1), Workspace::default);
+        self.workspaces.resize_with(self.exec.workspaces(g).max(1), Workspace::default);
         self.stale = false;
         self.rebuilds += 1;
     }

@@ -109,6 +109,36 @@ fn columns_for(frames: &[Frame], given: Option<[f64; 4]>) -> usize {
     frames.len().div_ceil(frames.len().div_ceil(columns))
 }
 
+/// Where the panels are on the page.
+struct Panels {
+    window: Window,
+    columns: usize,
+    /// Of one panel.
+    size: [f64; 2],
+    /// From one panel to the next.
+    step: [f64; 2],
+    /// Top of the first row.
+    head: f64,
+    /// Right edge of the last column.
+    right: f64,
+    /// From the top of the first row to the foot of the last.
+    height: f64,
+}
+
+impl Panels {
+    fn of(frames: &[Frame], options: BlockOptions) -> Self {
+        let columns = columns_for(frames, options.window);
+        let rows = frames.len().div_ceil(columns);
+        let window = Window::around(frames, columns, options.vectors.is_some(), options.window);
+        let size = window.size.map(|x| x * window.zoom);
+        let step = [size[0] + LEFT + 10.0, size[1] + 72.0];
+        let head = if frames.len() > 1 { TOP + 24.0 } else { TOP };
+        let right = LEFT + step[0] * (columns - 1) as f64 + size[0];
+        let height = step[1] * (rows - 1) as f64 + size[1];
+        Self { window, columns, size, step, head, right, height }
+    }
+}
+
 /// Draws the frames with one colour bar for all.
 pub(super) fn draw(
     words: &Words,
@@ -119,46 +149,25 @@ pub(super) fn draw(
     let Some(first) = fields.first() else {
         return Err(PlotError::NothingToDraw { what: "no frames were selected".to_owned() });
     };
-    let flows = options.vectors == Some(Vectors::Flow);
-    if flows && !frames.iter().any(|f| arrows::column(f, Vectors::Flow).is_some()) {
-        return Err(PlotError::NothingToDraw {
-            what:
-                "these frames have no seepage through joints; give `water.*.seepage` in the scene"
-                    .to_owned(),
-        });
-    }
-    if options.isolines > 0 && words.kinds.is_some() {
-        return Err(PlotError::Unsuitable {
-            picture: "isolines",
-            reason: "materials are categories, not quantities; choose another field or leave the isolines out"
-                .to_owned(),
-        });
-    }
+    refuse(words, frames, options)?;
     let all: Vec<f64> = fields.iter().flat_map(|f| f.values.iter().copied()).collect();
     let (map, scale) = colours(&all, options.log);
-    let columns = columns_for(frames, options.window);
-    let rows = frames.len().div_ceil(columns);
-    let window = Window::around(frames, columns, options.vectors.is_some(), options.window);
-    let (w, h) = (window.size[0] * window.zoom, window.size[1] * window.zoom);
-    let step = [w + LEFT + 10.0, h + 72.0];
-    let right = LEFT + step[0] * (columns - 1) as f64 + w;
-    let head = if frames.len() > 1 { TOP + 24.0 } else { TOP };
-    let bar_height = (step[1] * (rows - 1) as f64 + h).max(140.0);
+    let Panels { window, columns, size: [w, h], step, head, right, height } =
+        Panels::of(frames, options);
+    let bar_height = height.max(140.0);
     let note = notes(frames, options);
     let foot = if note.is_empty() { 0.0 } else { 10.0 };
     let mut page = Page::new((right + 110.0).max(360.0), head + bar_height + 58.0 + foot);
-    let width = page.width;
-    // A long title loses its end, never the time.
-    let room = width - LEFT - 10.0 - text_width(words.suffix, 15.0);
-    let title = format!("{}{}", fitted(words.title, 15.0, room), words.suffix);
-    page.text([LEFT, 26.0], 15.0, Anchor::Start, &title);
-    let longest = arrows::longest(frames, options.vectors);
-    let stressed = crosses::longest(frames);
+    page.title([LEFT, 26.0], 10.0, words.title, words.suffix);
+    let most = Most {
+        bolts: bolts::most(frames),
+        arrow: arrows::longest(frames, options.vectors),
+        cross: crosses::longest(frames),
+    };
     for (i, (frame, field)) in frames.iter().zip(fields).enumerate() {
         let corner = [LEFT + step[0] * (i % columns) as f64, head + step[1] * (i / columns) as f64];
         if frames.len() > 1 {
-            let text = words.moments.get(i).map_or("", String::as_str);
-            let text = fitted(text, SIZE, w + 20.0);
+            let text = fitted(words.moments.get(i).map_or("", |text| text), SIZE, w + 20.0);
             page.text([corner[0] + w / 2.0, corner[1] - 8.0], SIZE, Anchor::Middle, &text);
         }
         axes(&mut page, &window, corner, words.axes);
@@ -173,21 +182,7 @@ pub(super) fn draw(
             let lines = (&scale, options.isolines);
             isolines::draw(&mut page, frame, &field.values, lines, &pixel);
         }
-        if options.cracks {
-            cracks(&mut page, frame, &window, corner);
-        }
-        bolts::draw(&mut page, frame, bolts::most(frames), &|p| window.pixel(p, corner));
-        if options.contacts {
-            contacts(&mut page, frame, &window, corner);
-        }
-        if let Some(vectors) = options.vectors {
-            let pixel = |p| window.pixel(p, corner);
-            arrows::draw(&mut page, frame, vectors, longest, &pixel, [w, h]);
-        }
-        if options.stress {
-            let pixel = |p| window.pixel(p, corner);
-            crosses::draw(&mut page, frame, stressed, &pixel, [w, h]);
-        }
+        marks(&mut page, frame, options, &most, &window, corner);
         for place in &words.sources {
             star(&mut page, window.pixel(*place, corner));
         }
@@ -204,6 +199,54 @@ pub(super) fn draw(
         None => bar(&mut page, (map, &scale), first, at, bar_height),
     }
     Ok(page)
+}
+
+/// Largest values of all frames, which the sizes of marks are relative to.
+struct Most {
+    bolts: f64,
+    arrow: f64,
+    cross: f64,
+}
+
+/// Cracks, bolts, forces, arrows and crosses over the blocks, as chosen.
+fn marks(
+    page: &mut Page,
+    frame: &Frame,
+    options: BlockOptions,
+    most: &Most,
+    window: &Window,
+    corner: [f64; 2],
+) {
+    let pixel = |p| window.pixel(p, corner);
+    let size = window.size.map(|x| x * window.zoom);
+    if options.cracks {
+        cracks(page, frame, window, corner);
+    }
+    bolts::draw(page, frame, most.bolts, &pixel);
+    if options.contacts {
+        contacts(page, frame, window, corner);
+    }
+    if let Some(vectors) = options.vectors {
+        arrows::draw(page, frame, vectors, most.arrow, &pixel, size);
+    }
+    if options.stress {
+        crosses::draw(page, frame, most.cross, &pixel, size);
+    }
+}
+
+/// Refuses marks that these frames, or this field, do not have.
+fn refuse(words: &Words, frames: &[Frame], options: BlockOptions) -> Result<(), PlotError> {
+    let flows = options.vectors == Some(Vectors::Flow);
+    if flows && !frames.iter().any(|f| arrows::column(f, Vectors::Flow).is_some()) {
+        let what =
+            "these frames have no seepage through joints; give `water.*.seepage` in the scene";
+        return Err(PlotError::NothingToDraw { what: what.to_owned() });
+    }
+    if options.isolines > 0 && words.kinds.is_some() {
+        let reason = "materials are categories, not quantities; choose another field or leave the isolines out";
+        return Err(PlotError::Unsuitable { picture: "isolines", reason: reason.to_owned() });
+    }
+    Ok(())
 }
 
 /// What stands below the picture.

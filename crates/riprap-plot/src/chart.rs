@@ -87,9 +87,7 @@ pub(super) fn draw((title, suffix): (&str, &str), x: (&str, &str), panels: &[Pan
     let height =
         TOP + panels.iter().map(|p| p.height + GAP).sum::<f64>() + FOOT * (1 + feet.count()) as f64;
     let mut page = Page::new(LEFT + WIDTH + legend, height);
-    let room = page.width - LEFT - 10.0 - text_width(suffix, 15.0);
-    let title = format!("{}{suffix}", fitted(title, 15.0, room));
-    page.text([LEFT, 26.0], 15.0, Anchor::Start, &title);
+    page.title([LEFT, 26.0], 10.0, title, suffix);
     let common = Abscissa { name: x.0.to_owned(), unit: x.1.to_owned(), log: false };
     let xs = |p: &Panel| -> Vec<f64> { p.curves.iter().flat_map(|c| c.x.clone()).collect() };
     let shared: Vec<f64> = panels.iter().filter(|p| p.x.is_none()).flat_map(xs).collect();
@@ -161,9 +159,8 @@ fn one_panel(
     let text = fitted(&label(&panel.name, &panel.unit, &sy), SIZE, h + GAP);
     page.upright([20.0, top + h / 2.0], SIZE, &text);
     if let Some(x) = x {
-        let text = label(&x.name, &x.unit, sx);
         let at = [LEFT + WIDTH / 2.0, bottom + 38.0];
-        page.text(at, SIZE, Anchor::Middle, &text);
+        page.text(at, SIZE, Anchor::Middle, &label(&x.name, &x.unit, sx));
     }
     if panel.has_legend() {
         legend(page, panel, top);

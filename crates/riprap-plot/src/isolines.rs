@@ -56,16 +56,17 @@ pub(super) fn draw(
     }
 }
 
+fn median_size(boxes: &[[f64; 4]]) -> Option<f64> {
+    let sizes = boxes.iter().map(|[x, y, u, v]| (u - x).max(v - y));
+    let mut sizes: Vec<f64> = sizes.filter(|s| s.is_finite() && *s > 0.0).collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() / 2).copied()
+}
+
 /// The rims of all blocks with values at their corners.
 fn carried(frame: &Frame, values: &[f64]) -> Vec<Vec<Corner>> {
     let boxes: Vec<[f64; 4]> = (0..frame.blocks()).map(|b| around(frame.outline(b))).collect();
-    let mut sizes: Vec<f64> = boxes
-        .iter()
-        .map(|[x, y, u, v]| (u - x).max(v - y))
-        .filter(|s| s.is_finite() && *s > 0.0)
-        .collect();
-    sizes.sort_by(f64::total_cmp);
-    let Some(usual) = sizes.get(sizes.len() / 2).copied() else {
+    let Some(usual) = median_size(&boxes) else {
         return vec![Vec::new(); frame.blocks()];
     };
     let near = TOUCH * usual;

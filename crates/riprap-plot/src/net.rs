@@ -3,7 +3,7 @@
 use super::frames::{Which, crack_surfaces, load_frame, moment};
 use super::planes::{self, Crack};
 use super::section::need_space;
-use super::svg::{Anchor, Page, fitted, text_width};
+use super::svg::{Anchor, Page};
 use super::{PlotError, column, digits, suffix, table_csv, write};
 use riprap_geom::Vec3;
 use riprap_keys::Words;
@@ -165,8 +165,7 @@ fn at([east, north]: [f64; 2]) -> [f64; 2] {
 
 fn drawn((title, end): (&str, &str), projection: Projection, groups: &[(&str, Vec<Dot>)]) -> Page {
     let mut page = Page::new(900.0, 660.0);
-    let room = page.width - 50.0 - text_width(end, 15.0);
-    page.text([30.0, 30.0], 15.0, Anchor::Start, &format!("{}{end}", fitted(title, 15.0, room)));
+    page.title([30.0, 30.0], 20.0, title, end);
     net(&mut page, projection);
     let largest = |dots: &[Dot]| dots.first().map_or(1.0, |d| d.area);
     for (k, (_, dots)) in groups.iter().enumerate() {

@@ -89,19 +89,8 @@ fn settings(folder: &Path, frame: &Frame, view: View<'_>) -> Result<String, Plot
     });
     let list = vtu::read_pvd(&folder.join("run.pvd"))?;
     let still = list.windows(2).any(|w| w[0].time == w[1].time);
-    let (mut numbers, mut moments) = (String::new(), String::new());
     // Only where they are used: a long run has thousands.
-    for entry in list.iter().filter(|_| still) {
-        let digits = entry.file.chars().filter(char::is_ascii_digit);
-        let digits: String = digits.collect();
-        let _ = write!(numbers, "{}, ", digits.parse::<u32>().unwrap_or(0));
-        let moment = vtu::read_moment(&folder.join(&entry.file))?;
-        let said = match moment.time {
-            0.0 => format!("{}, step {}", moment.phase, moment.step),
-            t => format!("t = {t:?} s, {}, step {}", moment.phase, moment.step),
-        };
-        let _ = write!(moments, "{}, ", quoted(&said));
-    }
+    let [numbers, moments] = if still { self::moments(folder, &list)? } else { Default::default() };
     let python = |yes: bool| if yes { "True" } else { "False" };
     let (planar, by_step, cracked) =
         (python(frame.solids.is_none()), python(still), python(cracked));
@@ -111,6 +100,22 @@ fn settings(folder: &Path, frame: &Frame, view: View<'_>) -> Result<String, Plot
         quoted(view.by),
         view.exaggeration
     ))
+}
+
+/// Numbers and words of all frames, for lists of Python.
+fn moments(folder: &Path, list: &[vtu::PvdEntry]) -> Result<[String; 2], PlotError> {
+    let (mut numbers, mut moments) = (String::new(), String::new());
+    for entry in list {
+        let digits: String = entry.file.chars().filter(char::is_ascii_digit).collect();
+        let _ = write!(numbers, "{}, ", digits.parse::<u32>().unwrap_or(0));
+        let moment = vtu::read_moment(&folder.join(&entry.file))?;
+        let said = match moment.time {
+            0.0 => format!("{}, step {}", moment.phase, moment.step),
+            t => format!("t = {t:?} s, {}, step {}", moment.phase, moment.step),
+        };
+        let _ = write!(moments, "{}, ", quoted(&said));
+    }
+    Ok([numbers, moments])
 }
 
 /// A Python string.

@@ -3,7 +3,7 @@
 use super::drawing::short;
 use super::frames::{Which, crack_surfaces, load_frame, moment};
 use super::planes;
-use super::svg::{Anchor, Page, fitted, text_width};
+use super::svg::{Anchor, Page};
 use super::{PlotError, column, digits, suffix, table_csv, write};
 use riprap_record::manifest::Manifest;
 use riprap_record::names::Names;
@@ -142,8 +142,7 @@ fn drawn((title, end): (&str, &str), roses: &[Rose; 2], flat: bool) -> Page {
     let shown: Vec<&Rose> = roses.iter().filter(|r| r.count > 0).collect();
     let width = (90.0 + shown.len() as f64 * (2.0 * RADIUS + 90.0)).max(560.0);
     let mut page = Page::new(width, 540.0);
-    let room = page.width - 50.0 - text_width(end, 15.0);
-    page.text([30.0, 30.0], 15.0, Anchor::Start, &format!("{}{end}", fitted(title, 15.0, room)));
+    page.title([30.0, 30.0], 20.0, title, end);
     for (k, rose) in shown.iter().enumerate() {
         let middle = [90.0 + RADIUS + k as f64 * (2.0 * RADIUS + 90.0), 270.0];
         one(&mut page, rose, middle, flat);
@@ -164,6 +163,18 @@ fn polar(middle: [f64; 2], r: f64, angle: f64, flat: bool) -> [f64; 2] {
         [middle[0] + r * c, middle[1] - r * s]
     } else {
         [middle[0] + r * s, middle[1] - r * c]
+    }
+}
+
+/// What stands beside the rim at an angle, in degrees.
+fn direction(angle: u32, flat: bool) -> String {
+    match (flat, angle) {
+        (true, a) => format!("{a}\u{b0}"),
+        (false, 0) => "N".to_owned(),
+        (false, 90) => "E".to_owned(),
+        (false, 180) => "S".to_owned(),
+        (false, 270) => "W".to_owned(),
+        (false, a) => format!("{a:03}\u{b0}"),
     }
 }
 
@@ -205,16 +216,8 @@ fn one(page: &mut Page, rose: &Rose, middle: [f64; 2], flat: bool) {
     }
     page.circle(middle, RADIUS, "fill=\"none\" stroke=\"#1a1a1a\"");
     for angle in (0..360).step_by(30) {
-        let name = match (flat, angle) {
-            (true, a) => format!("{a}\u{b0}"),
-            (false, 0) => "N".to_owned(),
-            (false, 90) => "E".to_owned(),
-            (false, 180) => "S".to_owned(),
-            (false, 270) => "W".to_owned(),
-            (false, a) => format!("{a:03}\u{b0}"),
-        };
         let [x, y] = polar(middle, RADIUS + 20.0, f64::from(angle), flat);
-        page.text([x, y + 4.2], SIZE, Anchor::Middle, &name);
+        page.text([x, y + 4.2], SIZE, Anchor::Middle, &direction(angle, flat));
     }
     // Over the petals, beside the spoke that points up and right.
     for ring in 1..=rings as usize {

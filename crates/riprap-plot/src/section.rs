@@ -45,23 +45,14 @@ pub(super) fn flattened(
     }
     if frames.iter().all(|f| f.solids.is_none()) {
         if options.cracks {
-            return Err(PlotError::Unsuitable {
-                picture: "traces of broken faces",
-                reason: "the run is in the plane, which has no sections; leave the traces out"
-                    .to_owned(),
-            });
+            let reason = "the run is in the plane, which has no sections; leave the traces out";
+            let picture = "traces of broken faces";
+            return Err(PlotError::Unsuitable { picture, reason: reason.to_owned() });
         }
-        let frames = frames
-            .into_iter()
-            .map(|f| if factor == 1.0 { f } else { shifted(f, factor) })
-            .collect();
-        return Ok(Flat {
-            frames,
-            fields,
-            axes: ["x", "y"],
-            sources: Vec::new(),
-            suffix: Vec::new(),
-        });
+        let shifted = |f| if factor == 1.0 { f } else { shifted(f, factor) };
+        let frames = frames.into_iter().map(shifted).collect();
+        let (axes, sources, suffix) = (["x", "y"], Vec::new(), Vec::new());
+        return Ok(Flat { frames, fields, axes, sources, suffix });
     }
     let normal = options.normal;
     let k = normal.index();
@@ -89,23 +80,15 @@ pub(super) fn flattened(
     }
     let near = 0.02 * (high - low) + 1e-9;
     let [h, v] = normal.across();
-    let sources = manifest
-        .sources
-        .iter()
-        .map(riprap_record::Source::centre)
-        .filter(|c| (c[k] - at).abs() <= near)
-        .map(|c| [c[h], c[v]])
-        .collect();
+    let centres = manifest.sources.iter().map(riprap_record::Source::centre);
+    let sources = centres.filter(|c| (c[k] - at).abs() <= near).map(|c| [c[h], c[v]]);
+    let at = short(at).replacen('-', "\u{2212}", 1);
     Ok(Flat {
         frames: cuts,
         fields: chosen,
         axes: normal.axes(),
-        sources,
-        suffix: vec![format!(
-            "section {} = {} m",
-            normal.word(),
-            short(at).replacen('-', "\u{2212}", 1)
-        )],
+        sources: sources.collect(),
+        suffix: vec![format!("section {} = {at} m", normal.word())],
     })
 }
 

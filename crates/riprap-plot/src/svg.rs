@@ -193,6 +193,13 @@ impl Page {
         self.write(at, false, size, anchor, text);
     }
 
+    /// A title with a suffix; a long one loses its end, never the suffix, so that `margin` remains on the right.
+    pub(super) fn title(&mut self, at: [f64; 2], margin: f64, title: &str, suffix: &str) {
+        let room = self.width - at[0] - margin - text_width(suffix, 15.0);
+        let title = format!("{}{suffix}", fitted(title, 15.0, room));
+        self.text(at, 15.0, Anchor::Start, &title);
+    }
+
     /// Text that reads upwards, centred on its point.
     pub(super) fn upright(&mut self, at: [f64; 2], size: f64, text: &str) {
         self.write(at, true, size, Anchor::Middle, text);

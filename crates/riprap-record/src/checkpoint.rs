@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 const MAGIC: &[u8; 8] = b"RIPRAPCK";
 /// Version of the container and of the layout of what the engines put into it; raised whenever a state gains, loses or moves a
 /// number. Another version is refused: states have no names in them, and would be read as something else.
-pub const FORMAT_VERSION: u32 = 16;
+pub const FORMAT_VERSION: u32 = 17;
 const KIND_BYTES: usize = 16;
 const SUM_AT: usize = 8 + 4 + KIND_BYTES + 8 + 8;
 const HEAD: usize = SUM_AT + 32;
@@ -235,13 +235,11 @@ pub fn decode<T: DeserializeOwned>(
 ) -> Result<T, CheckpointError> {
     let path = || path.to_owned();
     let have = bytes.len() as u64;
+    let truncated =
+        |expected: u64| CheckpointError::Truncated { path: path(), found: have, expected };
     // Cut off within its first bytes: ours all the same, and not of another program.
     if bytes.len() < MAGIC.len() && MAGIC.starts_with(bytes) {
-        return Err(CheckpointError::Truncated {
-            path: path(),
-            found: have,
-            expected: HEAD as u64,
-        });
+        return Err(truncated(HEAD as u64));
     }
     if !bytes.starts_with(MAGIC) {
         return Err(CheckpointError::Foreign { path: path() });
@@ -259,16 +257,12 @@ pub fn decode<T: DeserializeOwned>(
     let (Some(claimed), Some(packed)) =
         (number::<8>(bytes, SUM_AT - 16), number::<8>(bytes, SUM_AT - 8))
     else {
-        return Err(CheckpointError::Truncated {
-            path: path(),
-            found: have,
-            expected: HEAD as u64,
-        });
+        return Err(truncated(HEAD as u64));
     };
     let (claimed, packed) = (u64::from_le_bytes(claimed), u64::from_le_bytes(packed));
     let expected = packed.saturating_add(HEAD as u64);
     if have < expected {
-        return Err(CheckpointError::Truncated { path: path(), found: have, expected });
+        return Err(truncated(expected));
     }
     if have > expected {
         return Err(CheckpointError::Trailing { path: path(), extra: have - expected });
@@ -288,18 +282,22 @@ pub fn decode<T: DeserializeOwned>(
         let found = String::from_utf8_lossy(name).into_owned();
         return Err(CheckpointError::Kind { path: path(), found, wanted: kind.to_owned() });
     }
-    let wrong = |reason: String| CheckpointError::Decode { path: path(), reason };
+    unpacked(payload, claimed).map_err(|reason| CheckpointError::Decode { path: path(), reason })
+}
+
+/// The value in a payload that unpacks to so many bytes.
+fn unpacked<T: DeserializeOwned>(payload: &[u8], claimed: u64) -> Result<T, String> {
     let mut plain = Vec::new();
     ZlibDecoder::new(payload)
         // One byte beyond what is claimed shows that there is more, and no more than that is held.
         .take(claimed.saturating_add(1))
         .read_to_end(&mut plain)
-        .map_err(|e| wrong(e.to_string()))?;
+        .map_err(|e| e.to_string())?;
     if plain.len() as u64 != claimed {
-        return Err(wrong(format!("{} bytes instead of {claimed}", plain.len())));
+        return Err(format!("{} bytes instead of {claimed}", plain.len()));
     }
-    let (value, rest) = postcard::take_from_bytes(&plain).map_err(|e| wrong(e.to_string()))?;
-    if rest.is_empty() { Ok(value) } else { Err(wrong(format!("{} bytes left over", rest.len()))) }
+    let (value, rest) = postcard::take_from_bytes(&plain).map_err(|e| e.to_string())?;
+    if rest.is_empty() { Ok(value) } else { Err(format!("{} bytes left over", rest.len())) }
 }
 
 fn number<const N: usize>(bytes: &[u8], at: usize) -> Option<[u8; N]> {

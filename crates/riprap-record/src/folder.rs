@@ -208,13 +208,10 @@ impl RunFolder {
     ) -> Result<(Self, Vec<PathBuf>), FolderError> {
         Manifest::read(path)?;
         let lock = lock(path)?;
-        for entry in &marks.frames {
-            for file in [block_file(entry.index), contact_file(entry.index)] {
-                let file = path.join(file);
-                if !file.is_file() {
-                    return Err(FolderError::FrameMissing { path: file });
-                }
-            }
+        let frames = marks.frames.iter().map(|entry| entry.index);
+        let mut files = frames.flat_map(|k| [block_file(k), contact_file(k)]).map(|f| path.join(f));
+        if let Some(path) = files.find(|file| !file.is_file()) {
+            return Err(FolderError::FrameMissing { path });
         }
         let series =
             |name: &str, bytes: u64, columns: u32| -> Result<Option<Series>, OutputError> {

@@ -7,7 +7,9 @@ use std::marker::PhantomData;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, Visitor};
 
+use super::diagnostic::{Diagnostic, suggest};
 use super::quantity::Span;
+use super::values::short;
 
 /// A word that refers to something (material, block, group, field, file), with its place.
 #[derive(Debug, Clone)]
@@ -16,6 +18,25 @@ pub struct Name {
     pub text: String,
     /// Where it stands.
     pub span: Span,
+}
+
+impl Diagnostic {
+    /// A name that is not one of `known`, with the nearest of them.
+    pub fn unknown<'a>(
+        what: &str,
+        name: &Name,
+        known: impl IntoIterator<Item = &'a str> + Clone,
+    ) -> Self {
+        let message = format!("there is no {what} `{}`", short(&name.text));
+        let help = suggest(&name.text, known);
+        Diagnostic { help, ..Self::error("name.unknown", message).at(name.span.clone()) }
+    }
+}
+
+impl From<&Name> for Span {
+    fn from(name: &Name) -> Span {
+        name.span.clone()
+    }
 }
 
 impl Name {

@@ -309,26 +309,26 @@ pub fn cases(source: &Source, scenario: &Scenario) -> Result<Vec<Case>, Diagnost
         // The last word of a key will do as long as no other swept key ends with it.
         let unique = lasts.iter().filter(|other| **other == last).count() == 1;
         let label = if unique { last } else { key.as_str() };
-        cases = cases
-            .iter()
-            .flat_map(|case| {
-                values.iter().map(move |value| {
-                    let mut case = case.clone();
-                    let shown = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-                    let part = folder_name(&format!("{label}={shown}"));
-                    case.name = if index == 0 && !name_variant {
-                        part
-                    } else {
-                        format!("{}_{part}", case.name)
-                    };
-                    case.changes.push((key.text.clone(), value.to_string()));
-                    case
-                })
-            })
-            .collect();
+        let named = index > 0 || name_variant;
+        let pairs = cases.iter().flat_map(|case| values.iter().map(move |value| (case, value)));
+        let swept = pairs.map(|(case, value)| {
+            let mut case = case.clone();
+            let shown = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+            let part = folder_name(&format!("{label}={shown}"));
+            case.name = if named { format!("{}_{part}", case.name) } else { part };
+            case.changes.push((key.text.clone(), value.to_string()));
+            case
+        });
+        cases = swept.collect();
     }
+    make_unique(&mut cases);
+    Ok(cases)
+}
+
+/// Numbers cases whose names would be those of one folder.
+fn make_unique(cases: &mut [Case]) {
     let mut used = std::collections::BTreeSet::new();
-    for case in &mut cases {
+    for case in cases {
         let base = folder_name(&case.name);
         case.name.clone_from(&base);
         let mut number = 2;
@@ -337,7 +337,6 @@ pub fn cases(source: &Source, scenario: &Scenario) -> Result<Vec<Case>, Diagnost
             number += 1;
         }
     }
-    Ok(cases)
 }
 
 /// Letters, digits and `. _ = + -` only, of bounded length.

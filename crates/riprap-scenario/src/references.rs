@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use toml::de::DeTable;
 
-use super::diagnostic::{Diagnostic, suggest};
+use super::diagnostic::Diagnostic;
 use super::language::{Around, Output, Scenario, Source, Target};
 use super::load::key_si;
-use super::quantity::{Name, Names, Raw};
+use super::quantity::{Name, Names, Raw, Span};
 use super::values::short;
 use super::words::WordOr;
 
@@ -45,13 +45,11 @@ impl<'a> References<'a> {
         name: &Name,
         known: impl IntoIterator<Item = &'b str> + Clone,
     ) {
-        let mut diagnostic = Diagnostic::error(
-            "name.unknown",
-            format!("there is no {what} `{}`", short(&name.text)),
-        )
-        .at(name.span.clone());
-        diagnostic.help = suggest(&name.text, known);
-        self.found.push(diagnostic);
+        self.found.push(Diagnostic::unknown(what, name, known));
+    }
+
+    fn error(&mut self, code: &'static str, at: impl Into<Span>, message: String, help: &str) {
+        self.found.push(Diagnostic::error(code, message).at(at.into()).help(help));
     }
 
     fn twice<'b>(&mut self, what: &str, names: impl Iterator<Item = &'b Name>) {
@@ -59,11 +57,7 @@ impl<'a> References<'a> {
         for name in names {
             if !seen.insert(name.as_str()) {
                 let message = format!("there are two {what} called `{}`", short(&name.text));
-                self.found.push(
-                    Diagnostic::error("name.twice", message)
-                        .at(name.span.clone())
-                        .help("give each its own name"),
-                );
+                self.error("name.twice", name, message, "give each its own name");
             }
         }
     }
@@ -97,11 +91,7 @@ impl<'a> References<'a> {
                 let message = format!(
                     "interfaces.{first} and interfaces.{name} are between the same materials"
                 );
-                self.found.push(
-                    Diagnostic::error("name.twice", message)
-                        .at(name.span.clone())
-                        .help("keep one of them"),
-                );
+                self.error("name.twice", name, message, "keep one of them");
             }
         }
     }
@@ -218,11 +208,7 @@ impl<'a> References<'a> {
             if let Some(&many) = self.blocks.get(name.as_str()) {
                 let what = if many { "a generator of blocks" } else { "a block" };
                 let message = format!("`{}` is the name of {what} already", short(&name.text));
-                self.found.push(
-                    Diagnostic::error("name.twice", message)
-                        .at(name.span.clone())
-                        .help("give the group another name"),
-                );
+                self.error("name.twice", name, message, "give the group another name");
             }
             for block in &group.blocks {
                 self.block(block);
@@ -327,11 +313,8 @@ impl<'a> References<'a> {
                 let is_key = key.starts_with(|c: char| c.is_alphabetic()) && key.contains('.');
                 if is_key && let Err(reason) = key_si(root, key) {
                     let message = format!("`{name}` in `let`: {reason}");
-                    self.found.push(
-                        Diagnostic::error("key.path", message)
-                            .at(value.span.clone())
-                            .help("name a key of this file whose value is a number"),
-                    );
+                    let help = "name a key of this file whose value is a number";
+                    self.error("key.path", value.span.clone(), message, help);
                 }
             }
         }

@@ -169,6 +169,9 @@ impl Checked<'_, '_> {
             return None;
         }
         let or = |other: String| if help.is_empty() { other } else { help.to_owned() };
+        let error = |code, message, place: Span, help: String| {
+            Some(Diagnostic::error(code, message).at(place).help(or(help)))
+        };
         let possible: Vec<&str> = keys.clone().filter(|key| self.of_space(key)).map(bare).collect();
         let given: Vec<&str> = keys.map(bare).filter(|key| self.has(key)).collect();
         let holds = when.is_empty() || self.condition(when).is_some();
@@ -179,37 +182,28 @@ impl Checked<'_, '_> {
                 if given.iter().any(|key| !possible.contains(key)) || possible.is_empty() {
                     return None;
                 }
-                if given.is_empty() && kind != "at_most_one" && holds {
-                    // An empty list gives nothing, but it was meant.
-                    if let Some(empty) = possible.iter().find(|key| self.value(key).is_some()) {
-                        let message = format!("`{empty}` in {of} is empty");
-                        let error = Diagnostic::error("key.one_of", message);
-                        let help = or(format!("give it entries, or {}", choice(&possible, kind)));
-                        return Some(error.at(self.place_of(empty)).help(help));
-                    }
-                    let message = format!("{of} needs {}", choice(&possible, kind));
-                    let error = Diagnostic::error("key.one_of", message).at(self.place());
-                    return Some(error.help(or(format!("give {}", choice(&possible, kind)))));
-                }
-                let second = given.get(1).filter(|_| kind != "any_of")?;
-                let message = format!("{of} has {}: only one is possible", list(&given));
-                let error = Diagnostic::error("key.one_of", message).at(self.place_of(second));
-                Some(error.help(or("keep one and remove the others".to_owned())))
+                let lacks = given.is_empty() && kind != "at_most_one" && holds;
+                let (message, place, remedy) = if lacks {
+                    self.lacks(&possible, kind)
+                } else {
+                    let second = given.get(1).filter(|_| kind != "any_of")?;
+                    let message = format!("{of} has {}: only one is possible", list(&given));
+                    let remedy = "keep one and remove the others".to_owned();
+                    (message, self.place_of(second), remedy)
+                };
+                error("key.one_of", message, place, remedy)
             }
             "needs" if !holds => {
-                let key = *given.first()?;
-                let needed = described(when);
+                let (key, needed) = (*given.first()?, described(when));
                 let needed = needed.strip_prefix("with ").unwrap_or(&needed);
                 let message = format!("`{key}` in {of} needs {needed}");
-                let error = Diagnostic::error("key.missing", message).at(self.place_of(key));
-                Some(error.help(or(self.remedy(when))))
+                error("key.missing", message, self.place_of(key), self.remedy(when))
             }
             "excludes" => {
                 let key = *given.first()?;
                 let with = described(self.condition(when)?);
                 let message = format!("{} in {of} cannot be used {with}", list(&given));
-                let error = Diagnostic::error("key.forbidden", message).at(self.place_of(key));
-                Some(error.help(or("keep one of them".to_owned())))
+                error("key.forbidden", message, self.place_of(key), "keep one of them".to_owned())
             }
             "only_with" if !holds => {
                 let key = *given.first()?;
@@ -217,17 +211,30 @@ impl Checked<'_, '_> {
                 Some(no_effect(of, &given, self.place_of(key), &help))
             }
             "required" if holds => {
-                let lacking: Vec<&str> =
-                    possible.into_iter().filter(|key| !given.contains(key)).collect();
+                let lacking = possible.into_iter().filter(|key| !given.contains(key));
+                let lacking: Vec<&str> = lacking.collect();
+                let first = *lacking.first()?;
                 let message = match lacking[..] {
-                    [] => return None,
                     [key] => format!("the key `{key}` is missing in {of}"),
                     _ => format!("the keys {} are missing in {of}", list(&lacking)),
                 };
-                let error = Diagnostic::error("key.missing", message).at(self.place());
-                Some(error.help(or(self.remedy(lacking[0]))))
+                error("key.missing", message, self.place(), self.remedy(first))
             }
             _ => None,
+        }
+    }
+
+    /// Message, place and remedy where none of several keys is given.
+    fn lacks(&self, possible: &[&str], kind: &str) -> (String, Span, String) {
+        let (of, choice) = (&self.of, choice(possible, kind));
+        // An empty list gives nothing, but it was meant.
+        match possible.iter().find(|key| self.value(key).is_some()) {
+            Some(empty) => (
+                format!("`{empty}` in {of} is empty"),
+                self.place_of(empty),
+                format!("give it entries, or {choice}"),
+            ),
+            None => (format!("{of} needs {choice}"), self.place(), format!("give {choice}")),
         }
     }
 

@@ -24,13 +24,16 @@ pub(super) fn check_quantity(
     key: &str,
     si: bool,
 ) -> Option<Diagnostic> {
-    let example = assignment(key, kind.example);
+    let example = format!("write for example {}", assignment(key, kind.example));
+    let refused = |code, what: &str| {
+        Diagnostic::error(code, format!("`{key}` {what}")).at(span.clone()).help(example.clone())
+    };
     let (value, dim) = match raw {
         Raw::Number(number) => {
             // Where any dimension will do, the number is looked at again once its field is known.
             let bare_allowed = si || kind.dim.is_none() || kind.dim == Some(Dim::NONE);
             if !bare_allowed {
-                return Some(missing_unit(&number.to_string(), span, kind, key));
+                return Some(missing_unit(&number.to_string(), span.clone(), kind, key));
             }
             (*number, kind.dim.unwrap_or(Dim::NONE))
         }
@@ -41,22 +44,18 @@ pub(super) fn check_quantity(
             }
             match units::parse(text) {
                 Ok((_, Dim::NONE)) if kind.dim.is_some_and(|dim| dim != Dim::NONE) => {
-                    return Some(missing_unit(text.trim(), span, kind, key));
+                    return Some(missing_unit(text.trim(), span.clone(), kind, key));
                 }
                 Ok(read) => read,
                 Err(error) => {
-                    let code = if error.message.starts_with("unknown unit") {
-                        "unit.unknown"
-                    } else {
-                        "value.number"
-                    };
-                    let message = format!("`{key}` = \"{}\": {}", short(text), error.message);
-                    return Some(
-                        Diagnostic::error(code, message)
-                            .at(span)
-                            .label(format!("{} is expected", kind.what))
-                            .help(error.help.unwrap_or(format!("write for example {example}"))),
-                    );
+                    let unknown = error.message.starts_with("unknown unit");
+                    let code = if unknown { "unit.unknown" } else { "value.number" };
+                    let what = format!("= \"{}\": {}", short(text), error.message);
+                    let refused = refused(code, &what).label(format!("{} is expected", kind.what));
+                    return Some(match error.help {
+                        Some(help) => refused.help(help),
+                        None => refused,
+                    });
                 }
             }
         }
@@ -65,35 +64,17 @@ pub(super) fn check_quantity(
         && expected != dim
     {
         let (label, help) = wrong_dimension(raw, value, dim, kind, key);
-        return Some(
-            Diagnostic::error("unit.dimension", format!("`{key}` has the wrong dimension"))
-                .at(span)
-                .label(label)
-                .help(help),
-        );
+        return Some(refused("unit.dimension", "has the wrong dimension").label(label).help(help));
     }
     if !value.is_finite() {
-        return Some(
-            Diagnostic::error("value.finite", format!("`{key}` is not a finite number"))
-                .at(span)
-                .help(format!("write for example {example}")),
-        );
+        return Some(refused("value.finite", "is not a finite number"));
     }
-    if !kind.bounds.contains(value) {
-        return Some(
-            Diagnostic::error("value.range", format!("`{key}` is out of range"))
-                .at(span)
-                .label(format!("must be {}", kind.bounds.text))
-                .help(format!("write for example {example}")),
-        );
-    }
-    let beyond = kind.dim.and_then(|dim| beyond(value, dim, kind));
-    beyond.map(|label| {
-        Diagnostic::error("value.range", format!("`{key}` is out of range"))
-            .at(span)
-            .label(label)
-            .help(format!("write for example {example}"))
-    })
+    let label = if kind.bounds.contains(value) {
+        kind.dim.and_then(|dim| beyond(value, dim, kind))
+    } else {
+        Some(format!("must be {}", kind.bounds.text))
+    };
+    label.map(|label| refused("value.range", "is out of range").label(label))
 }
 
 /// What a finite value of a dimension has to be, where nothing could be calculated with it.

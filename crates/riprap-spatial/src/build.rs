@@ -27,7 +27,7 @@ use crate::setup::{GivenBody, Motion, Setup, Shape, Solid};
 use crate::state::bodies::{Bodies, SolidClass};
 use crate::state::cavity::{Cavity, Wall};
 use crate::state::face::Face;
-use crate::state::found::{FoundContacts, OnTerrain};
+use crate::state::found::FoundContacts;
 use crate::state::interface::Origin;
 use crate::state::lineage;
 use crate::state::patches::Patches;
@@ -97,7 +97,7 @@ impl World {
         }
         world.hold_terrain();
         if world.setup.found_contacts && (0..n).any(|b| world.is_terrain(b)) {
-            world.found.terrain = vec![OnTerrain::default(); n];
+            world.found.left_terrain = vec![false; n];
         }
         world.hold_driven();
         let charges = charge::charges(&world.setup, &world.lineage, &world.alive)?;
@@ -127,15 +127,7 @@ impl World {
             self.reference.push(centre);
             let given = self.setup.bodies.iter().find(|g| g.block as usize == b);
             let class = given.map_or(class, |given| own_body(class, given));
-            let key = match block.shape {
-                Shape::Brick { half, .. } if given.is_none() => {
-                    Some([half.x, half.y, half.z, density].map(f64::to_bits))
-                }
-                Shape::Brick { .. }
-                | Shape::Polyhedron(_)
-                | Shape::Terrain(_)
-                | Shape::Glued(_) => None,
-            };
+            let key = block.shape.key(density.to_bits()).filter(|_| given.is_none());
             let index = key.and_then(|k| known.get(&k).copied());
             let index = index.unwrap_or_else(|| {
                 self.solids.push(class);
@@ -277,28 +269,6 @@ fn own_body(class: SolidClass, given: &GivenBody) -> SolidClass {
     }
 }
 
-/// Centroid and mass properties of what a closed surface bounds.
-fn of_surface(body: &Polyhedron, density: f64) -> (Vec3, SolidClass) {
-    let moments = body.moments();
-    let inertia = density * moments.inertia;
-    let (mut half, mut radius) = (Vec3::ZERO, 0.0_f64);
-    for corner in &body.vertices {
-        let arm = *corner - moments.centroid;
-        half = half.max(arm.abs());
-        radius = radius.max(arm.length());
-    }
-    let class = SolidClass {
-        mass: density * moments.volume,
-        volume: moments.volume,
-        inertia,
-        inverse: inertia.inverse(),
-        half,
-        radius,
-        diagonal: false,
-    };
-    (moments.centroid, class)
-}
-
 /// Centroid and mass properties of a shape.
 fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
     match shape {
@@ -325,14 +295,14 @@ fn solid(shape: &Shape, density: f64) -> Result<(Vec3, SolidClass), String> {
         Shape::Polyhedron(solid) => {
             let body = solid.polyhedron();
             body.validate().map_err(|e| e.to_string())?;
-            Ok(of_surface(&body, density))
+            Ok(SolidClass::bounded_by(&body, density, None))
         }
         // Integrals over glued faces cancel.
         Shape::Glued(parts) => {
             for part in parts {
                 part.polyhedron().validate().map_err(|e| e.to_string())?;
             }
-            Ok(of_surface(&Solid::all(parts).polyhedron(), density))
+            Ok(SolidClass::bounded_by(&Solid::all(parts).polyhedron(), density, None))
         }
         Shape::Terrain(surface) => {
             let bounds = Bounds::of(shape);

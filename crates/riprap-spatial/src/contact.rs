@@ -1,9 +1,14 @@
-//! Found contacts of a model: who can meet whom; what they exert is in `acting`.
+//! Found contacts of a model: which bodies may touch; what they exert is in `acting`.
 //!
-//! `found` knows two blocks at two poses; here are all blocks of the model. Blocks of the largest lattice whose joints are whole
-//! cannot come together: they are targets, and two targets never make a pair. All others are seekers: separate bodies, and
-//! blocks with a joint that has failed at any of its points. Pairs that a patch joins are its business, and two blocks whose
-//! motion is prescribed never act on each other.
+//! The kernel knows two bodies at two poses; here are all of the model. Blocks of the largest lattice whose joints are whole
+//! cannot come together: they are passive, and two passive blocks never make a pair. All others are active: separate bodies, and
+//! blocks with a joint that has failed at any of its points. Pairs that a patch joins are left to it, and two blocks whose
+//! motion is prescribed never act on each other. Terrain acts on every rigid block that can move: these pairs need no search, and stand
+//! behind those of the search in one list.
+//!
+//! ```text
+//!   refresh (pairs) -> act: narrow (patches with keys) -> law and memory of each patch -> sums on blocks -> limit of the step
+//! ```
 
 pub(crate) mod deformable;
 
@@ -18,6 +23,7 @@ mod felt;
 pub(crate) mod glued;
 mod held;
 pub(crate) mod limit;
+mod narrow;
 mod relaw;
 mod release;
 mod stored;
@@ -26,7 +32,6 @@ pub(crate) mod terrain;
 use std::collections::BTreeMap;
 
 use crate::broad::search::Blocks;
-use crate::exec::piece;
 use crate::joint::classes::stiffness;
 use crate::kernel::glued::Glued;
 use crate::kernel::offset::{Carried, Offset};
@@ -122,7 +127,7 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     let known = world.found.roles.len() == n;
     // Not without a move: what is found must not hang on how often an instant is evaluated.
     let look = world.pending > 0.0 && world.step.is_multiple_of(CHECK_INTERVAL);
-    let looked = !known || world.fresh || look;
+    let looked = !known || world.fresh || look && others_are_whole(world, &mut scratch.desk.who);
     let mut renew = false;
     // Lent by the desk, so that a look takes no memory.
     let mut were = Vec::new();
@@ -136,18 +141,36 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         scratch.desk.ready = false;
     }
     scratch.desk.deepest = None;
-    if !world.found.roles.contains(&Role::Active) {
-        if !world.found.pairs.is_empty() {
-            leave(world, scratch);
+    let meet = world.found.roles.contains(&Role::Active);
+    if meet || world.has_terrain() {
+        make_shapes(world, &mut scratch.desk);
+        terrain::prepare(world, &mut scratch.desk);
+        search(world, scratch, renew && meet);
+        if !scratch.desk.ready {
+            rebuild(world, scratch, &were);
         }
-        if looked {
-            scratch.desk.who.roles = were;
-        }
-        world.found.longest_step = Some(f64::INFINITY);
-        return false;
+    } else if !world.found.pairs.is_empty() {
+        leave(world, scratch);
     }
-    make_shapes(world, &mut scratch.desk);
+    if looked {
+        scratch.desk.who.roles = were;
+    }
+    world.found.longest_step = Some(if meet { limit::reach(world) } else { f64::INFINITY });
+    !world.found.pairs.is_empty()
+}
+
+/// Takes over the present poses where blocks have left their margins, or where `renew` asks for it.
+fn search(world: &mut World, scratch: &mut Scratch, mut renew: bool) {
     let desk = &mut scratch.desk;
+    if !world.found.roles.contains(&Role::Active) {
+        // Pairs that were searched for stand before those with terrain.
+        let searched = |pair: &FoundPair| !world.is_terrain(pair.ends[0] as usize);
+        if world.found.pairs.first().is_some_and(searched) {
+            world.found.search = Default::default();
+            desk.ready = false;
+        }
+        return;
+    }
     let blocks = Blocks { shapes: &desk.shapes, shape: &world.solid, roles: &world.found.roles };
     let pose = |b: usize| world.pose(b);
     let speed = |b: usize| {
@@ -163,14 +186,6 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
         world.found.search = search;
         desk.ready = false;
     }
-    if !desk.ready {
-        rebuild(world, scratch, &were);
-    }
-    if looked {
-        scratch.desk.who.roles = were;
-    }
-    world.found.longest_step = Some(limit::reach(world));
-    !world.found.pairs.is_empty()
 }
 
 /// Ends all found contacts: what their springs still hold is friction.
@@ -192,7 +207,7 @@ pub(crate) fn left(pair: &FoundPair) -> f64 {
 
 /// Books what a pair still holds that is no longer looked at: friction what its springs, an edit what a joint has left.
 fn drop_pair(works: &mut Works, pair: &FoundPair) {
-    works.friction += pair.stored;
+    works.friction += pair.stored();
     works.edit_defect -= left(pair);
     if let Some(offset) = &pair.offset {
         works.contact_path -= offset.stored;
@@ -207,6 +222,28 @@ fn hidden_of_split(world: &World, pairs: &[FoundPair]) -> BTreeMap<[u32; 2], [f6
     pairs.iter().filter(split).filter_map(of).collect()
 }
 
+/// Whether other blocks have all of their joints than at the last look. Who is joined to whom changes with an edit alone.
+fn others_are_whole(world: &World, desk: &mut RoleScratch) -> bool {
+    let RoleScratch { whole, were_whole, .. } = desk;
+    std::mem::swap(whole, were_whole);
+    find_whole(world, whole);
+    whole != were_whole
+}
+
+/// Whether all joints of a block are whole, for each of them.
+fn find_whole(world: &World, whole: &mut Vec<bool>) {
+    whole.clear();
+    whole.resize(world.alive.len(), true);
+    let patches = &world.patches;
+    for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
+        if flags & flag::BROKEN != 0 {
+            for b in ends {
+                whole[*b as usize] = false;
+            }
+        }
+    }
+}
+
 /// Who can meet whom.
 pub(crate) fn roles(world: &World) -> Vec<Role> {
     let mut desk = RoleScratch::default();
@@ -216,7 +253,7 @@ pub(crate) fn roles(world: &World) -> Vec<Role> {
 
 /// As [`roles`], into a desk.
 fn find_roles(world: &World, desk: &mut RoleScratch) {
-    let RoleScratch { roles, whole, joined } = desk;
+    let RoleScratch { roles, whole, joined, .. } = desk;
     let n = world.alive.len();
     roles.clear();
     roles.extend((0..n).map(|b| {
@@ -226,17 +263,10 @@ fn find_roles(world: &World, desk: &mut RoleScratch) {
             Role::Active
         }
     }));
-    whole.clear();
-    whole.resize(n, true);
+    find_whole(world, whole);
     joined.renew(n);
-    let patches = &world.patches;
-    for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
+    for ends in &world.patches.ends {
         joined.join(*ends);
-        if flags & flag::BROKEN != 0 {
-            for b in ends {
-                whole[*b as usize] = false;
-            }
-        }
     }
     // The largest set that patches join, if it has at least two blocks.
     let Some((lattice, 2..)) = joined.largest(|b| world.alive[b]) else {
@@ -374,98 +404,133 @@ pub(crate) fn pose(
     Pose { position: reference[b] + bodies.displacement(b), rotation }
 }
 
-/// Makes the candidate list of the state, and what follows from it. `were`: who could meet whom until now, where that has been looked at anew.
+/// Makes the list of pairs of the state, and what follows from it. `were`: the roles until now, where they have been found again.
 fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     let desk = &mut scratch.desk;
     let blocks = Blocks { shapes: &desk.shapes, shape: &world.solid, roles: &world.found.roles };
     let joints = Joints::new(world);
-    desk.candidates.rebuild(
-        &blocks,
-        &world.found.search,
-        |i, j| joints.joins(i, j) || !(world.is_free(i as usize) || world.is_free(j as usize)),
-        |i, j| joints.hold(world, &desk.shapes, [i, j]),
-        &scratch.exec,
-    );
+    if world.found.roles.contains(&Role::Active) {
+        desk.candidates.rebuild(
+            &blocks,
+            &world.found.search,
+            |i, j| joints.joins(i, j) || !(world.is_free(i as usize) || world.is_free(j as usize)),
+            |i, j| joints.hold(world, &desk.shapes, [i, j]),
+            &scratch.exec,
+        );
+    } else {
+        desk.candidates = Default::default();
+    }
     let before = std::mem::replace(&mut world.found.held, desk.candidates.held.clone());
     let old = std::mem::take(&mut world.found.pairs);
-    let hidden = hidden_of_split(world, &old);
-    let lineage = &world.lineage;
-    let up = |b: u32| {
-        let parent = |b: &u32| Some(lineage[*b as usize].parent).filter(|p| *p != Origin::NONE);
-        std::iter::successors(Some(b), parent)
-    };
-    let was_target = |b: &u32| {
-        let role = up(*b).find_map(|b| were.get(b as usize));
-        role == Some(&Role::Passive)
-    };
-    let of_parents = |[i, j]: [u32; 2]| {
-        let pair = |i: u32, j: u32| hidden.get(&[i.min(j), i.max(j)]).copied();
-        up(i).find_map(|i| up(j).find_map(|j| pair(i, j)))
+    let (grounded, old): (Vec<_>, Vec<_>) =
+        old.into_iter().partition(|pair| world.is_terrain(pair.ends[0] as usize));
+    let earlier = Earlier {
+        lineage: &world.lineage,
+        roles: were,
+        held: &before,
+        hidden: hidden_of_split(world, &old),
     };
     let mut dropped = Works::default();
-    world.found.pairs = desk.candidates.carry(
+    let mut pairs = desk.candidates.carry(
         old.into_iter().map(|pair| (pair.ends, pair)),
-        |candidate| {
-            let ends = [candidate.i, candidate.j];
-            // Nobody looked as long as joints held the pair, or both blocks in the largest lattice: what it overlaps by presses from now on
-            // only with what comes on top.
-            let was_held = before.binary_search(&ends).is_ok();
-            let offset = if was_held || ends.iter().all(was_target) {
-                Some(Offset::new(Carried::default()))
-            } else if hidden.is_empty() {
-                None
-            } else {
-                of_parents(ends).map(Offset::begin)
-            };
-            FoundPair {
-                ends,
-                offset: offset.map(Box::new),
-                seated: was_held,
-                ..FoundPair::default()
-            }
-        },
+        |candidate| earlier.begin([candidate.i, candidate.j]),
         |_, pair| drop_pair(&mut dropped, &pair),
     );
+    terrain::add_pairs(world, &desk.terrain.blocks, grounded, &mut pairs, &mut dropped);
+    world.found.pairs = pairs;
     world.works.add(&dropped);
     constants::find(world, desk, &scratch.exec);
     let pairs = &world.found.pairs;
     desk.slots = vec![Slot::default(); pairs.len()];
     desk.groups = vec![PairGroup::default(); pairs.len().div_ceil(GROUP)];
-    desk.workspaces.resize_with(pairs.len().div_ceil(piece(pairs.len())), Workspace::default);
+    desk.workspaces.resize_with(scratch.exec.workspaces(pairs.len()), Workspace::default);
     incidence(world, desk);
     desk.ready = true;
     scratch.tiles.make_rows(world);
 }
 
-/// Which pairs each block is in.
+/// What was known of blocks before they became a pair.
+struct Earlier<'a> {
+    lineage: &'a [Origin],
+    /// Roles until now, where they have been found again.
+    roles: &'a [Role],
+    /// Pairs that joints held; sorted.
+    held: &'a [[u32; 2]],
+    /// See [`hidden_of_split`].
+    hidden: BTreeMap<[u32; 2], [f64; 2]>,
+}
+
+impl Earlier<'_> {
+    /// A block and those that it was split from.
+    fn up(&self, b: u32) -> impl Iterator<Item = u32> + '_ {
+        let parent = |b: &u32| Some(self.lineage[*b as usize].parent);
+        std::iter::successors(Some(b), move |b| parent(b).filter(|p| *p != Origin::NONE))
+    }
+
+    fn was_passive(&self, b: u32) -> bool {
+        let role = self.up(b).find_map(|b| self.roles.get(b as usize));
+        role == Some(&Role::Passive)
+    }
+
+    /// A pair that becomes a candidate.
+    fn begin(&self, ends: [u32; 2]) -> FoundPair {
+        let of_parents = |[i, j]: [u32; 2]| {
+            let pair = |i: u32, j: u32| self.hidden.get(&[i.min(j), i.max(j)]).copied();
+            self.up(i).find_map(|i| self.up(j).find_map(|j| pair(i, j)))
+        };
+        // It was not looked at as long as joints held it, or both blocks in the largest lattice: what it overlaps by presses from now on
+        // only with what comes on top.
+        let seated = self.held.binary_search(&ends).is_ok();
+        let offset = if seated || ends.iter().all(|b| self.was_passive(*b)) {
+            Some(Offset::new(Carried::default()))
+        } else if self.hidden.is_empty() {
+            None
+        } else {
+            of_parents(ends).map(Offset::begin)
+        };
+        FoundPair { ends, offset: offset.map(Box::new), seated, ..FoundPair::default() }
+    }
+}
+
+/// Which pairs each block is in; terrain itself is in none.
 fn incidence(world: &World, desk: &mut ContactScratch) {
     let pairs = &world.found.pairs;
-    desk.blocks = pairs.iter().flat_map(|p| p.ends).collect();
+    let searched = desk.candidates.pairs.len();
+    let ends = |k: usize| {
+        let ends = pairs[k].ends.into_iter().zip([false, true]);
+        ends.skip(usize::from(k >= searched))
+    };
+    let all = || (0..pairs.len()).flat_map(|k| ends(k).map(move |(b, second)| (k, b, second)));
+    desk.blocks = all().map(|(_, b, _)| b).collect();
     desk.blocks.sort_unstable();
     desk.blocks.dedup();
     desk.place = vec![u32::MAX; world.alive.len()];
-    desk.first_normal = vec![0];
-    let mut normals = 0;
     for (k, &b) in desk.blocks.iter().enumerate() {
         desk.place[b as usize] = k as u32;
-        normals += desk.shapes[world.solid[b as usize] as usize].faces() as u32;
-        desk.first_normal.push(normals);
     }
     let mut counts = vec![0u32; desk.blocks.len() + 1];
-    for b in pairs.iter().flat_map(|p| p.ends) {
+    for (_, b, _) in all() {
         counts[desk.place[b as usize] as usize + 1] += 1;
     }
     for k in 1..counts.len() {
         counts[k] += counts[k - 1];
     }
-    desk.incidence = vec![(0, false); 2 * pairs.len()];
+    desk.incidence = vec![(0, false); counts.last().map_or(0, |all| *all as usize)];
     let mut next = counts.clone();
-    for (k, pair) in pairs.iter().enumerate() {
-        for (b, second) in pair.ends.into_iter().zip([false, true]) {
-            let at = &mut next[desk.place[b as usize] as usize];
-            desk.incidence[*at as usize] = (k as u32, second);
-            *at += 1;
+    for (k, b, second) in all() {
+        let at = &mut next[desk.place[b as usize] as usize];
+        desk.incidence[*at as usize] = (k as u32, second);
+        *at += 1;
+    }
+    desk.first_normal = vec![0];
+    let mut normals = 0;
+    for (k, &b) in desk.blocks.iter().enumerate() {
+        // Its pairs with terrain come last, and ask for no normals here.
+        let (first, _) = desk.incidence[counts[k] as usize];
+        if (first as usize) < searched {
+            normals += desk.shapes[world.solid[b as usize] as usize].faces() as u32;
         }
+        desk.first_normal.push(normals);
     }
     desk.first_pair = counts;
     desk.acting = vec![Acting::default(); desk.blocks.len()];

@@ -19,7 +19,7 @@ use crate::accounts::Condition;
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
 use crate::laws::bolt::Design;
-pub use crate::laws::explosive::Explosive;
+pub use crate::laws::explosive::{Explosive, Products};
 pub use crate::laws::in_situ::InSitu;
 pub use crate::laws::mohr_coulomb::Strength;
 pub use crate::laws::parameters::{
@@ -99,10 +99,13 @@ impl Setup {
     #[must_use]
     pub fn row_at(&self, materials: [usize; 2], at: Vec3, normal: Vec3) -> u16 {
         let bridge = self.bridges.iter().find(|bridges| bridges.hold(at, normal));
-        bridge.map_or(
-            self.pair_table[materials[0] * self.materials.len() + materials[1]],
-            |bridges| bridges.row,
-        )
+        bridge.map_or_else(|| self.row_of(materials), |bridges| bridges.row)
+    }
+
+    /// Row of `interfaces` for two materials.
+    #[must_use]
+    pub fn row_of(&self, materials: [usize; 2]) -> u16 {
+        self.pair_table[materials[0] * self.materials.len() + materials[1]]
     }
 
     /// The lists of whole blocks in groups, supports, boundaries and sources. Whoever names a block that is divided names
@@ -216,6 +219,17 @@ pub enum Shape {
 }
 
 impl Shape {
+    /// Numbers that bricks of one size and the same `of` share; `None` for other shapes, which count as all different.
+    pub(crate) fn key(&self, of: u64) -> Option<[u64; 4]> {
+        match self {
+            Self::Brick { half, .. } => {
+                let [x, y, z] = half.to_array().map(f64::to_bits);
+                Some([x, y, z, of])
+            }
+            Self::Polyhedron(_) | Self::Terrain(_) | Self::Glued(_) => None,
+        }
+    }
+
     /// Whether it is terrain.
     #[must_use]
     pub fn is_terrain(&self) -> bool {
@@ -548,10 +562,10 @@ pub enum Place {
 /// What pushes on the faces of a cavity.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum CavityPressure {
-    /// Detonation gas with the two-stage adiabat, in balance with the volume of the cavity.
+    /// Detonation gas on its adiabat, in balance with the volume of the cavity.
     Gas {
         /// The explosive.
-        explosive: Explosive,
+        explosive: Products,
         /// Mass of the charge, kg.
         mass: f64,
         /// How charge volume and cavity volume are matched.

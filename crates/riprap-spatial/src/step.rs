@@ -72,7 +72,6 @@ pub fn evaluate(
         contact::release(world, scratch);
         crate::contact::deformable::part(world, scratch);
         let meet = contact::refresh(world, scratch);
-        contact::terrain::prepare(world, scratch);
         [meet, crate::contact::deformable::refresh(world, scratch)]
     });
     stage(scratch, "cavities", |scratch| {
@@ -99,11 +98,6 @@ pub fn evaluate(
     if deformable {
         stage(scratch, "contacts", |scratch| {
             crate::contact::deformable::act(world, scratch);
-        });
-    }
-    if world.has_terrain() {
-        stage(scratch, "terrain", |scratch| {
-            contact::terrain::act(world, scratch);
         });
     }
     // Only now is it known how deep blocks lie in each other, whose energy is part of that of the start.

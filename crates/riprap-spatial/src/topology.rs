@@ -1,6 +1,6 @@
-//! Changes of topology between two steps: splitting blocks 1 to 8, taking blocks out.
+//! Changes of topology between two steps: splitting blocks 1 to 8, cutting deformable ones, breaking bonds, taking blocks out.
 //!
-//! One transaction, between `step::evaluate` and `step::advance`, when forces and positions belong to one instant:
+//! One transaction for all ([`transact`]), between `step::evaluate` and `step::advance`, when forces and positions belong to one instant:
 //!
 //! ```text
 //!            forces known at t                                             forces known at t, new blocks
@@ -42,27 +42,27 @@ pub(crate) mod refine;
 
 pub(crate) mod audit;
 pub(super) mod error;
+mod family;
 mod gradual;
 mod measure;
 mod patches;
+mod remove;
 mod split;
+mod transaction;
 
 pub use error::EditError;
 pub use gradual::take_out_gradually;
+pub use remove::remove;
+pub use transaction::transact;
 
-use crate::faces::overlap::bare;
 use crate::faces::region::Extent;
 use crate::joint::classes::stiffness;
-use crate::push::charge;
 use crate::query::view::View;
 use crate::setup::During;
 use crate::setup::error::{MAX_LEVELS, RefineError};
 pub use crate::state::event::{EditEvent, EditKind};
-use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
-use crate::step;
-use crate::step::Damping;
 use crate::topology::refine::Forest;
 
 /// Gives patches stiffness and dashpots of the laws as they are now. Displacements and slip stay, so
@@ -92,15 +92,24 @@ pub fn reduce_strengths(world: &mut World, rows: &[u16], factor: f64) {
     }
 }
 
-/// Splits the blocks whose criterion is met now; returns how many. Call it between `evaluate` and `advance`; a second
-/// call at the same step does nothing.
+/// Splits and cuts the blocks whose criterion is met now. Call it between `evaluate` and `advance` with the same `dt` (s); a
+/// second call at the same step does nothing.
+///
+/// # Errors
+/// Too many blocks, no bond law, forces that are not finite, a failed audit.
+pub fn divide(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<(), EditError> {
+    refine_running(world, scratch, dt)?;
+    cut::step(world, scratch, dt)?;
+    Ok(())
+}
+
+/// Splits the blocks whose criterion is met now; returns how many. As [`divide`].
 ///
 /// # Errors
 /// Too many blocks, a failed audit.
 pub fn refine_running(
     world: &mut World,
     scratch: &mut Scratch,
-    damping: &Damping,
     dt: f64,
 ) -> Result<usize, EditError> {
     if world.last_check_step == world.step {
@@ -109,7 +118,7 @@ pub fn refine_running(
     world.last_check_step = world.step;
     let splits = plan(world, scratch)?;
     if !splits.is_empty() {
-        split(world, scratch, &splits, damping, dt)?;
+        split(world, scratch, &splits, dt)?;
     }
     Ok(splits.len())
 }
@@ -159,7 +168,7 @@ pub fn plan(world: &World, scratch: &Scratch) -> Result<Vec<u32>, EditError> {
     Ok(forest.into_splits())
 }
 
-/// Splits blocks (in this order; children may be split again by their future number) and evaluates anew.
+/// Splits blocks (in this order; children may be split again by their future number) and re-evaluates.
 ///
 /// # Errors
 /// A failed audit.
@@ -167,81 +176,14 @@ pub fn split(
     world: &mut World,
     scratch: &mut Scratch,
     splits: &[u32],
-    damping: &Damping,
     dt: f64,
 ) -> Result<(), EditError> {
-    // Children begin with half a kick of forces of their own.
-    step::end_motion(world, scratch, damping)?;
-    let before = View { world, scratch }.balance().residual();
-    let plan = split::Plan::new(&View { world, scratch }, splits);
-    split::apply(world, &plan)?;
-    bolts::follow(world);
-    audit::splits(world, &plan)?;
-    settle(world, scratch, damping, dt, before)
-}
-
-/// Takes blocks out and evaluates anew. Faces they shared with others become free, walls of cavities on them are
-/// gone.
-///
-/// # Errors
-/// Forces that are not finite.
-pub fn remove(
-    world: &mut World,
-    scratch: &mut Scratch,
-    blocks: &[u32],
-    damping: &Damping,
-    dt: f64,
-) -> Result<(), EditError> {
-    step::end_motion(world, scratch, damping)?;
-    let before = View { world, scratch }.balance().residual();
-    take_out(world, blocks);
-    settle(world, scratch, damping, dt, before)
-}
-
-/// Lays out and evaluates anew; books the change of the residual as edit defect.
-fn settle(
-    world: &mut World,
-    scratch: &mut Scratch,
-    damping: &Damping,
-    dt: f64,
-    residual: f64,
-) -> Result<(), EditError> {
-    scratch.invalidate(world);
-    step::evaluate(world, scratch, damping, dt)?;
-    let after = View { world, scratch }.balance().residual();
-    world.works.edit_defect += after - residual;
-    Ok(())
-}
-
-/// Removes blocks from all lists that hold living things; lay out and evaluate anew afterwards ([`remove`] does it).
-pub fn take_out(world: &mut World, blocks: &[u32]) {
-    for &b in blocks {
-        if std::mem::replace(&mut world.alive[b as usize], false) {
-            let event = world.event(EditKind::Removed, b);
-            world.events.push(event);
-        }
-    }
-    let gone = |b: u32| !world.alive[b as usize];
-    let list = &world.patches;
-    let (mut keep, mut bared, mut lost) = (Vec::new(), Vec::new(), Vec::new());
-    for (p, &ends) in list.ends.iter().enumerate() {
-        match ends.map(gone) {
-            [false, false] => keep.push(p as u32),
-            [true, true] => lost.push((ends, list.flags[p])),
-            [i_gone, _] => {
-                lost.push((ends, list.flags[p]));
-                bared.push(bare(world, p, usize::from(i_gone)));
-            }
-        }
-    }
-    let World { faces, alive, failed, .. } = &mut *world;
-    for (ends, flags) in lost {
-        failed.add(ends, u64::from((flags & flag::BROKEN).count_ones()));
-    }
-    faces.retain(|f| alive[f.block as usize]);
-    faces.extend(bared);
-    faces.sort_by_key(|f| f.block);
-    world.patches.keep(&keep);
-    charge::drop_walls(world);
-    charge::renew_surfaces(world);
+    transact(world, scratch, dt, |world, scratch| {
+        let plan = split::Plan::new(&View { world, scratch }, splits);
+        split::apply(world, &plan)?;
+        bolts::follow(world);
+        audit::splits(world, plan.blocks)?;
+        scratch.invalidate(world);
+        Ok(())
+    })
 }

@@ -221,7 +221,7 @@ fn model(cells: [usize; 3], own: bool, strain: Strain) -> Setup {
 /// Enters a dynamic phase and gives nodes a displacement.
 fn begin(world: &mut World, scratch: &mut Scratch, breaking: bool, field: impl Fn(Vec3) -> Vec3) {
     let rules = Rules { relax: None, breaking, strain: None };
-    phase::enter(world, &[], Some(&rules));
+    phase::enter(world, Some(&rules));
     if let Some(deform) = world.deform.as_deref_mut() {
         for (u, place) in deform.nodes.displacement.iter_mut().zip(&deform.nodes.place) {
             *u = field(*place).to_array();

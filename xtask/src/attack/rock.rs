@@ -33,6 +33,44 @@ pub fn jointed(field: &Field<'_>, chance: &mut Chance) -> Result<Found, String> 
     Ok(found)
 }
 
+/// A number from 0 to 1.
+fn share(chance: &mut Chance) -> f64 {
+    chance.below(10_000) as f64 / 1e4
+}
+
+/// Two to four joint sets with this spacing, m.
+fn joint_sets(chance: &mut Chance, spacing: f64) -> Vec<String> {
+    let sets = (0..2 + chance.below(3)).map(|_| {
+        let any = 90.0 * share(chance);
+        let dip = *chance.of(&[0.0, 5.0, 30.0, 45.0, 60.0, 80.0, 85.0, 90.0, any]);
+        let any = 360.0 * share(chance);
+        let direction = *chance.of(&[0.0, 70.0, 90.0, 160.0, 180.0, any]);
+        let scatter = *chance.of(&[0.0, 0.2]) * spacing;
+        format!(
+            "{{ dip = \"{dip} deg\", dip_direction = \"{direction} deg\", spacing = \"{spacing} m\", spacing_scatter = \"{scatter} m\" }}"
+        )
+    });
+    sets.collect()
+}
+
+/// A table of joints that are disks, in a cube of this length, m.
+fn disks(chance: &mut Chance, length: f64) -> String {
+    let mut rows = "x_m,y_m,z_m,dip_deg,dip_direction_deg,radius_m\n".to_owned();
+    for _ in 0..*chance.of(&[6, 12, 20]) {
+        let [x, y, z, dip, direction, radius] = [0; 6].map(|_| share(chance));
+        rows += &format!(
+            "{},{},{},{},{},{}\n",
+            length * x,
+            length * y,
+            length * z,
+            90.0 * dip,
+            360.0 * direction,
+            length * (0.2 + 0.5 * radius)
+        );
+    }
+    rows
+}
+
 /// One model of jointed rock.
 fn rock(
     field: &Field<'_>,
@@ -42,43 +80,18 @@ fn rock(
 ) -> Result<String, String> {
     let length = *chance.of(&[4.0, 6.0, 8.0]);
     let spacing = length / *chance.of(&[3.0, 4.0, 5.0]);
-    let share = |chance: &mut Chance| chance.below(10_000) as f64 / 1e4;
     let mut shape = String::new();
     let mut cell = None;
     match number % 4 {
         0 | 1 => {
-            let sets = (0..2 + chance.below(3)).map(|_| {
-                let any = 90.0 * share(chance);
-                let dip = *chance.of(&[0.0, 5.0, 30.0, 45.0, 60.0, 80.0, 85.0, 90.0, any]);
-                let any = 360.0 * share(chance);
-                let direction = *chance.of(&[0.0, 70.0, 90.0, 160.0, 180.0, any]);
-                let scatter = *chance.of(&[0.0, 0.2]) * spacing;
-                format!(
-                    "{{ dip = \"{dip} deg\", dip_direction = \"{direction} deg\", spacing = \"{spacing} m\", spacing_scatter = \"{scatter} m\" }}"
-                )
-            });
-            let sets: Vec<String> = sets.collect();
             shape = format!(
                 "cut = {{ seed = {number}, smallest_edge = \"{} m\", joint_sets = [{}] }}\n",
                 0.03 * length,
-                sets.join(", ")
+                joint_sets(chance, spacing).join(", ")
             );
         }
         2 => {
-            let mut rows = "x_m,y_m,z_m,dip_deg,dip_direction_deg,radius_m\n".to_owned();
-            for _ in 0..*chance.of(&[6, 12, 20]) {
-                let [x, y, z, dip, direction, radius] = [0; 6].map(|_| share(chance));
-                rows += &format!(
-                    "{},{},{},{},{},{}\n",
-                    length * x,
-                    length * y,
-                    length * z,
-                    90.0 * dip,
-                    360.0 * direction,
-                    length * (0.2 + 0.5 * radius)
-                );
-            }
-            field.write("disks.csv", rows)?;
+            field.write("disks.csv", disks(chance, length))?;
             shape = format!(
                 "cut = {{ joints.csv = \"disks.csv\", smallest_edge = \"{} m\" }}\n",
                 0.02 * length

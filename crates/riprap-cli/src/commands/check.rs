@@ -223,9 +223,7 @@ fn expected_text(f: &Forecast, before: f64) -> String {
         };
         text.push_str(&format!("  fastest    {} (block {block}){guard}\n", si(*speed, "m/s")));
     }
-    if let Some(found) = &f.found {
-        text.push_str(&found_text(found));
-    }
+    text.extend(f.found.as_ref().map(found_text));
     if let Some(toe) = f.toe.as_ref().filter(|toe| toe.share > SLIGHT_TOE) {
         text.push_str(&format!(
             "  tilting    contact softness reduces by {} % the load that tilts block {} and the blocks that stand with it; a thousand times `{}` \

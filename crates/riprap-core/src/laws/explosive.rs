@@ -6,6 +6,112 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::laws::jwl::{Isentrope, Jwl};
+
+/// An explosive by the equation of state of its gas.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Products {
+    /// A two-stage adiabat.
+    TwoStage(Explosive),
+    /// That of Jones, Wilkins and Lee.
+    Jwl(Jwl),
+}
+
+impl From<Explosive> for Products {
+    fn from(explosive: Explosive) -> Self {
+        Self::TwoStage(explosive)
+    }
+}
+
+impl Products {
+    /// Density of the charge, kg/m³.
+    #[must_use]
+    pub fn density(&self) -> f64 {
+        match self {
+            Self::TwoStage(explosive) => explosive.density,
+            Self::Jwl(jwl) => jwl.density,
+        }
+    }
+
+    /// Whether the constants make an adiabat.
+    ///
+    /// # Errors
+    /// As [`Explosive::validate`]; constants that do not detonate.
+    pub fn validate(&self) -> Result<(), ExplosiveError> {
+        match self {
+            Self::TwoStage(explosive) => explosive.validate(),
+            Self::Jwl(jwl) => jwl.is_sound().then_some(()).ok_or(ExplosiveError::Jwl),
+        }
+    }
+
+    /// The adiabat of a charge of `mass` (kg).
+    ///
+    /// # Errors
+    /// As [`Products::validate`], and a mass that is not positive.
+    pub fn adiabat(&self, mass: f64) -> Result<Adiabat, ExplosiveError> {
+        match self {
+            Self::TwoStage(explosive) => explosive.adiabat(mass).map(Adiabat::TwoStage),
+            Self::Jwl(jwl) => {
+                self.validate()?;
+                positive("the mass of the charge", mass)?;
+                Ok(Adiabat::Jwl(jwl.isentrope(mass / jwl.density)))
+            }
+        }
+    }
+}
+
+/// Pressure of a fixed amount of gas as a function of its volume.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Adiabat {
+    /// In two stages.
+    TwoStage(TwoStage),
+    /// Of Jones, Wilkins and Lee.
+    Jwl(Isentrope),
+}
+
+impl Adiabat {
+    /// Volume of the charge, m³.
+    #[must_use]
+    pub fn v0(&self) -> f64 {
+        match self {
+            Self::TwoStage(gas) => gas.v0,
+            Self::Jwl(gas) => gas.v0,
+        }
+    }
+
+    /// Pressure at `volume` (m³), Pa.
+    #[must_use]
+    pub fn pressure(&self, volume: f64) -> f64 {
+        match self {
+            Self::TwoStage(gas) => gas.pressure(volume),
+            Self::Jwl(gas) => gas.pressure(volume),
+        }
+    }
+
+    /// Exponent at `volume` (m³): the tangent bulk modulus of the gas is this times the pressure.
+    #[must_use]
+    pub fn exponent(&self, volume: f64) -> f64 {
+        match self {
+            Self::TwoStage(gas) => gas.exponent(volume),
+            Self::Jwl(gas) => gas.exponent(volume),
+        }
+    }
+
+    /// Work of the gas from the volume of the charge to `volume` (m³), the integral of `P dV`, J.
+    #[must_use]
+    pub fn work(&self, volume: f64) -> f64 {
+        match self {
+            Self::TwoStage(gas) => gas.work(volume),
+            Self::Jwl(gas) => gas.work(volume),
+        }
+    }
+}
+
+fn positive(what: &'static str, value: f64) -> Result<(), ExplosiveError> {
+    let fits = value.is_finite() && value > 0.0;
+    if fits { Ok(()) } else { Err(ExplosiveError::NotPositive { what, value }) }
+}
+
 /// An explosive, with the constants of its two-stage adiabat.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Explosive {
@@ -55,6 +161,9 @@ pub enum ExplosiveError {
         /// Upper bound (included), J/kg.
         at_most: f64,
     },
+    /// Constants of an equation of state of Jones, Wilkins and Lee that do not detonate.
+    #[error("the constants of the JWL equation of state have no state of Chapman and Jouguet")]
+    Jwl,
 }
 
 impl Explosive {
@@ -82,9 +191,7 @@ impl Explosive {
             ("the detonation velocity", self.detonation_velocity),
             ("the heat of explosion", self.heat),
         ] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(ExplosiveError::NotPositive { what, value });
-            }
+            positive(what, value)?;
         }
         let (gamma, gamma_low) = (self.gamma, self.gamma_low);
         if !(gamma.is_finite() && gamma > gamma_low && gamma_low > 1.0) {
@@ -101,20 +208,15 @@ impl Explosive {
     ///
     /// # Errors
     /// As [`Explosive::validate`], and a mass that is not positive.
-    pub fn adiabat(&self, mass: f64) -> Result<Adiabat, ExplosiveError> {
+    pub fn adiabat(&self, mass: f64) -> Result<TwoStage, ExplosiveError> {
         self.validate()?;
-        if !(mass.is_finite() && mass > 0.0) {
-            return Err(ExplosiveError::NotPositive {
-                what: "the mass of the charge",
-                value: mass,
-            });
-        }
+        positive("the mass of the charge", mass)?;
         let (g, low) = (self.gamma, self.gamma_low);
         let p0 = self.initial_pressure();
         // (22): Pk/P0 = { (g'-1)/(g-g') [ (g-1) rho Q/P0 - 1 ] }^(g/(g-1)), V0 = W/rho.
         let bracket = (g - 1.0) * self.density * self.heat / p0 - 1.0;
         let ratio = libm::pow((low - 1.0) / (g - low) * bracket, g / (g - 1.0));
-        Ok(Adiabat {
+        Ok(TwoStage {
             p0,
             v0: mass / self.density,
             pk: p0 * ratio,
@@ -125,9 +227,9 @@ impl Explosive {
     }
 }
 
-/// Pressure of a fixed amount of gas as a function of its volume.
+/// A two-stage adiabat.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Adiabat {
+pub struct TwoStage {
     /// Initial pressure, Pa.
     pub p0: f64,
     /// Initial volume (that of the charge), m³.
@@ -142,7 +244,7 @@ pub struct Adiabat {
     pub gamma_low: f64,
 }
 
-impl Adiabat {
+impl TwoStage {
     /// Pressure (19), (20) at `volume` (m³), Pa. Below `v0` the first branch goes on.
     #[must_use]
     pub fn pressure(&self, volume: f64) -> f64 {

@@ -11,6 +11,7 @@ pub mod face_joint;
 pub mod fracture;
 pub mod in_situ;
 pub mod joint_point;
+pub mod jwl;
 pub mod mohr_coulomb;
 pub mod parameters;
 pub mod potential;

@@ -214,6 +214,18 @@ pub enum Points {
     Quarter,
 }
 
+impl Points {
+    /// Their distance from the centre along either axis over the radius of gyration of the face: Gauss points lie at the radii
+    /// of gyration L/sqrt 12, quarter points at L/4.
+    #[must_use]
+    pub fn spread(self) -> f64 {
+        match self {
+            Self::Gauss => 1.0,
+            Self::Quarter => 0.75f64.sqrt(),
+        }
+    }
+}
+
 /// Points of a joint on which its dashpots act along it.
 ///
 /// Those across it act on all closed points.

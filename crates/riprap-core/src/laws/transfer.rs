@@ -77,19 +77,26 @@ impl<'a> PointLocation<'a> {
     }
 }
 
+/// A point (m) by the nodes of a tetrahedron, and its least weight: below zero outside.
+#[must_use]
+pub fn weights(mesh: &Tetrahedra, tet: usize, at: Vec3) -> (Place, f64) {
+    let nodes = mesh.tets[tet];
+    let arm = at - mesh.nodes[nodes[0] as usize];
+    let [b, c, d] = mesh.gradients[tet].map(|g| g.dot(arm));
+    let weights = [1.0 - b - c - d, b, c, d];
+    (Place { nodes, weights }, weights.into_iter().fold(f64::INFINITY, f64::min))
+}
+
 /// The first of some tetrahedra whose least weight at a point is largest, and that weight.
-fn nearest(parent: &Tetrahedra, at: Vec3, some: std::ops::Range<usize>) -> (Place, f64) {
+#[must_use]
+pub fn nearest(parent: &Tetrahedra, at: Vec3, some: std::ops::Range<usize>) -> (Place, f64) {
     let mut best = Place { nodes: [0; 4], weights: [1.0, 0.0, 0.0, 0.0] };
     let mut inside = f64::NEG_INFINITY;
     for tet in some {
-        let nodes = &parent.tets[tet];
-        let arm = at - parent.nodes[nodes[0] as usize];
-        let [b, c, d] = parent.gradients[tet].map(|g| g.dot(arm));
-        let weights = [1.0 - b - c - d, b, c, d];
-        let least = weights.into_iter().fold(f64::INFINITY, f64::min);
+        let (place, least) = weights(parent, tet, at);
         if least > inside {
             inside = least;
-            best = Place { nodes: *nodes, weights };
+            best = place;
             if least > WELL_INSIDE {
                 break;
             }
@@ -108,7 +115,7 @@ pub fn interpolate(place: &Place, field: &[[f64; 3]]) -> [f64; 3] {
 }
 
 /// Motion of a set of nodes as a whole.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Motion {
     /// Mass, kg.
     pub mass: f64,

@@ -305,15 +305,7 @@ impl WaterTable {
         let (mut force, mut moment) = (Vec3::ZERO, Vec3::ZERO);
         for strip in self.strips(low, high) {
             let depth = strip.height(place) - centre.z;
-            let below = |r: Vec3| depth + strip.slope * along.dot(r) - r.z;
-            let mut wet = keep(face, &below);
-            if strip.from > low {
-                wet = keep(&wet, &|r: Vec3| place + along.dot(r) - strip.from);
-            }
-            if strip.to < high {
-                wet = keep(&wet, &|r: Vec3| strip.to - place - along.dot(r));
-            }
-            let (f, m) = pressed(&wet, &below);
+            let (f, m) = strip.pressed(face, along, place, depth, [low, high]);
             force -= weight * f;
             moment -= weight * m;
         }
@@ -342,15 +334,7 @@ impl WaterTable {
                     force += weight * volume * (Vec3::Z - strip.slope * along);
                 }
                 (Depth::Below, false) | (Depth::Across, _) => faces(&mut |face| {
-                    let below = |r: Vec3| depth + strip.slope * along.dot(r) - r.z;
-                    let mut wet = keep(face, &below);
-                    if strip.from > low {
-                        wet = keep(&wet, &|r: Vec3| place + along.dot(r) - strip.from);
-                    }
-                    if strip.to < high {
-                        wet = keep(&wet, &|r: Vec3| strip.to - place - along.dot(r));
-                    }
-                    let (f, m) = pressed(&wet, &below);
+                    let (f, m) = strip.pressed(face, along, place, depth, [low, high]);
                     force -= weight * f;
                     moment -= weight * m;
                 }),
@@ -564,6 +548,27 @@ impl Strip {
         } else {
             Depth::Across
         }
+    }
+
+    /// Force and moment, per weight of water, on the wet part of a face under the strip. The origin of the face lies at the distance `place`
+    /// and `depth` below the line there (m); the block reaches over the distances `[low, high]`.
+    fn pressed(
+        &self,
+        face: &[Vec3],
+        along: Vec3,
+        place: f64,
+        depth: f64,
+        [low, high]: [f64; 2],
+    ) -> (Vec3, Vec3) {
+        let below = |r: Vec3| depth + self.slope * along.dot(r) - r.z;
+        let mut wet = keep(face, &below);
+        if self.from > low {
+            wet = keep(&wet, &|r: Vec3| place + along.dot(r) - self.from);
+        }
+        if self.to < high {
+            wet = keep(&wet, &|r: Vec3| self.to - place - along.dot(r));
+        }
+        pressed(&wet, &below)
     }
 }
 

@@ -19,6 +19,9 @@ struct Piece {
     on: Vec<(f64, u32)>,
 }
 
+/// Position along a cut (0 to 1), and the number of the point if it is on the outline.
+type Stop = (f64, Option<u32>);
+
 /// Edges of the arrangement: pairs of point numbers, smaller first, with whether they belong to the
 /// region's outline. Points are in local coordinates; the first `region.len()` are the outline's.
 pub(super) fn split(
@@ -80,8 +83,7 @@ fn clip_to_region(
     if length <= near {
         return;
     }
-    // (position along the cut, point number if on the outline)
-    let mut stops: Vec<(f64, Option<u32>)> = vec![(0.0, None), (1.0, None)];
+    let mut stops: Vec<Stop> = vec![(0.0, None), (1.0, None)];
     for (edge, (a, b)) in polygon::edges(region).enumerate() {
         let side = b - a;
         let side_length = side.length();
@@ -101,12 +103,10 @@ fn clip_to_region(
         if (h0 > near && h1 > near) || (h0 < -near && h1 < -near) {
             continue;
         }
-        let t = if on0 {
-            0.0
-        } else if on1 {
-            1.0
-        } else {
-            h0 / (h0 - h1)
+        let t = match (on0, on1) {
+            (true, _) => 0.0,
+            (false, true) => 1.0,
+            (false, false) => h0 / (h0 - h1),
         };
         let s = (cut.from + t * along - a).dot(side) / (side_length * side_length);
         let slack = near / side_length;
@@ -117,6 +117,29 @@ fn clip_to_region(
             stops.push((t, Some(number)));
         }
     }
+    merge_stops(&mut stops, length, near);
+    pieces.extend(stops.windows(2).filter_map(|w| piece(region, cut, points, [w[0], w[1]])));
+}
+
+/// The piece of a cut between two stops, if it is inside the region.
+fn piece(region: &[Vec2], cut: &Cut, points: &PointStore, stops: [Stop; 2]) -> Option<Piece> {
+    let ([(t0, start), (t1, end)], along) = (stops, cut.to - cut.from);
+    let middle = cut.from + 0.5 * (t0 + t1) * along;
+    if polygon::locate(region, middle) != Side::Inside
+        || polygon::distance_to_boundary(region, middle) <= points.distance
+    {
+        return None;
+    }
+    let place = |t: f64, number: Option<u32>| {
+        number.map_or(cut.from + t * along, |i| points.points[i as usize])
+    };
+    let on = start.map(|i| (0.0, i)).into_iter().chain(end.map(|i| (1.0, i)));
+    let (from, to) = (place(t0, start), place(t1, end));
+    Some(Piece { from, to, family: cut.family, on: on.collect() })
+}
+
+/// Sorts the stops of a cut of this length along it, and joins those nearer than `near`.
+fn merge_stops(stops: &mut Vec<Stop>, length: f64, near: f64) {
     // At equal places the one on the outline comes first and wins.
     stops.sort_by(|x, y| {
         x.0.total_cmp(&y.0).then(y.1.is_some().cmp(&x.1.is_some())).then(x.1.cmp(&y.1))
@@ -128,24 +151,6 @@ fn clip_to_region(
         }
         same
     });
-    for pair in stops.windows(2) {
-        let ((t0, start), (t1, end)) = (pair[0], pair[1]);
-        let middle = cut.from + 0.5 * (t0 + t1) * along;
-        if polygon::locate(region, middle) != Side::Inside
-            || polygon::distance_to_boundary(region, middle) <= near
-        {
-            continue;
-        }
-        let mut piece = Piece {
-            from: start.map_or(cut.from + t0 * along, |i| points.points[i as usize]),
-            to: end.map_or(cut.from + t1 * along, |i| points.points[i as usize]),
-            family: cut.family,
-            on: Vec::new(),
-        };
-        piece.on.extend(start.map(|i| (0.0, i)));
-        piece.on.extend(end.map(|i| (1.0, i)));
-        pieces.push(piece);
-    }
 }
 
 /// Put the crossing and touching points of all pairs of pieces on both.

@@ -310,27 +310,9 @@ fn halve_shape(
     let mut points = Crossings { vertices: solid.vertices.clone(), edges: Vec::new() };
     let mut sides = [Side::default(), Side::default()];
     for (corners, origin) in solid.faces.iter().zip(&shape.origins) {
-        let mut pieces =
-            [Vec::with_capacity(corners.len() + 2), Vec::with_capacity(corners.len() + 2)];
-        let mut strictly = [false; 2];
-        for (from, to) in edges_of(corners) {
-            let (s, t) = (signs[from as usize], signs[to as usize]);
-            strictly[0] |= s < 0.0;
-            strictly[1] |= s > 0.0;
-            if s <= 0.0 {
-                pieces[0].push(from);
-            }
-            if s >= 0.0 {
-                pieces[1].push(from);
-            }
-            if (s < 0.0 && t > 0.0) || (s > 0.0 && t < 0.0) {
-                let crossing = points.on_edge(from, to, &signs);
-                pieces[0].push(crossing);
-                pieces[1].push(crossing);
-            }
-        }
-        for ((side, piece), strictly) in sides.iter_mut().zip(pieces).zip(strictly) {
-            if strictly {
+        let pieces = halve_face(corners, &signs, &mut points);
+        for (side, piece) in sides.iter_mut().zip(pieces) {
+            if let Some(piece) = piece {
                 side.faces.push(piece);
                 side.origins.push(*origin);
             }
@@ -351,6 +333,30 @@ fn halve_shape(
         side.finish(&points.vertices)
     };
     Ok([finish(below)?, finish(above)?])
+}
+
+/// The parts of a face below and above the plane; `None` where no corner lies there.
+fn halve_face(corners: &[u32], signs: &[f64], points: &mut Crossings) -> [Option<Vec<u32>>; 2] {
+    let room = corners.len() + 2;
+    let (mut below, mut above) = (Vec::with_capacity(room), Vec::with_capacity(room));
+    let mut strictly = [false; 2];
+    for (from, to) in edges_of(corners) {
+        let (s, t) = (signs[from as usize], signs[to as usize]);
+        strictly[0] |= s < 0.0;
+        strictly[1] |= s > 0.0;
+        if s <= 0.0 {
+            below.push(from);
+        }
+        if s >= 0.0 {
+            above.push(from);
+        }
+        if (s < 0.0 && t > 0.0) || (s > 0.0 && t < 0.0) {
+            let crossing = points.on_edge(from, to, signs);
+            below.push(crossing);
+            above.push(crossing);
+        }
+    }
+    [strictly[0].then_some(below), strictly[1].then_some(above)]
 }
 
 /// Whether a ring runs through the same vertices as another, the other way.

@@ -29,6 +29,13 @@ struct Stretch {
 }
 
 impl Stretch {
+    /// Of edge `k` of block `b`, between two distances from its start, m.
+    fn of(shapes: &Shapes, b: usize, k: usize, [low, high]: [f64; 2]) -> Self {
+        let edge = &shapes.edges[k];
+        let (start, along) = (edge.start + shapes.centroid[b], edge.normal.perp());
+        Self { from: start + low * along, to: start + high * along }
+    }
+
     fn at(&self, share: f64) -> Vec2 {
         self.from + share * (self.to - self.from)
     }
@@ -87,6 +94,9 @@ impl Nodes {
     }
 }
 
+/// Stretches of each edge, from its start, m.
+type Stretches = Vec<Vec<[f64; 2]>>;
+
 /// The network of the living blocks under a table that seeps; heads are not known yet.
 pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &WaterTable) -> Seepage {
     let Some(rules) = &table.seepage else {
@@ -96,84 +106,97 @@ pub(super) fn build(setup: &Setup, shapes: &Shapes, alive: &[bool], table: &Wate
     let smallest = radii.map(|(r, _)| *r).fold(f64::INFINITY, f64::min);
     let mut nodes = Nodes { list: Vec::new(), cells: BTreeMap::new(), size: SAME * smallest };
     let mut out = Seepage::default();
-    // Stretches of each edge, from its start (m), that another block covers, and that one covered which was taken out.
-    let mut covered: Vec<Vec<[f64; 2]>> = vec![Vec::new(); shapes.edges.len()];
+    // Stretches of each edge that another block covers, and that one covered which was taken out.
+    let mut covered: Stretches = vec![Vec::new(); shapes.edges.len()];
     let mut bared = covered.clone();
     for (i, j) in neighbours(setup, alive) {
-        let (a, b) = (i as usize, j as usize);
+        let blocks = [i as usize, j as usize];
+        let [a, b] = blocks;
         let is_joint = alive[a] && alive[b];
         let stretches = if is_joint { &mut covered } else { &mut bared };
-        let tolerance = SAME * shapes.radius[a].min(shapes.radius[b]);
-        for (ka, ea) in shapes.range(a).zip(shapes.of(a)) {
-            for (kb, eb) in shapes.range(b).zip(shapes.of(b)) {
-                let start_a = ea.start + shapes.centroid[a];
-                let start_b = eb.start + shapes.centroid[b];
-                let along = ea.normal.perp();
-                let opposite = eb.normal.dot(ea.normal) < -1.0 + 1e-9;
-                if !opposite || ea.normal.dot(start_b - start_a).abs() > tolerance {
-                    continue;
-                }
-                let begins = along.dot(start_b - start_a);
-                // The other edge runs the other way: from where it begins back by its length.
-                let (low, high) = ((begins - eb.length).max(0.0), begins.min(ea.length));
-                if high - low <= tolerance {
-                    continue;
-                }
-                stretches[ka].push([low, high]);
-                stretches[kb].push([begins - high, begins - low]);
-                if !is_joint {
-                    continue;
-                }
-                let whole = Stretch { from: start_a + low * along, to: start_a + high * along };
-                let cuts = rules.drains.iter().filter_map(|d| whole.crossing(d));
-                for part in whole.parts(cuts.collect()) {
-                    let places = [part.from, part.to];
-                    out.conduits.push(Conduit {
-                        blocks: [i, j],
-                        nodes: places.map(|p| nodes.at(p)),
-                        on: [a, b].map(|c| places.map(|p| p - shapes.centroid[c])),
-                    });
-                }
+        for (ka, kb) in shapes.range(a).flat_map(|k| shapes.range(b).map(move |l| (k, l))) {
+            let Some([on_a, on_b]) = common(shapes, blocks, [ka, kb]) else {
+                continue;
+            };
+            stretches[ka].push(on_a);
+            stretches[kb].push(on_b);
+            if !is_joint {
+                continue;
+            }
+            let whole = Stretch::of(shapes, a, ka, on_a);
+            let cuts = rules.drains.iter().filter_map(|d| whole.crossing(d));
+            for part in whole.parts(cuts.collect()) {
+                let places = [part.from, part.to];
+                out.conduits.push(Conduit {
+                    blocks: [i, j],
+                    nodes: places.map(|p| nodes.at(p)),
+                    on: blocks.map(|c| places.map(|p| p - shapes.centroid[c])),
+                });
             }
         }
     }
     let mut seeps = Vec::new();
     for b in (0..shapes.len()).filter(|b| alive[*b]) {
-        for (k, edge) in shapes.range(b).zip(shapes.of(b)) {
-            let start = edge.start + shapes.centroid[b];
-            let along = edge.normal.perp();
-            let tolerance = SAME * shapes.radius[b];
-            for [low, high] in &bared[k] {
-                seeps.extend([low, high].map(|s| nodes.at(start + *s * along)));
+        for k in shapes.range(b) {
+            for bare in &bared[k] {
+                let bare = Stretch::of(shapes, b, k, *bare);
+                seeps.extend([bare.from, bare.to].map(|p| nodes.at(p)));
             }
-            // Bare stretches are none of the open faces below.
+            // Bare stretches are none of the open faces.
             covered[k].append(&mut bared[k]);
-            for [low, high] in gaps(&mut covered[k], edge.length, tolerance) {
-                let whole = Stretch { from: start + low * along, to: start + high * along };
-                let is_closed =
-                    |p: Vec2| rules.closed.iter().any(|line| line.holds(p.into(), nodes.size));
-                // An edge with one end on a closed line leads away from it.
-                if is_closed(whole.from) && is_closed(whole.to) {
-                    continue;
-                }
-                let run = whole.to.x - whole.from.x;
-                // Heads are linear between nodes: a corner of the table must be one.
-                let corners = table.points.iter().map(|c| (c[0] - whole.from.x) / run);
-                let corners = corners.filter(|s| s.is_finite()).collect();
-                for part in whole.parts(corners) {
-                    let places = [part.from, part.to];
-                    out.faces.push(OpenFace {
-                        block: b as u32,
-                        nodes: places.map(|p| nodes.at(p)),
-                        on: places.map(|p| p - shapes.centroid[b]),
-                    });
-                }
+            let open = gaps(&mut covered[k], shapes.edges[k].length, SAME * shapes.radius[b]);
+            for ends in open {
+                open_faces(table, shapes, b, Stretch::of(shapes, b, k, ends), &mut nodes, &mut out);
             }
         }
     }
     out.nodes = nodes.list;
     hold(&mut out, &seeps, table, nodes.size);
     out
+}
+
+/// The stretch that the edges `[ka, kb]` of two blocks share at the start, on either of them.
+fn common(shapes: &Shapes, [a, b]: [usize; 2], [ka, kb]: [usize; 2]) -> Option<[[f64; 2]; 2]> {
+    let (ea, eb) = (&shapes.edges[ka], &shapes.edges[kb]);
+    let tolerance = SAME * shapes.radius[a].min(shapes.radius[b]);
+    let apart = (eb.start + shapes.centroid[b]) - (ea.start + shapes.centroid[a]);
+    let opposite = eb.normal.dot(ea.normal) < -1.0 + 1e-9;
+    if !opposite || ea.normal.dot(apart).abs() > tolerance {
+        return None;
+    }
+    let begins = ea.normal.perp().dot(apart);
+    // The other edge runs the other way: from where it begins back by its length.
+    let (low, high) = ((begins - eb.length).max(0.0), begins.min(ea.length));
+    (high - low > tolerance).then_some([[low, high], [begins - high, begins - low]])
+}
+
+/// Adds the open faces of a bare stretch of block `b`, but for one that lies on a closed line.
+fn open_faces(
+    table: &WaterTable,
+    shapes: &Shapes,
+    b: usize,
+    whole: Stretch,
+    nodes: &mut Nodes,
+    out: &mut Seepage,
+) {
+    let closed = || table.seepage.iter().flat_map(|rules| &rules.closed);
+    let is_closed = |p: Vec2| closed().any(|line| line.holds(p.into(), nodes.size));
+    // An edge with one end on a closed line leads away from it.
+    if is_closed(whole.from) && is_closed(whole.to) {
+        return;
+    }
+    let run = whole.to.x - whole.from.x;
+    // Heads are linear between nodes: a corner of the table must be one.
+    let corners = table.points.iter().map(|c| (c[0] - whole.from.x) / run);
+    let corners = corners.filter(|s| s.is_finite()).collect();
+    for part in whole.parts(corners) {
+        let places = [part.from, part.to];
+        out.faces.push(OpenFace {
+            block: b as u32,
+            nodes: places.map(|p| nodes.at(p)),
+            on: places.map(|p| p - shapes.centroid[b]),
+        });
+    }
 }
 
 /// Pairs of blocks whose boxes touch at the start, one of them living at least.

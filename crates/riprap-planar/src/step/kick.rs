@@ -5,6 +5,7 @@ use riprap_geom::Vec2;
 use super::{Damping, nobody};
 use crate::dynamics::kick::{self, Support, Target};
 use crate::scratch::{Change, Net, NonFinite, Partial, Scratch};
+use crate::setup::Motion;
 use crate::sums::{self, GROUP};
 use crate::world::World;
 
@@ -87,19 +88,8 @@ impl<'a> Kick<'a> {
             *change = Change::default();
             return;
         }
-        let (mut force, mut moment) = (Vec2::ZERO, 0.0);
         let scratch = self.scratch;
-        let [first, end] = [b, b + 1].map(|b| scratch.first_entry[b] as usize);
-        for &entry in &scratch.incidence[first..end] {
-            let slot = &scratch.slots[(entry >> 1) as usize];
-            if entry & 1 == 0 {
-                force += slot.force;
-                moment += slot.moment_i;
-            } else {
-                force -= slot.force;
-                moment += slot.moment_j;
-            }
-        }
+        let (mut force, mut moment) = self.gathered(b);
         let (mass, inertia) = (scratch.shapes.mass[b], scratch.shapes.inertia[b]);
         let (weight, load) = (mass * self.world.gravity, scratch.applied[b]);
         force += weight + load.force;
@@ -120,42 +110,22 @@ impl<'a> Kick<'a> {
         let fade = kick::fade(self.damping.mass, self.span);
         let kicked =
             |v: f64, f: f64, m: f64| ((v * (1.0 - fade) + self.span * f / m) / (1.0 + fade)) - v;
-        let mut dv = Vec2::new(
+        let dv = Vec2::new(
             kicked(body.velocity.x, force.x + drag.x, mass),
             kicked(body.velocity.y, force.y + drag.y, mass),
         );
-        let mut dw = kicked(body.spin, moment + twist, inertia);
-        let free = (dv, dw);
-        if let Some(motion) = motion {
-            let [x, y, spin] = motion.targets();
-            let (time, half) = (self.world.time, self.half[1]);
-            let of = |t: Target, v: f64, free: f64| t.change(v, free, time, half, self.span);
-            dv = Vec2::new(of(x, body.velocity.x, dv.x), of(y, body.velocity.y, dv.y));
-            dw = of(spin, body.spin, dw);
-            let centroid = scratch.shapes.centroid[b];
-            dv += motion.swing(centroid, body.angle, time, 2.0 * half);
-        }
-        *change = Change { velocity: dv, spin: dw };
+        let dw = kicked(body.spin, moment + twist, inertia);
+        let free = Change { velocity: dv, spin: dw };
+        *change = motion.map_or(free, |motion| self.prescribed(b, motion, &free));
+        let (dv, dw) = (change.velocity, change.spin);
 
         // Works before and after the present time, with the velocity of each half.
         if let Some(motion) = motion
             && self.span > 0.0
         {
-            let [x, y, spin] = motion.targets().map(|t| f64::from(t.gives_velocity()));
-            let push = Support::of(
-                kick::reaction(mass, fade, self.span, dv - free.0),
-                mass * dv * Vec2::new(x, y),
-                self.span,
-            );
-            let twist = Support::of(
-                kick::reaction(inertia, fade, self.span, dw - free.1),
-                inertia * dw * spin,
-                self.span,
-            );
-            let along = push.works(self.half, [body.velocity, body.velocity + dv], Vec2::dot);
-            let about = twist.works(self.half, [body.spin, body.spin + dw], |m, w| m * w);
-            partial.arrival.supports += along[0] + about[0];
-            partial.departure.supports += along[1] + about[1];
+            let [before, after] = self.support_works(b, motion, fade, change, &free);
+            partial.arrival.supports += before;
+            partial.departure.supports += after;
         }
         let damping = drag - kick::mass_drag(self.damping.mass, mass, body.velocity, dv);
         let slowing = twist - kick::mass_drag(self.damping.mass, inertia, body.spin, dw);
@@ -168,5 +138,66 @@ impl<'a> Kick<'a> {
             works.damping -= half * (damping.dot(v) + slowing * w);
             works.local -= half * (drag.dot(v) + twist * w);
         }
+    }
+
+    /// Sum of the forces and moments on a block, N/m and N.
+    #[inline]
+    fn gathered(&self, b: usize) -> (Vec2, f64) {
+        let (mut force, mut moment) = (Vec2::ZERO, 0.0);
+        let scratch = self.scratch;
+        let [first, end] = [b, b + 1].map(|b| scratch.first_entry[b] as usize);
+        for &entry in &scratch.incidence[first..end] {
+            let slot = &scratch.slots[(entry >> 1) as usize];
+            if entry & 1 == 0 {
+                force += slot.force;
+                moment += slot.moment_i;
+            } else {
+                force -= slot.force;
+                moment += slot.moment_j;
+            }
+        }
+        (force, moment)
+    }
+
+    /// Change of velocity of a block with prescribed motion, which were `free` without.
+    fn prescribed(&self, b: usize, motion: &Motion, free: &Change) -> Change {
+        let body = &self.world.bodies[b];
+        let [x, y, spin] = motion.targets();
+        let (time, half) = (self.world.time, self.half[1]);
+        let of = |t: Target, v: f64, free: f64| t.change(v, free, time, half, self.span);
+        let velocity = Vec2::new(
+            of(x, body.velocity.x, free.velocity.x),
+            of(y, body.velocity.y, free.velocity.y),
+        );
+        let swing = motion.swing(self.scratch.shapes.centroid[b], body.angle, time, 2.0 * half);
+        Change { velocity: velocity + swing, spin: of(spin, body.spin, free.spin) }
+    }
+
+    /// Works (J/m) of what prescribes the motion of a block, before and after the present time.
+    fn support_works(
+        &self,
+        b: usize,
+        motion: &Motion,
+        fade: f64,
+        change: &Change,
+        free: &Change,
+    ) -> [f64; 2] {
+        let (body, shapes) = (&self.world.bodies[b], &self.scratch.shapes);
+        let (mass, inertia) = (shapes.mass[b], shapes.inertia[b]);
+        let (dv, dw) = (change.velocity, change.spin);
+        let [x, y, spin] = motion.targets().map(|t| f64::from(t.gives_velocity()));
+        let push = Support::of(
+            kick::reaction(mass, fade, self.span, dv - free.velocity),
+            mass * dv * Vec2::new(x, y),
+            self.span,
+        );
+        let twist = Support::of(
+            kick::reaction(inertia, fade, self.span, dw - free.spin),
+            inertia * dw * spin,
+            self.span,
+        );
+        let along = push.works(self.half, [body.velocity, body.velocity + dv], Vec2::dot);
+        let about = twist.works(self.half, [body.spin, body.spin + dw], |m, w| m * w);
+        [along[0] + about[0], along[1] + about[1]]
     }
 }

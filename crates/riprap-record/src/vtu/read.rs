@@ -227,18 +227,14 @@ pub(super) fn array(
     match (section, name.as_str()) {
         ("FieldData", "TimeValue") => out.time = t.text.trim().parse().map_err(|_| bad())?,
         ("FieldData", "step") => out.step = t.text.trim().parse().map_err(|_| bad())?,
-        ("FieldData", "dimension") => {
-            out.dimension = t.text.trim().parse().map_err(|_| bad())?;
-        }
+        ("FieldData", "dimension") => out.dimension = t.text.trim().parse().map_err(|_| bad())?,
         ("FieldData", "phase") => {
             let codes: Result<Vec<u8>, _> = t.text.split_whitespace().map(str::parse).collect();
             let mut codes = codes.map_err(|_| bad())?;
             codes.pop();
             out.phase = String::from_utf8(codes).map_err(|_| bad())?;
         }
-        ("Points", "Points") => {
-            out.points = triples(&numbers(&load()?)?, points, &name)?;
-        }
+        ("Points", "Points") => out.points = triples(&numbers(&load()?)?, points, &name)?,
         ("Cells", "types") => out.kinds = load()?,
         ("Cells", "faces") => out.faces = integers(&load()?)?,
         ("Cells", "faceoffsets") => out.face_ends = integers(&load()?)?,
@@ -257,29 +253,42 @@ pub(super) fn array(
         ("PointData" | "CellData", _) => {
             let on_points = section == "PointData";
             let items = if on_points { points } else { cells };
-            let values = numbers(&load()?)?;
-            let column = if t.attribute("NumberOfComponents").as_deref() == Some("3") {
-                let vectors = triples(&values, items, &name)?;
-                if out.dimension == 3 {
-                    Column::vector3(&name, &unit, vectors)
-                } else {
-                    let flat: Vec<[f64; 2]> = vectors.iter().map(|v| [v[0], v[1]]).collect();
-                    Column::vector(&name, &unit, flat)
-                }
-            } else if values.len() == items {
-                Column::scalar(&name, &unit, values)
-            } else {
-                return Err(format!(
-                    "array `{name}` has {} numbers for {items} items",
-                    values.len()
-                ));
+            let vectors = t.attribute("NumberOfComponents").as_deref() == Some("3");
+            let components = match (vectors, out.dimension) {
+                (false, _) => 1,
+                (true, 3) => 3,
+                (true, _) => 2,
             };
+            let column = column(&name, &unit, numbers(&load()?)?, items, components)?;
             if on_points { &mut out.point_columns } else { &mut out.cell_columns }.push(column);
         }
         // Connectivity is the same in all our files.
         (_, _) => {}
     }
     Ok(())
+}
+
+/// A column of one, two or three components; VTK gives vectors of two components a third.
+fn column(
+    name: &str,
+    unit: &str,
+    values: Vec<f64>,
+    items: usize,
+    components: u8,
+) -> Result<Column, String> {
+    if components == 1 {
+        return if values.len() == items {
+            Ok(Column::scalar(name, unit, values))
+        } else {
+            Err(format!("array `{name}` has {} numbers for {items} items", values.len()))
+        };
+    }
+    let vectors = triples(&values, items, name)?;
+    if components == 3 {
+        return Ok(Column::vector3(name, unit, vectors));
+    }
+    let flat: Vec<[f64; 2]> = vectors.iter().map(|v| [v[0], v[1]]).collect();
+    Ok(Column::vector(name, unit, flat))
 }
 
 fn numbers(bytes: &[u8]) -> Result<Vec<f64>, String> {

@@ -1,6 +1,5 @@
 //! The writer: header text with offsets, then the blocks of compressed bytes.
 
-use std::fmt::Write as _;
 use std::io;
 
 use flate2::{Compress, Compression, FlushCompress, Status};
@@ -158,26 +157,21 @@ fn file(frame: &Frame, mesh: &Mesh, exec: &Exec) -> io::Result<Vec<u8>> {
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" \
          header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n<FieldData>\n",
     );
-    w.put(&format!(
-        "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">{:?}</DataArray>\n",
-        frame.time
-    ));
-    w.put(&format!(
-        "<DataArray type=\"Int64\" Name=\"step\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
-        frame.step
-    ));
     let dimension = if frame.solids.is_some() { 3 } else { 2 };
-    w.put(&format!(
-        "<DataArray type=\"Int64\" Name=\"dimension\" NumberOfTuples=\"1\" format=\"ascii\">{dimension}</DataArray>\n"
-    ));
+    for (kind, name, value) in [
+        ("Float64", "TimeValue", format!("{:?}", frame.time)),
+        ("Int64", "step", frame.step.to_string()),
+        ("Int64", "dimension", dimension.to_string()),
+    ] {
+        w.put(&format!(
+            "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfTuples=\"1\" format=\"ascii\">{value}</DataArray>\n"
+        ));
+    }
     // VTK writes text as the codes of its bytes, with a 0 at the end.
-    let codes: String = frame.phase.bytes().fold(String::new(), |mut s, b| {
-        // Writing into a String cannot fail.
-        let _ = write!(s, "{b} ");
-        s
-    });
+    let codes: Vec<String> = frame.phase.bytes().chain([0]).map(|b| b.to_string()).collect();
+    let codes = codes.join(" ");
     w.put(&format!(
-        "<Array type=\"String\" Name=\"phase\" NumberOfTuples=\"1\" format=\"ascii\">{codes}0</Array>\n</FieldData>\n"
+        "<Array type=\"String\" Name=\"phase\" NumberOfTuples=\"1\" format=\"ascii\">{codes}</Array>\n</FieldData>\n"
     ));
     w.put(&format!(
         "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",

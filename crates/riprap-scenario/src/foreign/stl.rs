@@ -259,28 +259,30 @@ fn part(
         );
         return Err(triangles.wrong(t, text));
     }
-    let at = |k: &u32| points[*k as usize];
+    let corners: Vec<Vec3> = own.iter().map(|k| points[*k as usize]).collect();
+    let faces = list.iter().map(|t| rings[*t].map(|k| points[k as usize]));
+    if let Some(k) = beyond(&corners, faces) {
+        let text = format!(
+            "part {number} is not convex, or its triangles face inwards; divide it into convex parts, which `mesh.glued` joins to one block"
+        );
+        return Err(triangles.wrong(list[k], text));
+    }
+    Ok(Part {
+        points: corners.iter().map(Vec3::to_array).collect(),
+        place: triangles.place(list[0]),
+    })
+}
+
+/// The first of the triangles that a corner lies beyond.
+fn beyond(corners: &[Vec3], mut triangles: impl Iterator<Item = [Vec3; 3]>) -> Option<usize> {
     let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-    let (low, high) = own.iter().fold(start, |(low, high), k| (low.min(at(k)), high.max(at(k))));
+    let (low, high) = corners.iter().fold(start, |(low, high), p| (low.min(*p), high.max(*p)));
     let slack = CONVEX * (high - low).length();
-    for &t in list {
-        let [a, b, c] = rings[t].each_ref().map(at);
+    triangles.position(|[a, b, c]| {
         let normal = (b - a).cross(c - a);
         let length = normal.length();
         // Corners on one line span no plane that others could lie beyond.
-        if length == 0.0 {
-            continue;
-        }
         let normal = normal / length;
-        if own.iter().any(|k| (at(k) - a).dot(normal) > slack) {
-            let text = format!(
-                "part {number} is not convex, or its triangles face inwards; divide it into convex parts, which `mesh.glued` joins to one block"
-            );
-            return Err(triangles.wrong(t, text));
-        }
-    }
-    Ok(Part {
-        points: own.iter().map(|k| at(k).to_array()).collect(),
-        place: triangles.place(list[0]),
+        length != 0.0 && corners.iter().any(|p| (*p - a).dot(normal) > slack)
     })
 }

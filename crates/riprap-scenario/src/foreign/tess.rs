@@ -79,8 +79,27 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
             return Err(reader.wrong(format!("cells of dimension {other} cannot be blocks")));
         }
     };
-    // By their numbers, which a file may give as large and as scattered as it likes.
-    let mut vertices: BTreeMap<i64, [f64; 3]> = BTreeMap::new();
+    let vertices = vertices(&mut reader)?;
+    let faces = faces(&mut reader, &vertices, plane)?;
+    let cells = if plane {
+        // In the plane the faces are the cells.
+        let polygon = |(number, face): (i64, Face)| Polygon {
+            number,
+            points: face.ring.iter().map(|k| [vertices[k][0], vertices[k][1]]).collect(),
+            line: face.line,
+        };
+        Cells::Plane(faces.into_iter().map(polygon).collect())
+    } else {
+        Cells::Space(polyhedra(&mut reader, &vertices, faces)?)
+    };
+    some(cells, &reader)
+}
+
+/// Vertices by their numbers, which a file may give as large and as scattered as it likes.
+type Vertices = BTreeMap<i64, [f64; 3]>;
+
+fn vertices(reader: &mut Reader) -> Result<Vertices, FileError> {
+    let mut vertices = Vertices::new();
     for _ in 0..reader.entries("**vertex")? {
         let mut words = reader.row()?;
         let number = reader.integer(words.next())?;
@@ -90,7 +109,16 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
         }
         vertices.insert(number, place);
     }
-    let mut faces: BTreeMap<i64, Face> = BTreeMap::new();
+    Ok(vertices)
+}
+
+/// Faces by their numbers.
+fn faces(
+    reader: &mut Reader,
+    vertices: &Vertices,
+    plane: bool,
+) -> Result<BTreeMap<i64, Face>, FileError> {
+    let mut faces = BTreeMap::new();
     for _ in 0..reader.entries("**face")? {
         let mut words = reader.row()?;
         let number = reader.integer(words.next())?;
@@ -111,15 +139,14 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
             reader.next()?;
         }
     }
-    // In the plane the faces are the cells.
-    if plane {
-        let cells = faces.into_iter().map(|(number, face)| Polygon {
-            number,
-            points: face.ring.iter().map(|k| [vertices[k][0], vertices[k][1]]).collect(),
-            line: face.line,
-        });
-        return Ok(Cells::Plane(cells.collect())).and_then(|cells| some(cells, &reader));
-    }
+    Ok(faces)
+}
+
+fn polyhedra(
+    reader: &mut Reader,
+    vertices: &Vertices,
+    mut faces: BTreeMap<i64, Face>,
+) -> Result<Vec<Solid>, FileError> {
     let mut cells = Vec::new();
     for _ in 0..reader.entries("**polyhedron")? {
         let mut words = reader.row()?;
@@ -145,14 +172,13 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
                     "face {number} is used for the third time; it can lie between two polyhedra at most"
                 )));
             }
-            let mut corners: Vec<u32> = Vec::with_capacity(face.ring.len());
-            for corner in &face.ring {
-                let place = *places.entry(*corner).or_insert_with(|| {
+            let mut place = |corner: &i64| {
+                *places.entry(*corner).or_insert_with(|| {
                     cell.vertices.push(vertices[corner]);
                     cell.vertices.len() as u32 - 1
-                });
-                corners.push(place);
-            }
+                })
+            };
+            let mut corners: Vec<u32> = face.ring.iter().map(&mut place).collect();
             // A negative number: the face looks inwards.
             if signed < 0 {
                 corners.reverse();
@@ -161,7 +187,7 @@ pub fn parse_tess(bytes: &[u8]) -> Result<Cells, FileError> {
         }
         cells.push(cell);
     }
-    some(Cells::Space(cells), &reader)
+    Ok(cells)
 }
 
 /// The cells, if there are any.

@@ -55,8 +55,8 @@ pub use solids::{
     NotchBreaks, Part, Plane, Polyhedron, Segment, Terrain, span_of,
 };
 pub use sources::{
-    Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, Octree, Pattern, Place,
-    PressureCavity, Refine, Source, Venting, VentingTime,
+    Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, JwlConstants, JwlSet,
+    Octree, Pattern, Place, PressureCavity, Refine, Source, Venting, VentingTime,
 };
 pub use space::{Group, Material, Planar, Space, Spatial, Start};
 pub use water::{Drain, Seepage, Water};

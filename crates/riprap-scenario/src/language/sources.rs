@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::fmt;
 
+use riprap_core::laws::jwl::Jwl;
 use riprap_keys::{Keys, Words};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
@@ -13,8 +14,9 @@ use super::outputs::Every;
 use super::points::Point3;
 use super::solids::{Ball, BoxRegion, Empty, Plane, Segment};
 use crate::quantity::{
-    Density, Length, Mass, Name, NotNegativePlain, NotNegativeTime, PositiveLength, PositivePlain,
-    PositiveRate, Pressure, Quantity, Share, Span, SpecificEnergy, Speed, Strength, Vector,
+    Density, Length, Mass, Modulus, Name, NotNegativePlain, NotNegativeTime, PositiveLength,
+    PositivePlain, PositiveRate, Pressure, Quantity, Share, Span, SpecificEnergy, Speed, Strength,
+    Vector,
 };
 use crate::time_function::TimeFunction;
 use crate::words::WordOr;
@@ -23,7 +25,7 @@ use crate::words::WordOr;
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Source {
-    /// Detonation gas, in balance with the volume of the cavity (two-stage adiabat).
+    /// Detonation gas on its adiabat, in balance with the volume of the cavity.
     GasCavity(Box<GasCavity>),
     /// A pressure over time that does not depend on the volume of the cavity.
     PressureCavity(Box<PressureCavity>),
@@ -71,21 +73,84 @@ impl GasCavity {
     }
 }
 
-/// An explosive, with the constants of its two-stage adiabat.
+/// An explosive by the equation of state of its gas: a two-stage adiabat, or `jwl`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(excludes(
+    "jwl",
+    "heat_of_explosion",
+    "gamma",
+    "gamma_low",
+    help = "these belong to the two-stage adiabat; `jwl` has constants of its own"
+))]
 pub struct Explosive {
-    /// Density of the charge, kg/m3.
-    pub density: Quantity<Density>,
-    /// Velocity of detonation, m/s.
-    pub detonation_velocity: Quantity<Speed>,
+    /// Density of the charge, kg/m3. A published set of `jwl` has its own.
+    #[key(required("!jwl"))]
+    pub density: Option<Quantity<Density>>,
+    /// Velocity of detonation, m/s. With `jwl` it follows from the constants, and one that is given is compared with it.
+    #[key(required("!jwl"))]
+    pub detonation_velocity: Option<Quantity<Speed>>,
     /// Heat of explosion, J/kg.
-    pub heat_of_explosion: Quantity<SpecificEnergy>,
+    #[key(required("!jwl"))]
+    pub heat_of_explosion: Option<Quantity<SpecificEnergy>>,
     /// Exponent of the adiabat above the transition pressure.
     #[key(default = "3")]
     pub gamma: Option<Quantity<PositivePlain>>,
     /// Exponent below the transition pressure. Default 4/3.
     pub gamma_low: Option<Quantity<PositivePlain>>,
+    /// Equation of state of Jones, Wilkins and Lee: a published set, or its constants.
+    pub jwl: Option<WordOr<JwlSet, JwlConstants>>,
+}
+
+impl Explosive {
+    /// Density of the charge, kg/m³, where it is known.
+    pub fn charge_density(&self) -> Option<f64> {
+        match (&self.density, &self.jwl) {
+            (Some(density), _) => Some(density.si()),
+            (None, Some(WordOr::Word(set, _))) => Some(set.constants().density),
+            (None, Some(WordOr::Table(..)) | None) => None,
+        }
+    }
+}
+
+/// Published constants of the equation of state of Jones, Wilkins and Lee.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
+pub enum JwlSet {
+    /// TNT of 1630 kg/m3 and 6930 m/s (Dobratz and Crawford 1985).
+    Tnt,
+    /// ANFO of 931 kg/m3 and 4160 m/s (Penn and others 1975).
+    Anfo,
+    /// Gassed emulsion of 1310 kg/m3 and 5500 m/s.
+    Emulsion,
+}
+
+impl JwlSet {
+    /// In numbers.
+    pub fn constants(self) -> Jwl {
+        match self {
+            Self::Tnt => Jwl::TNT,
+            Self::Anfo => Jwl::ANFO,
+            Self::Emulsion => Jwl::EMULSION,
+        }
+    }
+}
+
+/// Constants of the equation of state of Jones, Wilkins and Lee.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct JwlConstants {
+    /// A, Pa.
+    pub a: Quantity<Modulus>,
+    /// B, Pa.
+    pub b: Quantity<Modulus>,
+    /// R1.
+    pub r1: Quantity<PositivePlain>,
+    /// R2.
+    pub r2: Quantity<PositivePlain>,
+    /// Omega.
+    pub omega: Quantity<PositivePlain>,
+    /// Energy of detonation per volume of the charge, J/m3 (a pressure: 1 kJ/cm3 is 1 GPa).
+    pub energy: Quantity<Modulus>,
 }
 
 /// How the volume of a charge and that of the removed blocks are matched, as a word.

@@ -62,14 +62,12 @@ impl Rules {
             | Geometry::Rectangle(_)
             | Geometry::Regular(_) => {}
             Geometry::Grid(Grid::Cells(cells)) => {
-                if cells.sides.is_some() {
-                    let [x, y, _] = &cells.size;
-                    if self.values_sound && x.si() != y.si() {
-                        let message =
-                            format!("the cells of {of} have `sides` and a box that is not square");
-                        let help = "give `size` equal lengths along x and y";
-                        self.error("value.order", &y.span, message, help);
-                    }
+                let [x, y, _] = &cells.size;
+                if cells.sides.is_some() && self.values_sound && x.si() != y.si() {
+                    let message =
+                        format!("the cells of {of} have `sides` and a box that is not square");
+                    let help = "give `size` equal lengths along x and y";
+                    self.error("value.order", &y.span, message, help);
                 }
             }
             Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),

@@ -18,7 +18,7 @@ mod water;
 use toml::de::DeTable;
 
 use super::diagnostic::Diagnostic;
-use super::language::{Output, Scenario, Space, Target};
+use super::language::{Bisect, Output, Scenario, Space, Target};
 use super::quantity::{Density, Kind, Name, Quantity, Span};
 use super::references;
 use super::units::Dim;
@@ -89,15 +89,14 @@ impl Rules {
         }
     }
 
-    fn scenario(&mut self, scenario: &Scenario) {
+    /// Tables without which there is no model.
+    fn needed(&mut self, scenario: &Scenario) {
+        let mut lacks = |code, message, help: &str| {
+            self.found.push(Diagnostic::error(code, message).help(help));
+        };
         if scenario.materials.is_empty() {
-            self.found.push(
-                Diagnostic::error("model.empty", "there is no material")
-                    .help("add [materials.rock] with density = \"2600 kg/m3\""),
-            );
-        }
-        for (name, material) in scenario.materials.iter() {
-            self.density(name.as_str(), &material.density);
+            let help = "add [materials.rock] with density = \"2600 kg/m3\"";
+            lacks("model.empty", "there is no material", help);
         }
         if scenario.blocks.is_empty() {
             let shape = match self.space {
@@ -105,24 +104,23 @@ impl Rules {
                 InSpace::Spatial => "brick",
             };
             let help = format!("add [[blocks]] with name, material and a shape such as {shape}");
-            self.found.push(
-                Diagnostic::error("model.empty", "the model is empty: there are no blocks")
-                    .help(help),
-            );
+            lacks("model.empty", "the model is empty: there are no blocks", &help);
         }
         if scenario.phases.is_empty() {
-            self.found.push(
-                Diagnostic::error("model.empty", "there is no phase: nothing would happen")
-                    .help("add [[phases]] with name and until = { time = \"1 s\" }"),
-            );
+            let help = "add [[phases]] with name and until = { time = \"1 s\" }";
+            lacks("model.empty", "there is no phase: nothing would happen", help);
         }
         if scenario.interfaces.get("default").is_none() {
-            self.found.push(
-                Diagnostic::error("key.missing", "there is no [interfaces.default]").help(
-                    "add [interfaces.default] with friction_angle and normal_stiffness; it is \
-                     used by all pairs of materials that no other interface names",
-                ),
-            );
+            let help = "add [interfaces.default] with friction_angle and normal_stiffness; it is \
+                        used by all pairs of materials that no other interface names";
+            lacks("key.missing", "there is no [interfaces.default]", help);
+        }
+    }
+
+    fn scenario(&mut self, scenario: &Scenario) {
+        self.needed(scenario);
+        for (name, material) in scenario.materials.iter() {
+            self.density(name.as_str(), &material.density);
         }
         for (name, interface) in scenario.interfaces.iter() {
             self.interface(name, interface, scenario);
@@ -159,22 +157,26 @@ impl Rules {
             }
         }
         if let Some(bisect) = &scenario.bisect {
-            let [low, high, width] =
-                [&bisect.low, &bisect.high, &bisect.tolerance].map(Quantity::si);
-            if self.values_sound && (low == high || width <= 0.0) {
-                let span = &bisect.tolerance.span;
-                let message = "there is nothing to search between these ends".to_owned();
-                let help = "`low` and `high` must differ and `tolerance` be greater than zero";
-                self.error("value.order", span, message, help);
-            }
-            if self.values_sound {
-                self.same_dimension(&[&bisect.low, &bisect.high, &bisect.tolerance], "bisect");
-            }
-            self.criterion(&bisect.fails_when);
+            self.bisect(bisect);
         }
         for check in &scenario.checks {
             self.check(check);
         }
+    }
+
+    fn bisect(&mut self, bisect: &Bisect) {
+        let ends = [&bisect.low, &bisect.high, &bisect.tolerance];
+        let [low, high, width] = ends.map(Quantity::si);
+        if self.values_sound && (low == high || width <= 0.0) {
+            let span = &bisect.tolerance.span;
+            let message = "there is nothing to search between these ends".to_owned();
+            let help = "`low` and `high` must differ and `tolerance` be greater than zero";
+            self.error("value.order", span, message, help);
+        }
+        if self.values_sound {
+            self.same_dimension(&ends, "bisect");
+        }
+        self.criterion(&bisect.fails_when);
     }
 
     /// A number in other units reads as a density that no solid has.

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 
 use super::keys::{flat, meaning};
+use super::takes::plain;
 use super::{FoundKey, Node, schema};
 use crate::diagnostic;
 use crate::quantity::{KINDS, KindInfo};
@@ -196,14 +197,12 @@ impl Page {
         }
         let alternatives = node.alternatives();
         if !alternatives.is_empty() {
-            let mut texts: Vec<String> =
-                alternatives.into_iter().map(|one| self.takes(one)).collect();
             // The keys of a table follow on lines of their own; beside words it has to be said that there are some.
-            texts
-                .iter_mut()
-                .filter(|text| text.is_empty())
-                .for_each(|text| "keys".clone_into(text));
-            return texts.join(" or ");
+            let text = |one| match self.takes(one) {
+                keys if keys.is_empty() => "keys".to_owned(),
+                text => text,
+            };
+            return alternatives.into_iter().map(text).collect::<Vec<_>>().join(" or ");
         }
         let words = node.words();
         if !words.is_empty() {
@@ -222,18 +221,7 @@ impl Page {
                 _ => format!("list: {of}"),
             };
         }
-        for (json, text) in [
-            ("object", ""),
-            ("string", "text"),
-            ("integer", "integer"),
-            ("boolean", "true/false"),
-            ("number", "number"),
-        ] {
-            if node.allows(json) {
-                return text.to_owned();
-            }
-        }
-        "any value".to_owned()
+        plain(node, ["", "text", "integer", "true/false", "number"])
     }
 }
 

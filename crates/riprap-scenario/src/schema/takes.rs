@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use super::Node;
 use crate::diagnostic;
+use crate::quantity::KindInfo;
 use crate::vectors::{FormInfo, InSpace};
 
 /// A value to copy, if one can be made up.
@@ -32,25 +33,7 @@ pub(crate) fn example(node: Node) -> Option<String> {
 /// What a value may be, in a few words.
 pub(crate) fn takes(node: Node) -> String {
     if let Some(kind) = node.kind() {
-        let other = kind.spatial.map_or_else(String::new, |other| {
-            let (what, example) = (other.what, other.example);
-            format!(" (in [space.spatial] {what}, \"{example}\")")
-        });
-        return match kind.dim {
-            Some(dim) if dim == crate::units::Dim::NONE => {
-                format!("a number, {}", kind.bounds.text)
-            }
-            Some(_) if kind.bounds.low.is_infinite() => {
-                format!("{}, for example \"{}\"{other}", kind.what, kind.example)
-            }
-            Some(_) => {
-                format!(
-                    "{}, {}, for example \"{}\"{other}",
-                    kind.what, kind.bounds.text, kind.example
-                )
-            }
-            None => format!("{}, for example \"{}\"", kind.what, kind.example),
-        };
+        return takes_quantity(kind);
     }
     match node.type_name {
         Some("Every") => return "a time, a number of steps, \"1 phase\" or \"never\"".to_owned(),
@@ -85,18 +68,30 @@ pub(crate) fn takes(node: Node) -> String {
             _ => format!("a list: each {of}"),
         };
     }
-    for (json, text) in [
-        ("object", "a table"),
-        ("string", "a text"),
-        ("integer", "a whole number"),
-        ("boolean", "true or false"),
-        ("number", "a number"),
-    ] {
-        if node.allows(json) {
-            return text.to_owned();
+    plain(node, ["a table", "a text", "a whole number", "true or false", "a number"])
+}
+
+/// The word for a value that is an object, a string, an integer, a boolean or a number.
+pub(super) fn plain(node: Node, words: [&str; 5]) -> String {
+    let mut types = ["object", "string", "integer", "boolean", "number"].into_iter().zip(words);
+    types.find(|(json, _)| node.allows(json)).map_or("any value", |(_, word)| word).to_owned()
+}
+
+/// What a number, with or without a unit, may be.
+fn takes_quantity(kind: &KindInfo) -> String {
+    let other = kind.spatial.map_or_else(String::new, |other| {
+        let (what, example) = (other.what, other.example);
+        format!(" (in [space.spatial] {what}, \"{example}\")")
+    });
+    let (what, range, example) = (kind.what, kind.bounds.text, kind.example);
+    match kind.dim {
+        Some(dim) if dim == crate::units::Dim::NONE => format!("a number, {range}"),
+        Some(_) if kind.bounds.low.is_infinite() => {
+            format!("{what}, for example \"{example}\"{other}")
         }
+        Some(_) => format!("{what}, {range}, for example \"{example}\"{other}"),
+        None => format!("{what}, for example \"{example}\""),
     }
-    "any value".to_owned()
 }
 
 /// What a value with components may be, in both spaces.

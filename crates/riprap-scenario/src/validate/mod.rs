@@ -183,12 +183,7 @@ impl Walk {
             DeValue::Array(items) if node.allows("array") => {
                 self.count(items.len(), &span, node);
                 if let Some(schema) = node.value.get("items") {
-                    for (index, item) in items.iter().enumerate() {
-                        let name = item.get_ref().get("name").and_then(|n| n.get_ref().as_str());
-                        self.path.push(name.map_or_else(|| index.to_string(), str::to_owned));
-                        self.value(item, schema);
-                        self.path.pop();
-                    }
+                    self.items(items, schema);
                 }
             }
             DeValue::Integer(_) if node.allows("integer") => self.integer(value, node),
@@ -197,6 +192,15 @@ impl Walk {
                     self.wrong_type(value, node);
                 }
             }
+        }
+    }
+
+    fn items(&mut self, items: &[Spanned<DeValue<'_>>], schema: &'static Value) {
+        for (index, item) in items.iter().enumerate() {
+            let name = item.get_ref().get("name").and_then(|n| n.get_ref().as_str());
+            self.path.push(name.map_or_else(|| index.to_string(), str::to_owned));
+            self.value(item, schema);
+            self.path.pop();
         }
     }
 
@@ -228,12 +232,10 @@ impl Walk {
                         near.as_ref().map(|key| format!("did you mean `{key}`?"))
                     };
                     mistyped.extend(near);
-                    let mut diagnostic = Diagnostic::error(
-                        "key.unknown",
-                        format!("unknown key `{}` in {}", short(name), self.here()),
-                    )
-                    .at(key.span())
-                    .label("not a key of this table");
+                    let message = format!("unknown key `{}` in {}", short(name), self.here());
+                    let mut diagnostic = Diagnostic::error("key.unknown", message)
+                        .at(key.span())
+                        .label("not a key of this table");
                     diagnostic.help = help;
                     self.report(diagnostic);
                 }
@@ -246,25 +248,23 @@ impl Walk {
         }
         for key in node.required().filter(|key| !table.contains_key(*key)) {
             // Said already: "did you mean ...".
-            if mistyped.iter().any(|one| one == key) {
-                continue;
+            if !mistyped.iter().any(|one| one == key) {
+                self.missing(key, span, node);
             }
-            let schema = node.properties().find(|(known, _)| *known == key);
-            let target = schema.map(|(_, schema)| Node::resolve(schema));
-            let meaning = schema.map(|(_, schema)| description(schema).replace('\n', " "));
-            let help = match (target.and_then(Node::kind), meaning) {
-                (Some(kind), _) => format!("write for example {}", assignment(key, kind.example)),
-                (None, Some(meaning)) if !meaning.is_empty() => format!("{key}: {meaning}"),
-                _ => format!("add `{key}`"),
-            };
-            let diagnostic = Diagnostic::error(
-                "key.missing",
-                format!("the key `{key}` is missing in {}", self.here()),
-            )
-            .at(span.clone())
-            .help(help);
-            self.report(diagnostic);
         }
+    }
+
+    fn missing(&mut self, key: &str, span: &Span, node: Node) {
+        let schema = node.properties().find(|(known, _)| *known == key);
+        let target = schema.map(|(_, schema)| Node::resolve(schema));
+        let meaning = schema.map(|(_, schema)| description(schema).replace('\n', " "));
+        let help = match (target.and_then(Node::kind), meaning) {
+            (Some(kind), _) => format!("write for example {}", assignment(key, kind.example)),
+            (None, Some(meaning)) if !meaning.is_empty() => format!("{key}: {meaning}"),
+            _ => format!("add `{key}`"),
+        };
+        let message = format!("the key `{key}` is missing in {}", self.here());
+        self.report(Diagnostic::error("key.missing", message).at(span.clone()).help(help));
     }
 
     fn count(&mut self, count: usize, span: &Span, node: Node) {

@@ -23,6 +23,7 @@ use crate::kernel::peak::{Peak, peak};
 use crate::kernel::planes;
 use crate::kernel::planes::Planes;
 use crate::kernel::shape::{Body, Pose, Shape, turn};
+use crate::kernel::surface::Witness;
 
 /// Margin of a block over its size (the smaller of its radius and twice the median radius).
 const MARGIN: f64 = 0.04;
@@ -73,11 +74,20 @@ impl Search {
         speed: impl Fn(usize) -> f64,
         lookahead: f64,
     ) {
-        let count = blocks.roles.len();
-        let mut radii: Vec<f64> = (0..count)
-            .filter(|&b| blocks.roles[b] != Role::Absent)
-            .map(|b| blocks.shape(b).radius)
-            .collect();
+        self.take(blocks.roles, |b| blocks.shape(b).radius, pose, |b| speed(b) * lookahead);
+    }
+
+    /// The same for blocks of these radii (m); `way` is how far a block is expected to move, m.
+    pub fn take(
+        &mut self,
+        roles: &[Role],
+        radius: impl Fn(usize) -> f64,
+        pose: impl Fn(usize) -> Pose,
+        way: impl Fn(usize) -> f64,
+    ) {
+        let count = roles.len();
+        let there = |b: &usize| roles[*b] != Role::Absent;
+        let mut radii: Vec<f64> = (0..count).filter(there).map(&radius).collect();
         let middle = radii.len() / 2;
         let median = if radii.is_empty() {
             0.0
@@ -89,15 +99,20 @@ impl Search {
         self.margin.clear();
         self.margin.extend((0..count).map(|b| {
             // One block much larger than all others must not get a margin that takes in many of them.
-            let size = blocks.shape(b).radius.min(2.0 * median);
-            (speed(b) * lookahead).min(FAST_MARGIN * size).max(MARGIN * size)
+            let size = radius(b).min(2.0 * median);
+            way(b).min(FAST_MARGIN * size).max(MARGIN * size)
         }));
     }
 
     /// Whether block `b` at `pose` will have left its margin when it has gone the way `next` (m) further.
     #[must_use]
     pub fn leaves(&self, b: usize, radius: f64, pose: &Pose, next: f64) -> bool {
-        let way = path_bound(&self.pose[b], pose, radius) + next;
+        self.is_beyond(b, path_bound(&self.pose[b], pose, radius) + next)
+    }
+
+    /// Whether a way (m) is more than the margin of block `b`.
+    #[must_use]
+    pub fn is_beyond(&self, b: usize, way: f64) -> bool {
         way > self.margin[b] || way.is_nan()
     }
 }
@@ -137,15 +152,24 @@ impl Candidate {
         let (of_i, rest) = lists[self.start..].split_at(m);
         [of_i, &rest[..n]]
     }
+
+    /// What is kept beside these faces.
+    #[must_use]
+    pub fn witnesses<'a>(&self, witnesses: &'a [Witness]) -> &'a [Witness] {
+        let [m, n] = self.counts.map(usize::from);
+        &witnesses[self.start..self.start + m + n]
+    }
 }
 
 /// The candidate list; scratch that keeps its room.
-#[derive(Clone, Debug, Default)]
+#[derive(Debug, Default)]
 pub struct Candidates {
     /// Pairs that can touch, sorted by (i, j).
     pub pairs: Vec<Candidate>,
     /// Faces of all pairs.
     pub lists: Vec<u16>,
+    /// Guesses for each of them ([`Pair::witnesses`](crate::kernel::Pair::witnesses)).
+    pub witnesses: Vec<Witness>,
     /// Pairs that would be candidates by their boxes, but are held; sorted.
     pub held: Vec<[u32; 2]>,
     /// The smallest inradius of each block and of those that it can touch, m.
@@ -200,6 +224,9 @@ impl Candidates {
             );
             self.lists.append(&mut std::mem::take(&mut workspace.lists));
         }
+        // None yet: no list of planes is so long.
+        renew(&mut self.witnesses, self.lists.len());
+        self.witnesses.resize_with(self.lists.len(), || Witness::new(u8::MAX));
         self.reach.clear();
         self.reach.extend((0..blocks.roles.len()).map(|b| blocks.shape(b).inradius));
         for pair in &self.pairs {
@@ -222,18 +249,9 @@ impl Candidates {
         next: impl Fn(usize) -> f64 + Sync,
         exec: &Exec,
     ) -> bool {
-        let count = blocks.roles.len();
-        if search.pose.len() != count {
-            return true;
-        }
-        self.outside.resize(count.div_ceil(CHUNK), false);
-        exec.ranges(count, &mut self.outside, |mut range, outside| {
-            *outside = range.any(|b| {
-                blocks.roles[b] != Role::Absent
-                    && search.leaves(b, blocks.shape(b).radius, &pose(b), next(b))
-            });
-        });
-        self.outside.contains(&true)
+        let leaves = |b: usize| search.leaves(b, blocks.shape(b).radius, &pose(b), next(b));
+        search.pose.len() != blocks.roles.len()
+            || any_leaves(blocks.roles, &mut self.outside, leaves, exec)
     }
 
     /// The states of the pairs in `self`, in their order, from those of the last list (sorted by pair). Pairs that are new
@@ -242,23 +260,9 @@ impl Candidates {
         &self,
         old: impl IntoIterator<Item = ([u32; 2], S)>,
         fresh: impl Fn(&Candidate) -> S,
-        mut lost: impl FnMut([u32; 2], S),
+        lost: impl FnMut([u32; 2], S),
     ) -> Vec<S> {
-        // Both lists are in the order of their pairs: one walk through the two does it.
-        let mut old = old.into_iter().peekable();
-        let mut states = Vec::with_capacity(self.pairs.len());
-        for pair in &self.pairs {
-            let key = [pair.i, pair.j];
-            while let Some((gone, state)) = old.next_if(|(other, _)| *other < key) {
-                lost(gone, state);
-            }
-            states.push(match old.next_if(|(other, _)| *other == key) {
-                Some((_, state)) => state,
-                None => fresh(pair),
-            });
-        }
-        old.for_each(|(gone, state)| lost(gone, state));
-        states
+        carry(&self.pairs, |pair| [pair.i, pair.j], old, fresh, lost)
     }
 
     /// Boxes of all blocks, grown by their margins.
@@ -276,6 +280,45 @@ impl Candidates {
             }
         });
     }
+}
+
+/// Whether any block that takes part leaves its margin; `outside` is room for the answers of the threads.
+pub(crate) fn any_leaves(
+    roles: &[Role],
+    outside: &mut Vec<bool>,
+    leaves: impl Fn(usize) -> bool + Sync,
+    exec: &Exec,
+) -> bool {
+    outside.resize(roles.len().div_ceil(CHUNK), false);
+    exec.ranges(roles.len(), outside, |mut range, outside| {
+        *outside = range.any(|b| roles[b] != Role::Absent && leaves(b));
+    });
+    outside.contains(&true)
+}
+
+/// States of the pairs of a list from those of the last one, see [`Candidates::carry`]; both are sorted by pair.
+pub(crate) fn carry<P, S>(
+    pairs: &[P],
+    key: impl Fn(&P) -> [u32; 2],
+    old: impl IntoIterator<Item = ([u32; 2], S)>,
+    fresh: impl Fn(&P) -> S,
+    mut lost: impl FnMut([u32; 2], S),
+) -> Vec<S> {
+    // Both lists are in the order of their pairs: one walk through the two does it.
+    let mut old = old.into_iter().peekable();
+    let mut states = Vec::with_capacity(pairs.len());
+    for pair in pairs {
+        let key = key(pair);
+        while let Some((gone, state)) = old.next_if(|(other, _)| *other < key) {
+            lost(gone, state);
+        }
+        states.push(match old.next_if(|(other, _)| *other == key) {
+            Some((_, state)) => state,
+            None => fresh(pair),
+        });
+    }
+    old.for_each(|(gone, state)| lost(gone, state));
+    states
 }
 
 /// Empties a list and gives it room for so many.

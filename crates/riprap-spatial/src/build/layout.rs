@@ -137,7 +137,6 @@ impl Scratch {
     pub(crate) fn need_drag(&mut self, world: &World, stiffness_damping: f64) {
         let damped = stiffness_damping > 0.0
             || self.desk.damped
-            || self.desk.terrain.damped
             || world.classes.iter().any(|c| c.beta > 0.0);
         if damped == self.drag.is_empty() {
             let (n, slots) = if damped { (world.alive.len(), self.tiles.slots) } else { (0, 0) };

@@ -1,37 +1,58 @@
 //! What all pairs exert in a step, and the sums on each block.
 //!
-//! Every pair adds what it exerts to its group, and each block adds that of its pairs in their order: the same bits for
+//! One machine for all kinds of bodies: the narrow phase finds the patches that a pair shares, each finds its memory by its key and answers by one
+//! law ([`respond`]), and what all of them exert is added to the group of the pair. Each block adds that of its pairs in their order: the same bits for
 //! any number of threads.
 
 use riprap_core::sums::tree;
 use riprap_geom::{Mat3, Vec3};
 
 use crate::broad::search::Candidates;
-use crate::contact::glued::Asked;
-use crate::contact::limit;
 use crate::contact::limit::{Known, Speeds};
-use crate::contact::{glued, left};
+use crate::contact::narrow::{self, OnGround, Patch};
+use crate::contact::{left, limit};
 use crate::exec::{CHUNK, Exec};
 use crate::kernel::glued::{Glued, Placed};
-use crate::kernel::{Body, ContactInput, Found, Motion, Pair, Pose, Shape, part, planes, respond};
-use crate::state::contact_scratch::{
-    Acting, ContactScratch, Deepest, Exerted, PairGroup, PairSums, Pressed, Slot, Workspace,
-    exerted,
+use crate::kernel::{
+    Body, ContactInput, ContactLaw, Memory, Motion, Pair, Pose, Reached, Shape, Sums, Terrain,
+    part, respond, turn,
 };
-use crate::state::found::FoundPair;
+use crate::state::contact_scratch::{
+    Acting, Constants, ContactScratch, Deepest, Exerted, PairGroup, PairKind, PairSums, Pressed,
+    Slot, Workspace, exerted,
+};
+use crate::state::event::EditKind;
+use crate::state::found::{ContactPatch, FoundPair};
 use crate::state::scratch::Scratch;
-use crate::state::world::{Bodies, World};
+use crate::state::world::World;
 
-/// What rounding may take from a gap, over the gap.
-const ROUNDING: f64 = 1e-9;
-/// Gap over the smaller inscribed radius beyond which blocks no longer lie in place: that at which a joint of a cube lets go.
+/// Gap over the smaller inscribed radius beyond which blocks no longer lie in place: that at which a joint of a cube is released.
 const SEATED: f64 = 0.02;
 
 /// Finds what all pairs exert, and the sums on each block.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
+    place(world, &mut scratch.desk, &scratch.exec);
+    let mut pairs = std::mem::take(&mut world.found.pairs);
+    let sums = evaluate(world, scratch, &mut pairs);
+    world.found.pairs = pairs;
     let desk = &mut scratch.desk;
-    place(world, desk, &scratch.exec);
-    let ContactScratch { slots, groups, workspaces, sums, .. } = desk;
+    note_left(world, &mut desk.workspaces);
+    world.found.unlabelled += u64::from(sums.unlabelled);
+    world.works.friction += sums.friction;
+    // What pairs store from here on without work is made by an edit, less
+    // what the joints stored that they take over from.
+    world.works.contact_path += sums.booked;
+    world.works.edit_defect += sums.booked - sums.left;
+    desk.deepest = sums.deepest;
+    limit::find_negligible_impacts(world, desk, sums.impacts);
+    sum(desk, &scratch.exec);
+    let stable = limit::longest_step(world, desk, &scratch.exec);
+    world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
+}
+
+/// Evaluates all pairs; their sums.
+fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> PairSums {
+    let desk = &mut scratch.desk;
     let evaluation = Evaluation {
         bodies: BodiesInPairs {
             shapes: &desk.shapes,
@@ -44,8 +65,9 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             poses: &desk.poses,
             turning: &desk.turning,
         },
-        motions: &world.bodies,
+        world,
         candidates: &desk.candidates,
+        grounds: &desk.terrain.grounds,
         known: Known {
             constants: &desk.constants,
             rows: &desk.rows,
@@ -57,42 +79,41 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
         last_dt: world.last_dt,
     };
     let width = scratch.width;
-    scratch.exec.groups2(
-        &mut world.found.pairs,
-        slots,
-        groups,
-        workspaces,
-        |first, pairs, slots, group, workspace| {
-            group.begin();
-            workspace.walker.cutter.limit_width(width);
-            let gluer = &mut workspace.glued.gluer;
-            gluer.walker.cutter.limit_width(width);
-            gluer.other.cutter.limit_width(width);
-            for (k, (pair, slot)) in pairs.iter_mut().zip(slots).enumerate() {
-                let k = first + k;
-                evaluation.pair(k, pair, slot, group, workspace);
-                slot.negligible_impact = false;
-                if let Some(impact) = evaluation.known.impact(k, pair, slot, evaluation.gravity) {
-                    group.note(impact);
-                }
+    let ContactScratch { slots, groups, workspaces, sums, .. } = desk;
+    scratch.exec.groups2(pairs, slots, groups, workspaces, |first, pairs, slots, group, work| {
+        group.begin();
+        let Workspace { walker, gluer, under, .. } = &mut *work;
+        for walker in [walker, &mut gluer.walker, &mut gluer.other] {
+            walker.cutter.limit_width(width);
+        }
+        under.limit_width(width);
+        for (k, (pair, slot)) in (first..).zip(pairs.iter_mut().zip(slots)) {
+            evaluation.pair(k, pair, slot, group, work);
+            slot.negligible_impact = false;
+            if let Some(impact) = evaluation.known.impact(k, pair, slot, evaluation.gravity) {
+                group.note(impact);
             }
-        },
-    );
+        }
+    });
     sums.clear();
     sums.extend(groups.iter().map(|group| group.sums));
     tree(sums, PairSums::add);
-    let sums = sums.first().copied().unwrap_or_default();
-    world.found.unlabelled += u64::from(sums.unlabelled);
-    world.works.friction += sums.friction;
-    // What pairs store from here on without work is made by an edit, less
-    // what the joints stored that they take over from.
-    world.works.contact_path += sums.booked;
-    world.works.edit_defect += sums.booked - sums.left;
-    desk.deepest = sums.deepest;
-    limit::find_negligible_impacts(world, desk, sums.impacts);
-    sum(desk, &scratch.exec);
-    let stable = limit::longest_step(world, desk, &scratch.exec);
-    world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
+    sums.first().copied().unwrap_or_default()
+}
+
+/// Notes the blocks that have gone over the rim of all terrain since the last evaluation.
+fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
+    let left = workspaces.iter_mut().flat_map(|workspace| workspace.beside.drain(..));
+    let mut left: Vec<u32> = left.collect();
+    // Which thread has seen which of them is chance.
+    left.sort_unstable();
+    for b in left {
+        // Each pair with a terrain finds it.
+        if !std::mem::replace(&mut world.found.left_terrain[b as usize], true) {
+            let event = world.event(EditKind::LeftTerrain, b);
+            world.events.push(event);
+        }
+    }
 }
 
 /// Turns the blocks that are in a pair to where they are now.
@@ -111,16 +132,19 @@ fn place(world: &World, desk: &mut ContactScratch, exec: &Exec) {
         }
     });
     let nothing = &mut vec![(); blocks.len().div_ceil(CHUNK)];
+    // Blocks that only terrain acts on are turned when they come near it.
+    let placed = |k: usize| first_normal[k + 1] > first_normal[k];
     exec.chunks2(poses, turns, nothing, |first, poses, turns, ()| {
-        let chunk = &blocks[first..];
-        for ((b, pose), turn) in chunk.iter().zip(poses).zip(turns) {
+        let chunk = (first..).zip(&blocks[first..]).zip(poses.iter_mut().zip(turns));
+        for ((_, b), (pose, turn)) in chunk.filter(|((k, _), _)| placed(*k)) {
             *pose = world.pose(*b as usize);
             *turn = Mat3::from_quat(pose.rotation);
         }
     });
     exec.ragged(turns, normals, first_normal, nothing, |first, turns, normals, ()| {
         let mut left = normals;
-        for (b, turn) in blocks[first..].iter().zip(turns) {
+        let chunk = (first..).zip(&blocks[first..]).zip(turns);
+        for ((_, b), turn) in chunk.filter(|((k, _), _)| placed(*k)) {
             let of = &shapes[world.solid[*b as usize] as usize].normals;
             let (own, rest) = left.split_at_mut(of.len());
             for (to, n) in own.iter_mut().zip(of) {
@@ -158,18 +182,24 @@ impl BodiesInPairs<'_> {
         let at = self.place[b as usize] as usize;
         let normals = self.first_normal[at] as usize..self.first_normal[at + 1] as usize;
         Body {
-            shape: &self.shapes[self.solid[b as usize] as usize],
+            shape: self.shape(b),
             normals: &self.normals[normals],
             turn: self.turns[at],
             position: self.poses[at].position,
         }
     }
+
+    fn shape(&self, b: u32) -> &Shape {
+        &self.shapes[self.solid[b as usize] as usize]
+    }
 }
 
 struct Evaluation<'a> {
     bodies: BodiesInPairs<'a>,
-    motions: &'a Bodies,
+    /// But for its pairs.
+    world: &'a World,
     candidates: &'a Candidates,
+    grounds: &'a [Terrain],
     known: Known<'a>,
     /// m/s².
     gravity: f64,
@@ -180,18 +210,24 @@ struct Evaluation<'a> {
 }
 
 impl Evaluation<'_> {
-    /// Motion of both blocks of a pair, half a step ago.
-    fn motion(&self, ends: [u32; 2]) -> [Motion; 2] {
-        ends.map(|b| Motion {
-            velocity: self.motions.velocity(b as usize),
-            spin: self.motions.spin(b as usize),
+    /// Motion of a block, half a step ago.
+    fn motion(&self, b: u32) -> Motion {
+        Motion {
+            velocity: self.world.bodies.velocity(b as usize),
+            spin: self.world.bodies.spin(b as usize),
             inverse_mass: self.known.inverse_masses[b as usize],
-        })
+        }
     }
 
-    /// Bound of the speed at which points of two blocks come nearer to each other, m/s.
-    fn nearing(&self, [i, j]: [u32; 2]) -> f64 {
-        let apart = self.motions.velocity(i as usize) - self.motions.velocity(j as usize);
+    /// Bound of the speed at which points of two bodies come nearer to each other, m/s.
+    fn nearing(&self, kind: PairKind, [i, j]: [u32; 2]) -> f64 {
+        let bodies = &self.world.bodies;
+        if let PairKind::Terrain(_) = kind {
+            let j = j as usize;
+            let radius = self.bodies.shape(j as u32).radius;
+            return bodies.velocity(j).length() + bodies.spin(j).length() * radius;
+        }
+        let apart = bodies.velocity(i as usize) - bodies.velocity(j as usize);
         let turning = |b: u32| self.bodies.turning[self.bodies.place[b as usize] as usize];
         apart.length() + turning(i) + turning(j)
     }
@@ -204,8 +240,8 @@ impl Evaluation<'_> {
         group: &mut PairGroup,
         workspace: &mut Workspace,
     ) {
-        let candidate = &self.candidates.pairs[k];
-        let nearing = self.nearing(pair.ends);
+        let constants = &self.known.constants[k];
+        let nearing = self.nearing(constants.kind, pair.ends);
         slot.nearing = nearing;
         if pair.gap > 0.0 {
             pair.gap -= nearing * self.dt;
@@ -213,116 +249,213 @@ impl Evaluation<'_> {
                 return;
             }
         }
-        let constants = &self.known.constants[k];
-        let bodies = pair.ends.map(|b| self.bodies.body(b));
-        let radius = bodies[0].shape.radius.min(bodies[1].shape.radius);
-        if constants.glued {
-            let asked = Asked {
-                placed: self.bodies.placed(pair.ends),
-                law: &constants.law(self.known.rows),
-                motion: self.motion(pair.ends),
-                radius,
-                inradius: constants.inradius,
-                dt: self.dt,
-                last_dt: self.last_dt,
-                nearing,
-            };
-            glued::act(&asked, pair, slot, &mut workspace.glued, group);
-            return;
+        let mut acting = InPair {
+            law: constants.law(self.known.rows),
+            centres: [Vec3::ZERO; 2],
+            motion: pair.ends.map(|b| self.motion(b)),
+            radius: 0.0,
+            dt: self.dt,
+            last_dt: self.last_dt,
+            old: std::mem::take(&mut workspace.old),
+            exerted: Exerted::default(),
+            area: 0.0,
+            sums: &mut group.sums,
+            pair,
+        };
+        acting.old.clear();
+        acting.old.append(&mut acting.pair.patches);
+        acting.pair.depth = 0.0;
+        let before = acting.old.first().map_or(Memory::default(), |patch| patch.memory);
+        let reached = match constants.kind {
+            PairKind::Convex => self.convex(k, &mut acting, workspace),
+            PairKind::Glued => self.glued(&mut acting, workspace),
+            PairKind::Terrain(ground) => self.on_ground(ground.into(), &mut acting, workspace),
+        };
+        acting.part();
+        workspace.old = std::mem::take(&mut acting.old);
+        *slot = Slot { nearing, ..acting.end(reached, constants, &before) };
+        let exerted = acting.exerted;
+        if !matches!(reached, Reached::Apart(_)) {
+            slot.at = group.push(exerted);
         }
-        let sums = &mut group.sums;
-        let faces = candidate.faces(&self.candidates.lists);
+    }
+
+    fn convex(&self, k: usize, acting: &mut InPair, workspace: &mut Workspace) -> Reached {
+        let candidate = &self.candidates.pairs[k];
+        let bodies = acting.pair.ends.map(|b| self.bodies.body(b));
+        acting.centres = [0, 1].map(|side: usize| bodies[side].position);
+        acting.radius = bodies[0].shape.radius.min(bodies[1].shape.radius);
         // The walk begins where the step before has ended, also where this instant
         // is evaluated again: its order makes the bits.
         if self.dt > 0.0 {
-            pair.start = pair.next;
+            acting.pair.start = acting.pair.next;
         }
+        let faces = candidate.faces(&self.candidates.lists);
         let place =
             |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
-        let hint = pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
-        let found = workspace.walker.find(&Pair {
+        let hint = acting.pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
+        let pair = Pair {
             bodies: [&bodies[0], &bodies[1]],
             faces,
             ties: candidate.ties,
             hint,
-        });
-        let surface = match found {
-            Found::Touching(surface) => surface,
-            Found::Apart(gap) => {
-                let motion = self.motion(pair.ends);
-                sums.friction += pair.memory.work(&motion, self.dt) + pair.stored;
-                sums.left += left(pair);
-                sums.booked += part(pair.offset.take(), &motion, &pair.memory, self.dt);
-                *pair = FoundPair {
-                    ends: pair.ends,
-                    gap: gap - ROUNDING * gap,
-                    seated: pair.seated && gap <= SEATED * constants.inradius,
-                    ..FoundPair::default()
-                };
-                *slot = Slot { nearing, ..Slot::default() };
-                return;
-            }
-            Found::FullyPenetrated(radius) => {
-                // No force can be given: not a number stops the run, and the deepest contact is to blame.
-                let mut unknown = Exerted::default();
-                unknown.elastic.force = Vec3::NAN;
-                *slot = Slot { at: group.push(unknown), nearing, ..Slot::default() };
-                let sums = &mut group.sums;
-                pair.depth = 2.0 * radius;
-                let reach = constants.inradius;
-                let deep = Deepest::new(pair.ends, Pressed::NoSurface, pair.depth, reach);
-                sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
-                return;
-            }
+            witnesses: candidate.witnesses(&self.candidates.witnesses),
         };
-        sums.unlabelled += surface.unlabelled;
-        pair.next = surface.hint.map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
-        let law = constants.law(self.known.rows);
-        let handed_over = pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
-        let before = left(pair) + pair.stored;
-        let falls = workspace.walker.falling(&law, &surface);
-        let reply = respond(
-            &law,
-            &ContactInput {
-                sums: &surface,
-                pieces: &|show| workspace.walker.rubbing(show),
-                origin: planes::origin(&bodies[0], &bodies[1]),
-                centres: bodies.map(|b| b.position),
-                motion: self.motion(pair.ends),
-                radius,
-                dt: self.dt,
-                last_dt: self.last_dt,
-                shared: None,
-                falls,
-            },
-            &mut pair.memory,
-            &mut pair.offset,
+        let law = acting.law;
+        narrow::convex(&mut workspace.walker, &pair, &law, |patch| acting.patch(patch))
+    }
+
+    fn glued(&self, acting: &mut InPair, workspace: &mut Workspace) -> Reached {
+        let ends = acting.pair.ends;
+        let placed = self.bodies.placed(ends);
+        let [a, b] = ends.map(|b| self.bodies.shape(b).radius);
+        acting.radius = a.min(b);
+        acting.centres = placed.poses.map(|pose| pose.position);
+        let law = acting.law;
+        narrow::glued(&mut workspace.gluer, &placed, &law, |patch| acting.patch(patch))
+    }
+
+    fn on_ground(&self, ground: usize, acting: &mut InPair, workspace: &mut Workspace) -> Reached {
+        let b = acting.pair.ends[1];
+        let shape = self.bodies.shape(b);
+        let pose = self.world.pose(b as usize);
+        let Workspace { under, ridges, normals, beside, .. } = workspace;
+        normals.clear();
+        let turn = turn(shape, pose.rotation, normals);
+        let rim = |ground: &Terrain| ground.depth(pose.position).is_none();
+        if !self.world.found.left_terrain[b as usize] && self.grounds.iter().all(rim) {
+            beside.push(b);
+        }
+        acting.motion[0] = Motion::default();
+        acting.centres = [pose.position; 2];
+        acting.radius = shape.radius;
+        let glued = self.bodies.glued.get(self.bodies.solid[b as usize] as usize);
+        let on = OnGround {
+            terrain: &self.grounds[ground],
+            body: Body { shape, normals, turn, position: pose.position },
+            pose,
+            glued: glued.filter(|glued| !glued.is_convex()),
+        };
+        let (law, nothing) = (acting.law, Sums::default());
+        let asked = acting.input(&Patch::new([0; 2], &nothing, pose.position, &|_| ()));
+        let reached = on.find(under, ridges, (&law, &asked), |patch| acting.patch(patch));
+        if let Reached::Touching = reached {
+            for rocking in ridges.rocking() {
+                acting.exerted.drag = acting.exerted.drag.plus(rocking);
+            }
+        }
+        reached
+    }
+}
+
+/// A pair that is evaluated: what its patches answer, and their sums.
+struct InPair<'a> {
+    law: ContactLaw,
+    /// Centroids of both, m.
+    centres: [Vec3; 2],
+    /// Motion of both, half a step ago.
+    motion: [Motion; 2],
+    /// Radius of the smaller block, m.
+    radius: f64,
+    dt: f64,
+    last_dt: f64,
+    /// Patches of the last evaluation that have not been found again.
+    old: Vec<ContactPatch>,
+    exerted: Exerted,
+    /// m².
+    area: f64,
+    sums: &'a mut PairSums,
+    pair: &'a mut FoundPair,
+}
+
+impl InPair<'_> {
+    /// What the law is asked of a patch.
+    fn input<'q>(&self, patch: &Patch<'q>) -> ContactInput<'q> {
+        ContactInput {
+            sums: patch.sums,
+            pieces: patch.pieces,
+            origin: patch.origin,
+            centres: self.centres,
+            motion: self.motion,
+            radius: self.radius,
+            dt: self.dt,
+            last_dt: self.last_dt,
+            shared: patch.shared,
+            falls: patch.falls,
+        }
+    }
+
+    /// Evaluates a patch, with what it remembers.
+    fn patch(&mut self, found: &Patch) {
+        let key = found.key;
+        let old = self.old.iter().position(|patch| patch.key == key);
+        let mut patch = old.map_or_else(
+            || ContactPatch { key, ..ContactPatch::default() },
+            |k| self.old.remove(k),
         );
-        sums.friction += reply.friction;
-        sums.booked += reply.booked;
+        let law = self.law.part(found.share);
+        let handed_over = self.pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
+        let before = left(self.pair) + patch.stored;
+        let input = self.input(found);
+        let output = respond(&law, &input, &mut patch.memory, &mut self.pair.offset);
+        self.sums.unlabelled += found.unlabelled;
+        self.sums.friction += output.friction;
+        self.sums.booked += output.booked;
         if handed_over {
             // The springs along the contact have the stiffness of its law from now on, and act at its point.
-            sums.left += before - reply.sprung;
+            self.sums.left += before - output.sprung;
         }
-        pair.stored = pair.memory.stored(law.shear_stiffness);
-        pair.force = reply.wrench.force;
-        pair.depth = surface.depth;
-        pair.gap = 0.0;
-        let reach = constants.inradius;
-        let deep = Deepest::new(pair.ends, Pressed::Contact, surface.depth, reach);
-        sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
         let exerted = Exerted {
-            elastic: reply.elastic.plus(&reply.offset),
-            spring: reply.spring,
-            drag: reply.drag,
+            elastic: output.elastic.plus(&output.offset),
+            spring: output.spring,
+            drag: output.drag,
         };
-        *slot = Slot {
-            at: group.push(exerted),
-            touching: true,
-            area: reply.area,
-            nearing,
-            negligible_impact: false,
+        patch.stored = patch.memory.stored(law.shear_stiffness);
+        patch.force = exerted.elastic.force + exerted.spring.force;
+        patch.pressed = exerted.elastic.force.length();
+        (patch.depth, patch.area) = (found.sums.depth, output.area);
+        self.exerted.add(&exerted);
+        self.area += output.area;
+        // What is not a number must not pass for shallow.
+        if patch.depth > self.pair.depth || patch.depth.is_nan() {
+            self.pair.depth = patch.depth;
+        }
+        self.pair.next = found.next;
+        self.pair.patches.push(patch);
+    }
+
+    /// Ends the evaluation; how the pair touches. `before`: what its first patch remembered until now.
+    fn end(&mut self, reached: Reached, constants: &Constants, before: &Memory) -> Slot {
+        let Self { sums, pair, .. } = self;
+        let reach = constants.inradius;
+        let pressed = match (reached, constants.kind) {
+            (Reached::Apart(gap), _) => {
+                sums.left += left(pair);
+                sums.booked += part(pair.offset.take(), &self.motion, before, self.dt);
+                let seated = pair.seated && gap <= SEATED * reach;
+                **pair = FoundPair { ends: pair.ends, gap, seated, ..FoundPair::default() };
+                return Slot::default();
+            }
+            (Reached::Touching, _) => Pressed::Contact,
+            (Reached::FullyPenetrated(depth), kind) => {
+                // No force can be given: not a number stops the run, and the deepest contact is to blame.
+                self.exerted.elastic.force = Vec3::NAN;
+                pair.depth = depth;
+                let on_ground = matches!(kind, PairKind::Terrain(_));
+                if on_ground { Pressed::Contact } else { Pressed::NoSurface }
+            }
         };
+        pair.gap = 0.0;
+        let deep = Deepest::new(pair.ends, pressed, pair.depth, reach);
+        sums.deepest = Deepest::deeper(sums.deepest, Some(deep));
+        Slot { touching: !pair.patches.is_empty(), area: self.area, ..Slot::default() }
+    }
+
+    /// What has not been found again has parted: what its springs held is friction.
+    fn part(&mut self) {
+        for gone in self.old.drain(..) {
+            self.sums.friction += gone.memory.work(&self.motion, self.dt) + gone.stored;
+        }
     }
 }
 

@@ -8,7 +8,8 @@ use crate::joint::classes::stiffness;
 use crate::kernel::glued::Glued;
 use crate::kernel::{ContactLaw, Pose, Shape};
 use crate::setup::{InterfaceLaw, Setup};
-use crate::state::contact_scratch::{Constants, ContactScratch, FacePair};
+use crate::state::contact_scratch::{Constants, ContactScratch, FacePair, PairKind};
+use crate::state::found::FoundPair;
 use crate::state::world::World;
 
 /// Finds what is the same for all pairs of the candidate list until the next one.
@@ -16,6 +17,10 @@ pub(super) fn find(world: &World, desk: &mut ContactScratch, exec: &Exec) {
     desk.rows = world.setup.interfaces.iter().map(of_row).collect();
     let blocks = 0..world.alive.len();
     desk.inverse_masses = blocks.map(|b| inverse_mass(world, b)).collect();
+    let on_ground: Vec<Constants> = world.found.pairs[desk.candidates.pairs.len()..]
+        .iter()
+        .map(|pair| of_ground(world, desk, pair.ends))
+        .collect();
     let (lists, shapes, glued) = (&desk.candidates.lists, &desk.shapes, &desk.glued);
     let candidates = &desk.candidates.pairs;
     let rows = &desk.rows;
@@ -38,7 +43,7 @@ pub(super) fn find(world: &World, desk: &mut ContactScratch, exec: &Exec) {
         (constants, facings)
     };
     let runs = exec.chunked(candidates.len(), of_run);
-    desk.constants = Vec::with_capacity(candidates.len());
+    desk.constants = Vec::with_capacity(world.found.pairs.len());
     desk.facings = Vec::with_capacity(runs.iter().map(|run| run.1.len()).sum());
     for (constants, facings) in runs {
         let first = desk.facings.len() as u32;
@@ -50,6 +55,7 @@ pub(super) fn find(world: &World, desk: &mut ContactScratch, exec: &Exec) {
         }));
         desk.facings.extend(facings);
     }
+    desk.constants.extend(on_ground);
     let damps = |c: &Constants| desk.rows[usize::from(c.row)].damping_ratio > 0.0;
     desk.damped = desk.constants.iter().any(damps);
 }
@@ -99,7 +105,7 @@ fn constants_of_glued(
     let of = ends.map(|b| &glued[world.solid[b as usize] as usize]);
     let constants = Constants {
         largest: of[0].largest.min(of[1].largest),
-        glued: true,
+        kind: PairKind::Glued,
         ..plain(&world.setup, ends, of.map(|glued| glued.inradius))
     };
     let law = constants.law(rows);
@@ -107,6 +113,13 @@ fn constants_of_glued(
     let with_square = |found: FacePair| found.with_square(eases(), poses, &law);
     let facing = glued::facing(of, poses, margin, with_square);
     (constants, facing)
+}
+
+/// The same for a block on terrain: behind terrain there is no centroid, so it counts as deep as the block.
+fn of_ground(world: &World, desk: &ContactScratch, ends: [u32; 2]) -> Constants {
+    let place = desk.terrain.blocks.binary_search(&ends[0]).unwrap_or_default();
+    let inradius = desk.inradius(world.solid[ends[1] as usize]);
+    Constants { kind: PairKind::Terrain(place as u16), ..plain(&world.setup, ends, [inradius; 2]) }
 }
 
 /// The interface of two blocks and its stiffness; `depths` are their inradii, m.
@@ -121,8 +134,15 @@ fn plain(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> Constants {
         largest: 0.0,
         facing: Constants::NO_FACING,
         row,
-        glued: false,
+        kind: PairKind::Convex,
     }
+}
+
+/// The law of a pair as the setup has it now.
+pub(super) fn present(world: &World, desk: &ContactScratch, pair: &FoundPair) -> ContactLaw {
+    let [i, j] = pair.ends.map(|b| desk.inradius(world.solid[b as usize]));
+    let ground = world.is_terrain(pair.ends[0] as usize);
+    law(&world.setup, pair.ends, [if ground { j } else { i }, j])
 }
 
 /// The law between two blocks; `depths` are their inradii, m.

@@ -17,6 +17,8 @@
 //! Pairs that do not touch yet count only with what can happen in the coming step: two faces that can come flat onto each other from
 //! the moment they meet, edges and corners with the area that the way of the blocks makes.
 //!
+//! On terrain what is near counts with its largest face flat on the ground, and what falls with a share of the time until it can touch.
+//!
 //! No step may let two blocks pass through each other: those of a pair come nearer by no more than their gap and a tenth of
 //! the smaller inscribed radius, and no block outruns the search that finds its pairs.
 
@@ -29,14 +31,17 @@ use crate::exec::Exec;
 use crate::kernel::{ContactLaw, Memory, Pose, Role, Shape};
 use crate::laws::damping::stable_share;
 use crate::state::bodies::{Bodies, SolidClass};
-use crate::state::contact_scratch::{Constants, ContactScratch, FacePair, Impact, Slot};
-use crate::state::found::FoundPair;
+use crate::state::contact_scratch::{Constants, ContactScratch, FacePair, Impact, PairKind, Slot};
+use crate::state::found::{ContactPatch, FoundPair};
 use crate::state::world::World;
 
 /// Share of the stable step: the stiffness grows with the area.
 const SAFETY: f64 = 0.2;
 /// Share of the stable step for the largest area that a contact can have: that of joints, whose springs do not grow either.
 const BOUNDED: f64 = 0.5;
+/// Share of the stable step on terrain. In the square not much more than half of that of pairs (0.56), since a block may lie on terrain and on
+/// others at once and both limits are found apart.
+const ON_GROUND: f64 = 0.15;
 /// Share of the step that is stable with strong dashpots for what meets, as on terrain: flat impacts give back 0.312 and 0.091 of their speed where
 /// 0.3 and 0.1 are asked for.
 const DAMPED: f64 = 0.375;
@@ -78,112 +83,242 @@ struct StepLimit<'a> {
     gravity: f64,
 }
 
-impl StepLimit<'_> {
+impl<'a> StepLimit<'a> {
     /// The smaller of `longest` (s) and the longest step of a block, by its place in the list of those that are in a pair.
-    fn of_block(&self, mut longest: f64, at: usize) -> f64 {
-        let Self { world, desk, speeds, gravity } = self;
-        let b = desk.blocks[at] as usize;
-        let ease = InverseInertia::of(world, &desk.shapes, b);
-        let (mut felt, mut damping) = (ContactStiffness::default(), 0.0_f64);
+    fn of_block(&'a self, longest: f64, at: usize) -> f64 {
+        let Self { world, desk, .. } = self;
+        let block = desk.blocks[at] as usize;
+        let mut of = OfBlock {
+            limit: self,
+            block,
+            at,
+            ease: InverseInertia::of(world, &desk.shapes, block),
+            felt: ContactStiffness::default(),
+            damping: 0.0,
+            longest,
+            ground: [f64::INFINITY; 2],
+        };
         let pairs = desk.first_pair[at] as usize..desk.first_pair[at + 1] as usize;
         for &(k, second) in &desk.incidence[pairs] {
-            let k = k as usize;
-            let (slot, constants) = (&desk.slots[k], &desk.constants[k]);
-            let (pair, law) = (&world.found.pairs[k], &constants.law(&desk.rows));
-            let change = until_change(pair, slot, *gravity);
-            if !slot.touching && change >= longest {
-                // Most of what is near: whatever it allows is longer than this.
-                continue;
-            }
-            let loss = stable_share(law.damping_ratio);
-            let flat = constants.facing(&desk.facings);
-            let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
-            let negligible_impact = desk.all_negligible || slot.negligible_impact;
-            let share = if negligible_impact { BOUNDED } else { SAFETY };
-            let as_joint = pair.seated || negligible_impact;
-            // In the root of an area, from the bound of all that touches to the step of what grows.
-            let growth = BOUNDED * loss / meeting(share, loss);
-            let alone = flat.map_or(f64::INFINITY, |flat| {
-                if as_joint {
-                    BOUNDED * 2.0 * loss / flat.square.sqrt()
-                } else {
-                    meeting(SAFETY, loss) * 2.0
-                        / (stiffness * flat.area * ease.of_area(flat.area)).sqrt()
-                }
-            });
-            longest =
-                longest.min(if slot.touching && !as_joint { alone } else { change.max(alone) });
-            if slot.touching {
-                let memory = &pair.memory;
-                let known = memory.area > 0.0;
-                let most = if constants.glued {
-                    let of = |b: u32| desk.glued[world.solid[b as usize] as usize].half_surface;
-                    of(pair.ends[0]).min(of(pair.ends[1]))
-                } else {
-                    desk.candidates.pairs[k].area
-                };
-                if known && flat.is_none() {
-                    let small = meeting(share, loss)
-                        * step_of(stiffness * slot.area * ease.of_area(slot.area));
-                    let whole = BOUNDED * loss * step_of(stiffness * most * ease.of_area(most));
-                    let closing = speeds.closing(pair.ends, memory);
-                    longest = longest.min(whole.max(growing(small, closing, pair.depth)));
-                    let held = 2.0 * held(law, memory, slot.area) * law.shear_stiffness;
-                    longest = longest.min(BOUNDED * loss * step_of(held * ease.of_area(slot.area)));
-                }
-                if constants.glued && known {
-                    // Each piece has a place of its own.
-                    let growth = growth * growth;
-                    for piece in pair.pieces.iter().filter(|p| p.memory.area > 0.0) {
-                        let face = flat.map_or(0.0, |flat| flat.face);
-                        let spread = AreaMoments {
-                            normal: piece.memory.normal,
-                            arm: piece.memory.arms[usize::from(second)],
-                            area: (growth * piece.area).min(most).max(face),
-                            polar: piece.memory.polar / piece.memory.area,
-                            held: held(law, &piece.memory, piece.area),
-                        };
-                        felt.add(&ease, law, &spread);
-                    }
-                    damping = damping.max(law.damping_ratio);
-                    continue;
-                }
-                let mostly = flat.is_none_or(|flat| slot.area >= MOSTLY * flat.area);
-                if known && (negligible_impact || mostly) {
-                    let grown = growth * growth * slot.area;
-                    let spread = AreaMoments {
-                        normal: memory.normal,
-                        arm: memory.arms[usize::from(second)],
-                        area: if negligible_impact {
-                            slot.area
-                        } else {
-                            grown.min(most).max(flat.map_or(slot.area, |f| f.area))
-                        },
-                        polar: memory.polar / memory.area,
-                        held: held(law, memory, slot.area),
-                    };
-                    felt.add(&ease, law, &spread);
-                } else if let Some(flat) = flat {
-                    let of = desk.place[pair.ends[flat.side] as usize] as usize;
-                    let from = desk.poses[at].position;
-                    let arm = desk.poses[of].position - from;
-                    felt.add(&ease, law, &flat.spread(desk.turns[of], arm));
-                } else {
-                    felt.anywhere += stiffness * slot.area * ease.of_area(slot.area);
-                }
-                damping = damping.max(law.damping_ratio);
-                continue;
-            }
-            let edge = stiffness * constants.largest.sqrt() * ease.of_area(constants.largest);
-            let allowed = 2.0 * EDGE * meeting(share, loss);
-            longest = longest.min(change + of_edge(allowed, edge, slot.nearing, *gravity));
+            of.pair(k as usize, second);
         }
-        let square = felt.bound();
+        of.finish()
+    }
+}
+
+/// What a block allows, pair by pair.
+struct OfBlock<'a> {
+    limit: &'a StepLimit<'a>,
+    block: usize,
+    /// Its place in the list of those that are in a pair.
+    at: usize,
+    ease: InverseInertia,
+    /// Of all that touches it.
+    felt: ContactStiffness,
+    /// Largest damping ratio of what touches it.
+    damping: f64,
+    /// Longest step so far, s.
+    longest: f64,
+    /// How far terrain is away at least, m, and the step that is stable on it, s.
+    ground: [f64; 2],
+}
+
+/// A pair, as one of its blocks feels it.
+struct Side<'a> {
+    /// Whether the block is the second.
+    second: bool,
+    pair: &'a FoundPair,
+    slot: &'a Slot,
+    constants: &'a Constants,
+    law: ContactLaw,
+    /// Faces that can come flat onto each other.
+    flat: Option<&'a FacePair>,
+    /// Twice the larger stiffness, Pa/m.
+    stiffness: f64,
+    /// What dashpots leave of the undamped stable step.
+    loss: f64,
+    negligible_impact: bool,
+    /// Share of the stable step while it grows.
+    share: f64,
+    /// Step until it meets or parts, s.
+    change: f64,
+    /// Largest area that it can have, m².
+    most: f64,
+}
+
+impl Side<'_> {
+    /// Area that stands for a present one, in the root: from the bound of all that touches to the step of what grows.
+    fn growth(&self) -> f64 {
+        let growth = BOUNDED * self.loss / meeting(self.share, self.loss);
+        growth * growth
+    }
+
+    /// Where the springs of a patch are, which count with this area (m²).
+    fn spread(&self, patch: &ContactPatch, area: f64) -> AreaMoments {
+        let memory = &patch.memory;
+        AreaMoments {
+            normal: memory.normal,
+            arm: memory.arms[usize::from(self.second)],
+            area,
+            polar: memory.polar / memory.area,
+            held: held(&self.law, memory, patch.area),
+        }
+    }
+}
+
+impl<'a> OfBlock<'a> {
+    fn pair(&mut self, k: usize, second: bool) {
+        let StepLimit { world, desk, gravity, .. } = self.limit;
+        let (pair, slot, constants) = (&world.found.pairs[k], &desk.slots[k], &desk.constants[k]);
+        let law = constants.law(&desk.rows);
+        let most = match constants.kind {
+            PairKind::Terrain(_) => {
+                let [near, stable] = self.ground;
+                self.ground = [near.min(pair.gap), stable.min(self.on_ground(&law))];
+                return;
+            }
+            PairKind::Convex => desk.candidates.pairs[k].area,
+            PairKind::Glued => {
+                let of = |b: u32| desk.glued[world.solid[b as usize] as usize].half_surface;
+                of(pair.ends[0]).min(of(pair.ends[1]))
+            }
+        };
+        let change = until_change(pair, slot, *gravity);
+        if !slot.touching && change >= self.longest {
+            // Most of what is near: whatever it allows is longer than this.
+            return;
+        }
+        let negligible_impact = desk.all_negligible || slot.negligible_impact;
+        let side = Side {
+            second,
+            pair,
+            slot,
+            constants,
+            law,
+            flat: constants.facing(&desk.facings),
+            stiffness: 2.0 * law.normal_stiffness.max(law.shear_stiffness),
+            loss: stable_share(law.damping_ratio),
+            negligible_impact,
+            share: if negligible_impact { BOUNDED } else { SAFETY },
+            change,
+            most,
+        };
+        self.faces(&side);
+        if slot.touching {
+            self.touching(&side);
+        } else {
+            self.edge(&side);
+        }
+    }
+
+    fn allow(&mut self, step: f64) {
+        self.longest = self.longest.min(step);
+    }
+
+    /// Faces that can come flat onto each other, from the moment they meet.
+    fn faces(&mut self, side: &Side) {
+        let as_joint = side.pair.seated || side.negligible_impact;
+        let alone = side.flat.map_or(f64::INFINITY, |flat| {
+            if as_joint {
+                BOUNDED * 2.0 * side.loss / flat.square.sqrt()
+            } else {
+                let square = side.stiffness * flat.area * self.ease.of_area(flat.area);
+                meeting(SAFETY, side.loss) * 2.0 / square.sqrt()
+            }
+        });
+        let at_once = side.slot.touching && !as_joint;
+        self.allow(if at_once { alone } else { side.change.max(alone) });
+    }
+
+    /// What touches: patch by patch where places are known.
+    fn touching(&mut self, side: &Side<'a>) {
+        self.damping = self.damping.max(side.law.damping_ratio);
+        let Side { pair, slot, flat, law, most, .. } = side;
+        let known = pair.leading().filter(|patch| patch.memory.area > 0.0);
+        if let (Some(patch), None) = (known, flat) {
+            self.growing(side, &patch.memory);
+        }
+        let glued = side.constants.kind == PairKind::Glued;
+        if let (Some(_), true) = (known, glued) {
+            // Each piece has a place of its own.
+            let face = flat.map_or(0.0, |flat| flat.face);
+            for patch in pair.patches.iter().filter(|p| p.memory.area > 0.0) {
+                let area = (side.growth() * patch.area).min(*most).max(face);
+                self.felt.add(&self.ease, law, &side.spread(patch, area));
+            }
+            return;
+        }
+        let mostly = flat.is_none_or(|flat| slot.area >= MOSTLY * flat.area);
+        if let Some(patch) = known.filter(|_| side.negligible_impact || mostly) {
+            let area = if side.negligible_impact {
+                slot.area
+            } else {
+                let grown = side.growth() * slot.area;
+                grown.min(*most).max(flat.map_or(slot.area, |f| f.area))
+            };
+            self.felt.add(&self.ease, law, &side.spread(patch, area));
+        } else if let Some(flat) = flat {
+            let desk = self.limit.desk;
+            let of = desk.place[pair.ends[flat.side] as usize] as usize;
+            let arm = desk.poses[of].position - desk.poses[self.at].position;
+            self.felt.add(&self.ease, law, &flat.spread(desk.turns[of], arm));
+        } else {
+            self.felt.anywhere += side.stiffness * slot.area * self.ease.of_area(slot.area);
+        }
+    }
+
+    /// Edges and corners that touch, and grow.
+    fn growing(&mut self, side: &Side, memory: &Memory) {
+        let Side { slot, stiffness, loss, most, law, .. } = side;
+        let square = |area: f64| stiffness * area * self.ease.of_area(area);
+        let small = meeting(side.share, *loss) * step_of(square(slot.area));
+        let whole = BOUNDED * loss * step_of(square(*most));
+        let closing = self.limit.speeds.closing(side.pair.ends, memory);
+        let held = 2.0 * held(law, memory, slot.area) * law.shear_stiffness;
+        let held = BOUNDED * loss * step_of(held * self.ease.of_area(slot.area));
+        self.allow(whole.max(growing(small, closing, side.pair.depth)).min(held));
+    }
+
+    /// Edges and corners that may come to touch.
+    fn edge(&mut self, side: &Side) {
+        let Constants { largest, .. } = side.constants;
+        let edge = side.stiffness * largest.sqrt() * self.ease.of_area(*largest);
+        let allowed = 2.0 * EDGE * meeting(side.share, side.loss);
+        let nearing = side.slot.nearing;
+        self.allow(side.change + of_edge(allowed, edge, nearing, self.limit.gravity));
+    }
+
+    /// Longest stable step on ground with this law, s.
+    fn on_ground(&self, law: &ContactLaw) -> f64 {
+        let StepLimit { world, desk, .. } = self.limit;
+        let pairs = desk.first_pair[self.at] as usize..desk.first_pair[self.at + 1] as usize;
+        let on = desk.incidence[pairs].iter().map(|(k, _)| *k as usize);
+        let on = on.filter(|k| matches!(desk.constants[*k].kind, PairKind::Terrain(_)));
+        let touching = on.flat_map(|k| &world.found.pairs[k].patches).map(|patch| patch.area).sum();
+        let class = world.solid[self.block] as usize;
+        let area = desk.shapes[class].areas.iter().copied().fold(touching, f64::max);
+        // Faces in a hollow are no faces of the hull.
+        let area = desk.glued.get(class).map_or(area, |glued| area.max(glued.largest));
+        let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
+        share_on_ground(law) * 2.0 / (stiffness * area * self.ease.of_area(area)).sqrt()
+    }
+
+    /// The longest step with all pairs, s.
+    fn finish(self) -> f64 {
+        let StepLimit { world, desk, speeds, gravity } = self.limit;
+        let mut longest = self.longest;
+        let square = self.felt.bound();
         if square > 0.0 {
-            let loss = stable_share(damping);
+            let loss = stable_share(self.damping);
             longest = longest.min(BOUNDED * 2.0 * loss / square.sqrt());
         }
-        longest
+        // What cannot touch the ground yet may go a share of the way there, however stiff it is.
+        let [near, stable] = self.ground;
+        let radius = desk.shapes[world.solid[self.block] as usize].radius;
+        let (bodies, b) = (speeds.bodies, self.block);
+        let nearing = bodies.velocity(b).length() + bodies.spin(b).length() * radius;
+        let meet = if near > 0.0 { APPROACH * time_for(near, nearing, *gravity) } else { 0.0 };
+        longest.min(stable.max(meet))
     }
 }
 
@@ -197,6 +332,11 @@ fn held(law: &ContactLaw, memory: &Memory, area: f64) -> f64 {
 /// step would come too near to what is stable with them, `loss` of the undamped one.
 fn meeting(share: f64, loss: f64) -> f64 {
     share.min(DAMPED.max(share) * loss)
+}
+
+/// Share of the undamped stable step on ground with this law: dashpots shorten it where it would come too near to what is stable with them.
+pub(crate) fn share_on_ground(law: &ContactLaw) -> f64 {
+    ON_GROUND.min(DAMPED * stable_share(law.damping_ratio))
 }
 
 /// Step that the edge of a block may go into another one, s: `dt² K = allowed²`, where the squared frequency K is `edge` (1/(m s²)) times the
@@ -256,10 +396,10 @@ impl Known<'_> {
         slot: &Slot,
         gravity: f64,
     ) -> Option<Impact> {
-        if pair.seated {
+        let constants = &self.constants[k];
+        if pair.seated || matches!(constants.kind, PairKind::Terrain(_)) {
             return None;
         }
-        let constants = &self.constants[k];
         let [kn, _] = constants.stiffness;
         let [i, j] = pair.ends.map(|b| self.inverse_masses[b as usize]);
         let ease = i + j;
@@ -332,7 +472,8 @@ fn time_for(way: f64, v: f64, g: f64) -> f64 {
 /// Longest step in which no pair can pass through each other, s.
 fn transit(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
     let g = world.gravity.length();
-    exec.smallest(world.found.pairs.len(), |pairs| {
+    // On terrain no block can pass through: it stops the run when it lies below the surface.
+    exec.smallest(desk.candidates.pairs.len(), |pairs| {
         let times = pairs.map(|k| {
             let way = world.found.pairs[k].gap.max(0.0) + TRANSIT * desk.constants[k].inradius;
             time_for(way, desk.slots[k].nearing, g)
@@ -407,16 +548,20 @@ pub(super) fn largest_area(shapes: [&Shape; 2], faces: [&[u16]; 2]) -> f64 {
 
 /// Where a face lies along each of two axes: from, to, m.
 fn extent(shape: &Shape, pose: Pose, face: u16, axes: [Vec3; 2]) -> [[f64; 2]; 2] {
+    let back = pose.rotation.conjugate();
+    // Axes are turned into the body, instead of every corner into space.
+    let own = [back * axes[0], back * axes[1]];
     let mut extent = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for v in shape.outline(face as usize) {
-        let at = pose.place(shape.vertices[*v as usize]);
-        for ([low, high], axis) in extent.iter_mut().zip(axes) {
+        let at = shape.vertices[*v as usize];
+        for ([low, high], axis) in extent.iter_mut().zip(own) {
             let along = axis.dot(at);
             *low = low.min(along);
             *high = high.max(along);
         }
     }
-    extent
+    let from = [axes[0].dot(pose.position), axes[1].dot(pose.position)];
+    [0, 1].map(|k| extent[k].map(|along| from[k] + along))
 }
 
 /// The two of these faces with the largest area that can come flat onto each other, if any: they face each other, and have moved by
@@ -432,19 +577,28 @@ pub(super) fn facing<F: IntoIterator<Item = u16> + Clone>(
     let [of_first, of_second] = faces;
     for f in of_first {
         let n = poses[0].rotation * shapes[0].normals[f as usize];
+        // Seen from the second body.
+        let own = poses[1].rotation.conjugate() * n;
+        // Along axes of the first face, for the first one that faces it.
+        let mut along = None;
         for g in of_second.clone() {
-            let m = poses[1].rotation * shapes[1].normals[g as usize];
-            if n.dot(m) > FACING {
+            let areas = [shapes[0].areas[f as usize], shapes[1].areas[g as usize]];
+            // They share no more than the smaller one has.
+            if areas[0].min(areas[1]) <= most {
                 continue;
             }
-            let [_, e, h] = riprap_geom::polyhedron::frame(n);
-            let [first, second] =
-                [(0, f), (1, g)].map(|(s, face)| extent(shapes[s], poses[s], face, [e, h]));
+            if own.dot(shapes[1].normals[g as usize]) > FACING {
+                continue;
+            }
+            let (axes, first) = *along.get_or_insert_with(|| {
+                let [_, e, h] = riprap_geom::polyhedron::frame(n);
+                ([e, h], extent(shapes[0], poses[0], f, [e, h]))
+            });
+            let second = extent(shapes[1], poses[1], g, axes);
             let sides = [0, 1].map(|axis| {
                 let ([low, high], [from, to]) = (first[axis], second[axis]);
                 (high.min(to) - low.max(from) + margin).max(0.0)
             });
-            let areas = [shapes[0].areas[f as usize], shapes[1].areas[g as usize]];
             let area = areas[0].min(areas[1]).min(sides[0] * sides[1]);
             if area > most {
                 most = area;

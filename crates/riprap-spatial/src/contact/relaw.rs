@@ -3,7 +3,7 @@
 //! Pressures and their energy are proportional to the normal stiffness. What springs along a contact remember is their force, so their energy
 //! falls as they grow stiffer. Both are the work of who changes the law, an edit: neither friction nor the ledger of the contact may have it.
 
-use crate::contact::constants::law;
+use crate::contact::constants::present;
 use crate::contact::deformable::between;
 use crate::contact::stored;
 use crate::contact::stored::at_most;
@@ -14,23 +14,14 @@ use crate::state::world::World;
 /// The laws of all found contacts, in the order of their lists.
 struct Laws {
     pairs: Vec<ContactLaw>,
-    facets: Vec<ContactLaw>,
     deformable: Vec<ContactLaw>,
 }
 
 impl Laws {
     fn of(world: &World, scratch: &Scratch) -> Self {
-        let (found, setup) = (&world.found, &world.setup);
-        let inradius = |b: u32| scratch.desk.inradius(world.solid[b as usize]);
-        let pairs = found.pairs.iter();
-        let terrain = (0..).zip(&found.terrain);
-        let blocks = &scratch.desk.terrain.blocks;
-        let on_ground = terrain.flat_map(|(b, on)| on.facets.iter().map(move |f| (b, f.terrain())));
+        let pairs = world.found.pairs.iter();
         Self {
-            pairs: pairs.map(|pair| law(setup, pair.ends, pair.ends.map(inradius))).collect(),
-            facets: on_ground
-                .map(|(b, ground)| law(setup, [blocks[ground], b], [inradius(b); 2]))
-                .collect(),
+            pairs: pairs.map(|pair| present(world, &scratch.desk, pair)).collect(),
             deformable: scratch
                 .deformable
                 .constants
@@ -40,7 +31,7 @@ impl Laws {
                     let (ends, peaks) = (two.map(|m| m.block), two.map(|m| m.peak));
                     let rigid = two.map(|m| m.body.is_none());
                     // Looked at when the model was built.
-                    between(setup, ends, rigid, peaks).unwrap_or(c.law)
+                    between(&world.setup, ends, rigid, peaks).unwrap_or(c.law)
                 })
                 .collect(),
         }
@@ -56,16 +47,14 @@ pub fn change_laws(world: &mut World, scratch: &Scratch, change: impl FnOnce(&mu
     let energies = known.then(|| at_most(world, desk));
     let whole = stored::stored(world, desk, &scratch.exec) + world.found.at_start;
     change(world);
-    let (Some(before), Some((pairs, facets))) = (before, energies) else {
+    let (Some(before), Some(energies)) = (before, energies) else {
         return;
     };
     let after = Laws::of(world, scratch);
     let normal = |laws: [&ContactLaw; 2]| laws[1].normal_stiffness / laws[0].normal_stiffness - 1.0;
-    let all: f64 = pairs.iter().chain(&facets).sum();
-    let parts = pairs.iter().zip(before.pairs.iter().zip(&after.pairs));
-    let on_ground = facets.iter().zip(before.facets.iter().zip(&after.facets));
-    let added: f64 =
-        parts.chain(on_ground).map(|(energy, (old, new))| energy * normal([old, new])).sum();
+    let all: f64 = energies.iter().sum();
+    let pairs = energies.iter().zip(before.pairs.iter().zip(&after.pairs));
+    let added: f64 = pairs.map(|(energy, (old, new))| energy * normal([old, new])).sum();
     // Where faces meet flat what each stores is known, else its share of what all of them do.
     if all > 0.0 && whole > 0.0 {
         world.works.contact_path += added * (whole / all).min(1.0);

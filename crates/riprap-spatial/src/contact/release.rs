@@ -25,7 +25,7 @@ use crate::kernel::offset::{Carried, Offset};
 use crate::laws::mohr_coulomb::Strength;
 use crate::setup::Points;
 use crate::state::face::Face;
-use crate::state::found::FoundPair;
+use crate::state::found::{ContactPatch, FoundPair};
 use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
@@ -311,19 +311,22 @@ fn hand_over(world: &mut World, p: usize) {
         at: about,
         energy: carried.energy + normal_energy,
     })));
+    if pair.patches.is_empty() {
+        pair.patches.push(ContactPatch::default());
+    }
+    let patch = &mut pair.patches[0];
     let memory = Memory {
-        shear: pair.memory.shear + shear,
-        torsion: pair.memory.torsion - torsion + sign * arm.cross(shear).dot(normal),
+        shear: patch.memory.shear + shear,
+        torsion: patch.memory.torsion - torsion + sign * arm.cross(shear).dot(normal),
         normal: sign * normal,
-        area: pair.memory.area + class.area,
-        polar: pair.memory.polar + class.area * (radii[0] * radii[0] + radii[1] * radii[1]),
+        area: patch.memory.area + class.area,
+        polar: patch.memory.polar + class.area * (radii[0] * radii[0] + radii[1] * radii[1]),
         sliding: true,
         arms: if i < j { arms } else { [arms[1], arms[0]] },
     };
     let stored = memory.stored(class.stiffness[1]);
-    let change = stored - pair.stored;
-    pair.memory = memory;
-    pair.stored = stored;
+    let change = stored - patch.stored;
+    (patch.memory, patch.stored) = (memory, stored);
     world.works.edit_defect += change - shear_energy;
 }
 
@@ -334,7 +337,6 @@ mod tests {
     use super::release_pairs;
     use crate::contact::tests::{Run, above_floor, brick};
     use crate::dynamics::TimeFunction;
-    use crate::dynamics::damping::Damping;
     use crate::exec::Exec;
     use crate::kernel::offset::{Carried, Offset};
     use crate::setup::{Load, LoadKind};
@@ -360,7 +362,7 @@ mod tests {
         let place = run.place(1);
         assert!((place.z - 0.25).abs() < 1e-3 && (place.x - 3.35).abs() < 1e-3, "{place}");
         let weight = 2500.0 * 0.125 * 9.81;
-        let carried = run.world.found.pairs[0].force.z;
+        let carried = run.world.found.pairs[0].force().z;
         assert!((carried / weight - 1.0).abs() < 0.02, "{carried}");
         run.until(0.9);
         assert!(run.place(1).z < -0.5, "{}", run.place(1));
@@ -440,7 +442,7 @@ mod tests {
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for step in 1..=300 {
             run.until(1e-3 * f64::from(step));
-            let normal = run.world.found.pairs[0].force.z / weight;
+            let normal = run.world.found.pairs[0].force().z / weight;
             (least, most) = (least.min(normal), most.max(normal));
         }
         assert!(least > 0.99 && most < 1.01, "{least} {most}");
@@ -527,8 +529,7 @@ mod tests {
     #[test]
     fn blocks_whose_joint_has_given_way_can_be_split() {
         let mut run = parted();
-        let damping = Damping::default();
-        split(&mut run.world, &mut run.scratch, &[1, 2], &damping, run.dt).unwrap();
+        split(&mut run.world, &mut run.scratch, &[1, 2], run.dt).unwrap();
         // Twelve joints inside each, four to the floor, none between the two.
         assert_eq!(run.world.patches.len(), 2 * 12 + 4);
         let surface = run.view().surface();
@@ -559,8 +560,7 @@ mod tests {
         let whole = 0.5 * 1e9 * 0.25 * depth * depth;
         assert!((hidden / whole - 1.0).abs() < 0.2, "{hidden} {whole}");
         run.world.start_energy = Some(run.view().balance().total());
-        let damping = Damping::default();
-        split(&mut run.world, &mut run.scratch, &[1, 2], &damping, run.dt).unwrap();
+        split(&mut run.world, &mut run.scratch, &[1, 2], run.dt).unwrap();
         run.until(0.1);
         let hiding = run.world.found.pairs.iter().filter(|p| p.offset.is_some());
         assert!(hiding.count() >= 4);

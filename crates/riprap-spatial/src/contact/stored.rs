@@ -10,10 +10,10 @@
 use riprap_geom::Vec3;
 
 use crate::exec::Exec;
-use crate::kernel::Memory;
+use crate::kernel::Shape;
 use crate::kernel::glued::Glued;
-use crate::state::contact_scratch::ContactScratch;
-use crate::state::found::{FacetContact, FoundPair};
+use crate::state::contact_scratch::{ContactScratch, PairKind};
+use crate::state::found::{ContactPatch, FoundPair};
 use crate::state::world::World;
 
 /// What the rim of a contact as deep as the largest ball in the thinner block may store beside it.
@@ -30,69 +30,71 @@ enum Bound {
 
 /// What is stored in the pressure of found contacts lies between these, J. What a joint has handed over is known.
 fn bounds(world: &World, desk: &ContactScratch, exec: &Exec, bound: Bound) -> [f64; 2] {
-    let pair = |k: usize| {
-        let Some(by) = desk.exerted(k) else {
-            return [0.0; 2];
-        };
-        let pair = &world.found.pairs[k];
-        let taken_over = pair.offset.as_ref().map_or(0.0, |o| o.stored);
-        let mut most = 0.5 * by.elastic.force.length() * pair.depth;
+    let pairs = &world.found.pairs;
+    exec.sums(pairs.len(), |k| {
+        let taken_over = pairs[k].offset.as_ref().map_or(0.0, |o| o.stored);
+        let mut most = of_depth(desk, k, &pairs[k]);
         if bound == Bound::Way {
-            most = most.max(of_pair(world, desk, k, by.elastic.force.length()));
+            most = most.max(of_way(world, desk, k));
         }
         [taken_over.min(0.0), most.max(taken_over)]
-    };
-    let [least, most] = exec.sums(world.found.pairs.len(), pair);
-    let facet = |b: usize, on: &FacetContact| {
-        let laws = desk.terrain.laws.get(b);
-        let law = laws.and_then(|laws| laws.get(on.terrain()));
-        let stiffness = law.map_or(0.0, |law| law.normal_stiffness);
-        let way = match bound {
-            Bound::Ball => on.depth,
-            Bound::Way => on.depth.max(below(world, desk, b, on)),
-        };
-        0.5 * stiffness * on.area * way * way
-    };
-    let terrain = world.found.terrain.iter().enumerate();
-    let facets = terrain.flat_map(|(b, on)| on.facets.iter().map(move |on| facet(b, on)));
-    [least, most + facets.sum::<f64>()]
+    })
 }
 
-/// `F d/2` of each pair, and of each facet on terrain in turn, J: what they store in proportion to each other.
-pub(super) fn at_most(world: &World, desk: &ContactScratch) -> (Vec<f64>, Vec<f64>) {
-    let pair = |(k, pair): (usize, &FoundPair)| {
-        let by = desk.exerted(k);
-        by.map_or(0.0, |by| 0.5 * by.elastic.force.length() * pair.depth)
-    };
-    let terrain = world.found.terrain.iter().enumerate();
-    let facets = terrain.flat_map(|(b, on)| on.facets.iter().map(move |on| facet(desk, b, on)));
+/// What each pair stores in proportion to all others by its depth, J.
+pub(super) fn at_most(world: &World, desk: &ContactScratch) -> Vec<f64> {
     let pairs = world.found.pairs.iter().enumerate();
-    (pairs.map(pair).collect(), facets.collect())
+    pairs.map(|(k, pair)| of_depth(desk, k, pair)).collect()
 }
 
-/// Energy of a facet of block `b` on terrain, J.
-fn facet(desk: &ContactScratch, b: usize, on: &FacetContact) -> f64 {
-    let laws = desk.terrain.laws.get(b);
-    let law = laws.and_then(|laws| laws.get(on.terrain()));
-    let stiffness = law.map_or(0.0, |law| law.normal_stiffness);
-    0.5 * stiffness * on.area * on.depth * on.depth
+/// `F d/2` of a pair; on terrain, flat on each facet, `kn A d²/2`, J.
+fn of_depth(desk: &ContactScratch, k: usize, pair: &FoundPair) -> f64 {
+    if let PairKind::Terrain(_) = desk.constants[k].kind {
+        return on_ground(desk, k, pair, |patch| patch.depth);
+    }
+    desk.exerted(k).map_or(0.0, |by| 0.5 * by.elastic.force.length() * pair.depth)
 }
 
-/// `F D/2` of a pair that presses with this force (N), J; piece by piece of blocks of glued parts.
-fn of_pair(world: &World, desk: &ContactScratch, k: usize, force: f64) -> f64 {
+/// Energy of the patches of a pair with terrain that lie so deep (m), J.
+fn on_ground(
+    desk: &ContactScratch,
+    k: usize,
+    pair: &FoundPair,
+    way: impl Fn(&ContactPatch) -> f64,
+) -> f64 {
+    let [stiffness, _] = desk.constants[k].stiffness;
+    let energy = |patch: &ContactPatch| {
+        let way = way(patch);
+        0.5 * stiffness * patch.area * way * way
+    };
+    pair.patches.iter().map(energy).sum()
+}
+
+/// `F D/2` of a pair, J; patch by patch where it can have several.
+fn of_way(world: &World, desk: &ContactScratch, k: usize) -> f64 {
     let pair = &world.found.pairs[k];
     let most = |force: f64, way: f64| {
         let rim = (way / desk.constants[k].inradius).min(1.0);
         0.5 * force * way * (1.0 + RIM * rim)
     };
-    if !desk.constants[k].glued {
-        return most(force, way(world, desk, pair, None, &pair.memory));
+    match desk.constants[k].kind {
+        PairKind::Convex => {
+            let of =
+                |patch: &ContactPatch| most(patch.pressed, way(world, desk, pair, None, patch));
+            pair.leading().map_or(0.0, of)
+        }
+        PairKind::Glued => {
+            let of = |patch: &ContactPatch| {
+                let force = patch.force.dot(patch.memory.normal).abs();
+                most(force, way(world, desk, pair, Some(patch.key), patch))
+            };
+            pair.patches.iter().map(of).sum()
+        }
+        PairKind::Terrain(_) => {
+            let deepest = |patch: &ContactPatch| patch.depth.max(below(world, desk, pair, patch));
+            on_ground(desk, k, pair, deepest)
+        }
     }
-    let of_piece = |piece: &crate::state::found::PieceContact| {
-        let force = piece.force.dot(piece.memory.normal).abs();
-        most(force, way(world, desk, pair, Some(piece.pieces), &piece.memory))
-    };
-    pair.pieces.iter().map(of_piece).sum()
 }
 
 /// By how much the two blocks of a pair, or two pieces of them, overlap along their normal, m.
@@ -100,10 +102,10 @@ fn way(
     world: &World,
     desk: &ContactScratch,
     pair: &FoundPair,
-    pieces: Option<[u16; 2]>,
-    memory: &Memory,
+    pieces: Option<[u32; 2]>,
+    patch: &ContactPatch,
 ) -> f64 {
-    let n = memory.normal;
+    let n = patch.memory.normal;
     let [first, second] = [0, 1].map(|side| {
         let b = pair.ends[side];
         let class = world.solid[b as usize] as usize;
@@ -123,19 +125,19 @@ fn way(
 }
 
 /// Shape of a piece, and its centre from that of the block, m.
-fn of_piece(glued: &Glued, piece: u16) -> (&crate::kernel::Shape, Vec3) {
-    let own = &glued.piece(usize::from(piece))[0];
+fn of_piece(glued: &Glued, piece: u32) -> (&Shape, Vec3) {
+    let own = &glued.piece(piece as usize)[0];
     (&own.shape, own.centre)
 }
 
 /// How far a block, or a piece of it, reaches below a facet of terrain, m: as far as its sharpest edge does at this depth.
-fn below(world: &World, desk: &ContactScratch, b: usize, on: &FacetContact) -> f64 {
-    let class = world.solid[b] as usize;
+fn below(world: &World, desk: &ContactScratch, pair: &FoundPair, patch: &ContactPatch) -> f64 {
+    let class = world.solid[pair.ends[1] as usize] as usize;
     let sharpest = match desk.glued.get(class).filter(|glued| !glued.is_convex()) {
-        Some(glued) => of_piece(glued, on.piece()).0.sharpness(),
+        Some(glued) => of_piece(glued, patch.key[0]).0.sharpness(),
         None => desk.shapes[class].sharpness(),
     };
-    on.depth * sharpest
+    patch.depth * sharpest
 }
 
 /// Energy of the pressure of found contacts less that at the start, J: the work on it, within what it can be. Steps that are long beside

@@ -10,6 +10,7 @@ use crate::setup::{
     BlockName, BlockSpec, InterfaceLaw, JointLaw, Material, Motion, Setup, Shape, Solid, Stiffness,
     Strength, Support,
 };
+use crate::state::found::ContactPatch;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use crate::step;
@@ -105,6 +106,12 @@ impl Run {
         Self { world, scratch, dt }
     }
 
+    /// What two bodies share.
+    pub(super) fn patches(&self, ends: [u32; 2]) -> &[ContactPatch] {
+        let pair = self.world.found.pairs.iter().find(|pair| pair.ends == ends);
+        pair.map_or(&[], |pair| &pair.patches)
+    }
+
     pub(super) fn evaluate(&mut self) {
         step::evaluate(&mut self.world, &mut self.scratch, &Damping::default(), self.dt).unwrap();
     }
@@ -190,7 +197,7 @@ fn two_bricks_fall_on_a_floor_and_rest_on_each_other() {
     // The floor carries both.
     let weight = 2.0 * 2500.0 * 0.125 * 9.81;
     let floor = run.world.found.pairs.iter().find(|p| p.ends == [0, 1]);
-    let force = floor.map_or(0.0, |p| p.force.z);
+    let force = floor.map_or(0.0, |p| p.force().z);
     assert!((force / weight - 1.0).abs() < 1e-2, "{force} {weight}");
     let balance = run.view().balance();
     assert!(balance.residual_relative().abs() < 1e-5, "{:e}", balance.residual_relative());
@@ -244,7 +251,8 @@ fn threads_and_restart_change_no_bit() {
     let bits = |run: &Run| -> Vec<u64> {
         let bodies = &run.world.bodies;
         let lists = bodies.displacement.iter().chain(&bodies.velocity).flatten();
-        let shear = run.world.found.pairs.iter().map(|p| &p.memory.shear.x);
+        let shear =
+            run.world.found.pairs.iter().flat_map(|p| &p.patches).map(|p| &p.memory.shear.x);
         lists.chain(shear).map(|x| x.to_bits()).collect()
     };
     let mut one = Run::new(setup(), 1, 2e-4);
@@ -462,10 +470,10 @@ fn a_crooked_stack_carries_its_weight() {
         let above = count as usize - k;
         let pairs = &run.world.found.pairs;
         let pair = pairs.iter().find(|p| p.ends == [k as u32, k as u32 + 1]).unwrap();
-        let carried = pair.force / (weight * above as f64);
+        let carried = pair.force() / (weight * above as f64);
         worst = worst.max((carried - Vec3::Z).length());
         let centre = (k + 1..=count as usize).map(|b| run.place(b)).sum::<Vec3>() / above as f64;
-        let point = run.place(k) + pair.memory.arms[0];
+        let point = run.place(k) + pair.patches[0].memory.arms[0];
         aside = aside.max((point - centre).truncate().length());
     }
     println!("force off by {worst:.1e}, point by {aside:.1e} m");
@@ -493,13 +501,13 @@ fn the_state_hash_covers_what_contacts_remember() {
     };
     let joint = Offset::new(Carried::default());
     change("springs", &|w| {
-        w.found.pairs[touching].memory.shear.x += 1.0;
+        w.found.pairs[touching].patches[0].memory.shear.x += 1.0;
     });
     change("arms", &|w| {
-        w.found.pairs[touching].memory.arms[1].z += 1e-3;
+        w.found.pairs[touching].patches[0].memory.arms[1].z += 1e-3;
     });
     change("sliding", &|w| {
-        let sliding = &mut w.found.pairs[touching].memory.sliding;
+        let sliding = &mut w.found.pairs[touching].patches[0].memory.sliding;
         *sliding = !*sliding;
     });
     change("gap", &|w| w.found.pairs[apart].gap += 1e-3);

@@ -12,12 +12,11 @@ use crate::faces::deformable::{PARALLEL, centred, face_of};
 use crate::faces::overlap::Overlap;
 use crate::setup::deform::{BondLaw, BondSprings, NodeHold};
 use crate::setup::error::BuildError;
-use crate::setup::{BoundaryKind, Material, Motion, Setup, Shape};
+use crate::setup::{BoundaryKind, Material, Motion, Setup};
 use crate::state::anchor::Anchor;
 use crate::state::deform::{Acts, Body, Deform, Facet, Memory, Point, RIGID, State, Surface};
 use crate::state::face::Face;
 use crate::state::hold::Hold;
-use crate::state::interface::Origin;
 use crate::state::workspace::{BlockClass, Workspace};
 use crate::state::world::World;
 
@@ -53,13 +52,7 @@ pub fn bodies(world: &World) -> Result<Option<Deform>, BuildError> {
             block: world.name(b),
             reason: error.to_string(),
         })?;
-        let key = match &spec.shape {
-            Shape::Brick { half, .. } => {
-                let [x, y, z] = half.to_array().map(f64::to_bits);
-                Some([x, y, z, u64::from(spec.material)])
-            }
-            Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => None,
-        };
+        let key = spec.shape.key(u64::from(spec.material));
         let class = key.and_then(|k| known.get(&k).copied()).unwrap_or_else(|| {
             deform.classes.push(b as u32);
             deform.classes.len() as u32 - 1
@@ -125,12 +118,7 @@ pub fn join(
         let materials = specs.map(|s| usize::from(s.material));
         let centre = world.reference[blocks[0]] + overlap.arms[0];
         let row = world.setup.row_at(materials, centre, overlap.frame[0]);
-        let Some(law) = &world.setup.interfaces[usize::from(row)].bond else {
-            return Err(BuildError::NoBond {
-                interface: world.setup.interfaces[usize::from(row)].name.clone(),
-                blocks: blocks.map(|b| world.name(b)),
-            });
-        };
+        let law = bond(world, row, overlap.blocks)?;
         let rigid = blocks.map(|b| deform.body(b).is_none());
         let n = overlap.frame[0];
         let depths = [overlap.arms[0].dot(n), -overlap.arms[1].dot(n)];
@@ -142,23 +130,24 @@ pub fn join(
         deform.has_history.push(world.setup.in_situ.is_some());
         deform.memory.extend(starts.into_iter().map(memory));
         deform.facets.push(Facet {
-            blocks: overlap.blocks,
-            frame: overlap.frame,
-            now: overlap.frame,
             centre: world.reference[blocks[0]] + overlap.arms[0],
             area: points.iter().map(|p| p.area).sum(),
             first,
             count: points.len() as u32,
-            stiffness,
-            row,
-            rigid,
-            origin: Origin::Built,
-            intact_until_step: 0,
-            parted: false,
+            ..Facet::new(overlap.blocks, overlap.frame, (row, stiffness), rigid)
         });
         deform.points.extend(points);
     }
     Ok(())
+}
+
+/// Bond law of a row of the table of interfaces, for two blocks.
+pub(crate) fn bond(world: &World, row: u16, blocks: [u32; 2]) -> Result<&BondLaw, BuildError> {
+    let law = &world.setup.interfaces[usize::from(row)];
+    law.bond.as_ref().ok_or_else(|| BuildError::NoBond {
+        interface: law.name.clone(),
+        blocks: blocks.map(|b| world.name(b as usize)),
+    })
 }
 
 /// Where a point of a facet was at the start on one side, m (local).
@@ -306,29 +295,31 @@ fn free(
     face: usize,
     normal: Vec3,
 ) -> Surface {
-    let class = &classes[body.class as usize];
-    let shares = class.mesh.tributary(face);
-    let whole: f64 = shares.iter().map(|s| s.1).sum();
+    let mesh = &classes[body.class as usize].mesh;
     let centre = deform.nodes.place[body.nodes().end - 1].z;
-    let levers = super::in_situ::levers(&class.mesh, face);
-    let (mut nodes, mut heights) = (Vec::new(), Vec::new());
-    for (node, area) in shares {
-        let height = centre + levers[&node].z;
-        let node = body.first + node;
-        let key = (node, axis_key(normal));
-        let left = area - covered.get(&key).copied().unwrap_or(0.0);
-        if left > COVERED * whole {
-            nodes.push((node, left));
-            heights.push(height);
-        }
-    }
-    Surface {
-        body: deform.slot[body.block as usize],
-        acts: Acts::Boundary(0),
-        normal,
-        nodes,
-        heights,
-    }
+    let (nodes, heights) = uncovered(mesh, face, (body.first, centre), |node| {
+        covered.get(&(node, axis_key(normal))).copied()
+    });
+    let body = deform.slot[body.block as usize];
+    Surface { body, acts: Acts::Boundary(0), normal, nodes, heights }
+}
+
+/// Nodes of a face, from the `first` of their body on, with the area that is not `covered` (m²), and their heights, with that of the centroid
+/// `centre` (m, local).
+pub(crate) fn uncovered(
+    mesh: &Tetrahedra,
+    face: usize,
+    (first, centre): (u32, f64),
+    covered: impl Fn(u32) -> Option<f64>,
+) -> (Vec<(u32, f64)>, Vec<f64>) {
+    let shares = mesh.tributary(face);
+    let whole: f64 = shares.iter().map(|s| s.1).sum();
+    let levers = super::in_situ::levers(mesh, face);
+    let parts = shares.into_iter().filter_map(|(node, area)| {
+        let left = area - covered(first + node).unwrap_or(0.0);
+        (left > COVERED * whole).then(|| ((first + node, left), centre + levers[&node].z))
+    });
+    parts.unzip()
 }
 
 /// Prescribed motion of nodes: of those on faces with a condition, of supported blocks, of nodes in boxes.

@@ -154,32 +154,45 @@ impl Kick<'_> {
         write(&force, net);
         write(&dv, change);
         add(&mut sums.squares[0], square);
-        let after = plus(&v, &dv);
+        self.book(node, [&weight, &load, &push], [&v, &dv, &drag], sums);
+        true
+    }
+
+    /// Adds the works of eight free nodes, with their weight, loads and pushes (N), velocity and its change (m/s), and local damping (N).
+    #[inline(always)]
+    fn book(
+        &self,
+        node: usize,
+        [weight, load, push]: [&Vectors; 3],
+        [v, dv, drag]: [&Vectors; 3],
+        sums: &mut KickSums,
+    ) {
+        let (local, alpha) = (self.damping.local, self.damping.mass);
+        let after = plus(v, dv);
         let [before, behind] = self.half.map(Lanes::all);
         let (arrival, departure) = (&mut sums.arrival, &mut sums.departure);
         let loaded = !self.loads.is_empty();
         if loaded || !self.pushes.is_empty() || self.gravity != Vec3::ZERO {
-            let external = plus(&plus(&weight, &load), &push);
+            let external = plus(&plus(weight, load), push);
             add(&mut sums.squares[2], dot(&external, &external));
-            add(&mut arrival.gravity, before * dot(&weight, &v));
-            add(&mut departure.gravity, behind * dot(&weight, &after));
+            add(&mut arrival.gravity, before * dot(weight, v));
+            add(&mut departure.gravity, behind * dot(weight, &after));
         }
         if loaded {
-            add(&mut arrival.loads, before * dot(&load, &v));
-            add(&mut departure.loads, behind * dot(&load, &after));
+            add(&mut arrival.loads, before * dot(load, v));
+            add(&mut departure.loads, behind * dot(load, &after));
         }
         if local != 0.0 || alpha != 0.0 {
-            let mean = plus(&v, &scaled(Lanes::all(0.5), &dv));
+            let mean = plus(v, &scaled(Lanes::all(0.5), dv));
             let inertia = Lanes::at(self.inertias, node);
-            let damping = minus(&drag, &scaled(Lanes::all(alpha) * inertia, &mean));
-            add(&mut arrival.damping, -(before * dot(&damping, &v)));
+            let damping = minus(drag, &scaled(Lanes::all(alpha) * inertia, &mean));
+            add(&mut arrival.damping, -(before * dot(&damping, v)));
             add(&mut departure.damping, -(behind * dot(&damping, &after)));
         }
         if local != 0.0 {
-            add(&mut arrival.local, -(before * dot(&drag, &v)));
-            add(&mut departure.local, -(behind * dot(&drag, &after)));
+            add(&mut arrival.local, -(before * dot(drag, v)));
+            add(&mut departure.local, -(behind * dot(drag, &after)));
         }
-        true
     }
 
     /// Some nodes, one by one; counts on in the holds and dashpots.

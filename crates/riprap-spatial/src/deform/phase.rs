@@ -1,10 +1,8 @@
 //! Entering phases: which masses, whether it relaxes, whether bonds may break.
 
-use riprap_geom::Vec3;
-
 use crate::deform::relax::Relaxation;
 use crate::laws::tetrahedron::Strain;
-use crate::state::deform::{Deform, Masses};
+use crate::state::deform::Masses;
 use crate::state::relax::Relax;
 use crate::state::world::World;
 
@@ -19,56 +17,26 @@ pub struct Rules {
     pub strain: Option<Strain>,
 }
 
-/// Begins a phase; everything must be laid out anew afterwards. Nodes stop where it relaxes or has relaxed (then this
-/// returns true: the leapfrog starts again); the masses suit it. `origin` is where the local one lies, m.
-pub fn begin(deform: &mut Deform, rules: &Rules, time: f64, origin: Vec3) -> bool {
-    deform.breaking = rules.breaking;
-    let stops = deform.relax.is_some() || rules.relax.is_some();
-    if stops {
-        deform.nodes.velocity.fill([0.0; 3]);
-    }
-    match rules.relax {
-        Some(tolerance) => {
-            deform.relax = Some(Relax::new(tolerance));
-            deform.masses = Masses::Lumped;
-        }
-        None => {
-            deform.relax = None;
-            deform.masses = Masses::Inertia;
-        }
-    }
-    super::build::hold_now(deform, time, origin);
-    stops
-}
-
-/// Begins a phase of a world: blocks in `removed` go, supports are looked at anew; everything must be laid out anew
-/// afterwards.
-pub fn enter(world: &mut World, removed: &[u32], rules: Option<&Rules>) {
-    let walls = crate::push::charge::walls::state(world);
-    let Some(deform) = world.deform.as_deref_mut() else {
-        return;
-    };
-    for &block in removed {
-        for facet in deform.facets.iter().filter(|f| f.blocks.contains(&block)) {
-            world.failed.add(facet.blocks, deform.failed_points(facet));
-        }
-        deform.retire(block);
-    }
-    if !removed.is_empty() {
-        crate::push::charge::walls::renew(world, &walls);
-    }
+/// Begins a phase: supports are looked at anew, the masses suit it, and nodes stop where it relaxes or has relaxed. Everything must be laid
+/// out anew afterwards.
+pub fn enter(world: &mut World, rules: Option<&Rules>) {
     super::beside(world, |world, deform| {
         if let Some(strain) = rules.and_then(|r| r.strain) {
-            for body in &mut deform.bodies {
-                body.strain = strain;
-            }
+            deform.bodies.iter_mut().for_each(|body| body.strain = strain);
         }
         super::build::hold_anew(world, deform);
-        if let Some(rules) = rules
-            && begin(deform, rules, world.time, world.setup.origin)
-        {
+        let Some(rules) = rules else {
+            return;
+        };
+        deform.breaking = rules.breaking;
+        if deform.relax.is_some() || rules.relax.is_some() {
+            deform.nodes.velocity.fill([0.0; 3]);
+            // The leapfrog starts again.
             world.last_dt = 0.0;
         }
+        deform.relax = rules.relax.map(Relax::new);
+        deform.masses = if rules.relax.is_some() { Masses::Lumped } else { Masses::Inertia };
+        super::build::hold_now(deform, world.time, world.setup.origin);
     });
 }
 

@@ -5,6 +5,8 @@
 
 use riprap_geom::Vec3;
 
+use crate::faces::region::{Bins, Bounds};
+
 /// A box with faces normal to the axes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cell {
@@ -52,6 +54,12 @@ impl Rectangle {
     #[must_use]
     pub(crate) fn centre(&self) -> [f64; 2] {
         [0, 1].map(|k| 0.5 * (self.min[k] + self.max[k]))
+    }
+
+    /// As a box without thickness, in the coordinates of its plane.
+    fn flat(&self) -> Bounds {
+        let in_plane = |[b, c]: [f64; 2]| Vec3::new(b, c, 0.0);
+        Bounds { centre: in_plane(self.centre()), half: 0.5 * in_plane(self.size()) }
     }
 
     /// Edge lengths, m.
@@ -139,19 +147,21 @@ fn plane(
     };
     let (ups, downs) = (of(true), of(false));
     let rectangle = |k: usize| Rectangle::of(&cells[k], axis);
-    let bins = Bins::new(&downs, &rectangle);
+    let boxes: Vec<Bounds> = downs.iter().map(|&k| rectangle(k).flat()).collect();
+    let bins = Bins::new(&boxes, &(0..boxes.len() as u32).collect::<Vec<u32>>());
+    let mut found = Vec::new();
     let mut on_down: Vec<Vec<Rectangle>> = vec![Vec::new(); downs.len()];
     let mut own = Vec::new();
     for &up in &ups {
         own.clear();
         let whole = rectangle(up);
-        bins.near(&whole, |at| {
+        bins.near(&whole.flat(), &mut found);
+        for at in found.iter().map(|at| *at as usize) {
             let part = whole.common(&rectangle(downs[at]));
             if part.size().iter().all(|s| *s > tolerance) {
                 own.push((at, part));
             }
-        });
-        own.sort_by_key(|(at, _)| *at);
+        }
         for (at, part) in &own {
             shared.push(Shared { low: up, high: downs[*at], axis, part: *part });
             on_down[*at].push(*part);
@@ -218,99 +228,6 @@ fn uncovered(whole: &Rectangle, covers: &[Rectangle], tolerance: f64) -> Vec<Rec
         before = now;
     }
     parts
-}
-
-/// Rectangles of one plane, sorted into square bins.
-struct Bins {
-    origin: [f64; 2],
-    per_metre: [f64; 2],
-    count: [usize; 2],
-    first: Vec<u32>,
-    /// Position in the list that the bins were made of, and its rectangle.
-    entries: Vec<(u32, Rectangle)>,
-}
-
-impl Bins {
-    fn new(items: &[usize], rectangle: &impl Fn(usize) -> Rectangle) -> Self {
-        let mut min = [f64::INFINITY; 2];
-        let mut max = [f64::NEG_INFINITY; 2];
-        for &item in items {
-            let r = rectangle(item);
-            for k in 0..2 {
-                min[k] = min[k].min(r.min[k]);
-                max[k] = max[k].max(r.max[k]);
-            }
-        }
-        let n = (items.len() as f64).sqrt().ceil().max(1.0);
-        let span = [0, 1].map(|k| (max[k] - min[k]).max(f64::MIN_POSITIVE));
-        // As many bins as faces, as square as the plane allows.
-        let edge = (span[0] * span[1]).sqrt() / n;
-        let count = span.map(|s| ((s / edge).ceil() as usize).clamp(1, 4 * items.len().max(1)));
-        let mut bins = Self {
-            origin: min,
-            per_metre: [0, 1].map(|k| count[k] as f64 / span[k]),
-            count,
-            first: vec![0; count[0] * count[1] + 1],
-            entries: Vec::new(),
-        };
-        for &item in items {
-            bins.visit(&rectangle(item), |bin, first| first[bin + 1] += 1);
-        }
-        for k in 1..bins.first.len() {
-            bins.first[k] += bins.first[k - 1];
-        }
-        let mut next = bins.first.clone();
-        let empty = Rectangle { min: [0.0; 2], max: [0.0; 2] };
-        let mut entries = vec![(0, empty); bins.first[count[0] * count[1]] as usize];
-        for (at, &item) in items.iter().enumerate() {
-            let r = rectangle(item);
-            bins.visit(&r, |bin, _| {
-                entries[next[bin] as usize] = (at as u32, r);
-                next[bin] += 1;
-            });
-        }
-        bins.entries = entries;
-        bins
-    }
-
-    /// Range of bins along `k` that a rectangle meets.
-    fn range(&self, r: &Rectangle, k: usize) -> std::ops::RangeInclusive<usize> {
-        let bin = |x: f64| {
-            let at = (x - self.origin[k]) * self.per_metre[k];
-            (at.max(0.0) as usize).min(self.count[k] - 1)
-        };
-        bin(r.min[k])..=bin(r.max[k])
-    }
-
-    fn visit(&mut self, r: &Rectangle, mut f: impl FnMut(usize, &mut Vec<u32>)) {
-        for p in self.range(r, 0) {
-            for q in self.range(r, 1) {
-                f(p * self.count[1] + q, &mut self.first);
-            }
-        }
-    }
-
-    /// Calls `f` once for each rectangle whose bins meet those of `r`.
-    fn near(&self, r: &Rectangle, mut f: impl FnMut(usize)) {
-        if self.entries.is_empty() {
-            return;
-        }
-        let ranges = [self.range(r, 0), self.range(r, 1)];
-        for p in ranges[0].clone() {
-            for q in ranges[1].clone() {
-                let bin = p * self.count[1] + q;
-                let (from, to) = (self.first[bin] as usize, self.first[bin + 1] as usize);
-                for (at, other) in &self.entries[from..to] {
-                    // The first bin that both meet speaks for the pair.
-                    let first_p = *ranges[0].start().max(self.range(other, 0).start());
-                    let first_q = *ranges[1].start().max(self.range(other, 1).start());
-                    if (p, q) == (first_p, first_q) {
-                        f(*at as usize);
-                    }
-                }
-            }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use crate::faces::bricks;
 use crate::faces::bricks::{Cell, Free, Rectangle, Shared};
 use crate::faces::solids;
 use crate::faces::solids::meet_solids;
-use crate::setup::{Points, Shape};
+use crate::setup::Shape;
 use crate::state::face::Face;
 use crate::state::world::World;
 
@@ -183,12 +183,7 @@ pub(crate) fn bare(world: &World, p: usize, side: usize) -> Face {
     let class = &world.classes[world.patches.class[p] as usize];
     let [n, b, c] = class.frame;
     let joint = &world.setup.interfaces[class.row as usize].joint;
-    let spread = match joint.points {
-        Points::Gauss => 1.0,
-        // Gauss points lie at the radii of gyration L/sqrt 12, quarter points at L/4.
-        Points::Quarter => 0.75f64.sqrt(),
-    };
-    let mut reach = class.half_spacing.map(|r| r / spread);
+    let mut reach = class.half_spacing.map(|r| r / joint.points.spread());
     if side == 1 {
         reach.swap(0, 1);
     }

@@ -33,7 +33,7 @@ pub(crate) fn reach(
     out: f64,
     law: ContactLaw,
 ) -> Reach {
-    let pair = surface::Pair { bodies, faces, ties, hint };
+    let pair = surface::Pair { bodies, faces, ties, hint, witnesses: &[] };
     let sums = match walker.find_inflated(&pair, out) {
         Found::Apart(gap) => return Reach::Apart(gap + 2.0 * out),
         Found::FullyPenetrated(_) => return Reach::Lost,

@@ -6,7 +6,7 @@ use riprap_geom::Vec3;
 
 use crate::faces::overlap::Overlap;
 use crate::setup::error::BuildError;
-use crate::setup::{Points, Setup, Stiffness, StiffnessRule};
+use crate::setup::{Setup, Stiffness, StiffnessRule};
 use crate::state::patches::PatchClass;
 use crate::state::world::World;
 
@@ -76,10 +76,7 @@ impl ClassTable {
         let joint = &setup.interfaces[row as usize].joint;
         let arms = overlap.arms.map(|a| a.to_array().map(|x| self.round(x)).into());
         // Four equal points at this distance have the exact second moments of the part.
-        let spread = match joint.points {
-            Points::Gauss => 1.0,
-            Points::Quarter => 0.75f64.sqrt(),
-        };
+        let spread = joint.points.spread();
         let half_spacing = overlap.gyration.map(|g| spread * g);
         let pair = materials.map(|m| m as u16);
         let key = self.key(&overlap.frame, &arms, overlap.area, half_spacing, (pair, row));

@@ -2,6 +2,7 @@
 
 use crate::joint::patch::{self, Points, Poses, Resultant};
 use crate::laws::face_joint::{Memory, Traction};
+use crate::setup::JointLaw;
 use crate::state::patches::{PatchClass, flag};
 use crate::state::world::World;
 
@@ -20,6 +21,22 @@ impl<'a> Reading<'a> {
         &self.world.classes[self.world.patches.class[self.p] as usize]
     }
 
+    /// Its law.
+    pub(crate) fn joint(&self) -> &'a JointLaw {
+        patch::joint(&self.world.setup.interfaces, self.class())
+    }
+
+    /// Tractions (n, b, c) at its points without displacement, Pa.
+    pub(crate) fn start(&self) -> [Traction; 4] {
+        patch::start(self.class(), self.world.patches.prestress.get(self.p))
+    }
+
+    /// Openings of its points, m, where its law is not plain.
+    pub(crate) fn openings(&self) -> Option<[f64; 4]> {
+        let (points, start) = (self.points(), self.start());
+        patch::openings(self.joint(), self.class(), &points, &start, &self.memory())
+    }
+
     /// Its kinematics.
     pub(crate) fn points(&self) -> Points {
         let list = &self.world.patches;
@@ -30,10 +47,7 @@ impl<'a> Reading<'a> {
 
     /// Tractions on block i at the four points (n, b, c), Pa, without dashpots.
     pub(crate) fn tractions(&self, points: &Points) -> [Traction; 4] {
-        let class = self.class();
-        let joint = patch::joint(&self.world.setup.interfaces, class);
-        let start = patch::start(class, self.world.patches.prestress.get(self.p));
-        patch::carried(joint, class, points, &start, &self.memory())
+        patch::carried(self.joint(), self.class(), points, &self.start(), &self.memory())
     }
 
     /// What its points remember.
@@ -56,13 +70,9 @@ impl<'a> Reading<'a> {
 
     /// Energy in its normal and shear springs, J.
     pub(crate) fn energy(&self) -> [f64; 2] {
-        let class = self.class();
-        let joint = patch::joint(&self.world.setup.interfaces, class);
-        let start = patch::start(class, self.world.patches.prestress.get(self.p));
-        let memory = self.memory();
-        let points = self.points();
+        let (class, points) = (self.class(), self.points());
         let mut sum = [0.0; 2];
-        for stored in patch::stored(joint, class, &points, &start, &memory) {
+        for stored in patch::stored(self.joint(), class, &points, &self.start(), &self.memory()) {
             for k in 0..2 {
                 sum[k] += 0.25 * class.area * stored[k];
             }

@@ -70,6 +70,16 @@ pub(crate) struct Force {
     moment: Vectors,
 }
 
+impl Force {
+    /// Adds a traction (n, b, c) at a point with these coordinates along b and c; the moment is about the centre.
+    #[inline(always)]
+    fn add(&mut self, t: &Vectors, b: Lanes, c: Lanes) {
+        self.force = plus(&self.force, t);
+        let [x, y, z] = self.moment;
+        self.moment = [x + (b * t[2] - c * t[1]), y + c * t[0], z - b * t[0]];
+    }
+}
+
 /// Forces of the springs and of the dashpots of a packet.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Response(pub [Force; 2]);
@@ -329,8 +339,7 @@ pub(crate) fn points(
     let elapsed = shared.elapsed.unwrap_or(0.0);
     let beta = class.beta + Lanes::all(shared.stiffness_damping);
     let [kn, ks] = class.springs;
-    let mut sums = [[Lanes::default(); 3]; 2];
-    let mut moments = [[Lanes::default(); 3]; 2];
+    let mut sums = [Force::default(); 2];
     let mut lost = [Lanes::default(); 2];
     for (q, (sign_b, sign_c)) in SIGNS[0].into_iter().zip(SIGNS[1]).enumerate() {
         let b = Lanes::all(sign_b) * class.half_spacing[0];
@@ -339,11 +348,7 @@ pub(crate) fn points(
             [d[0] + (w[1] * c - w[2] * b), d[1] - w[0] * c, d[2] + w[0] * b]
         };
         let (place, velocity) = (here(&d, &w), here(&v, &spin));
-        let first = [
-            start[0] + (b * slope_b[0] + c * slope_c[0]),
-            start[1] + (b * slope_b[1] + c * slope_c[1]),
-            start[2] + (b * slope_b[2] + c * slope_c[2]),
-        ];
+        let first = [0, 1, 2].map(|k| start[k] + (b * slope_b[k] + c * slope_c[k]));
         let before = PlainState::read(memory, at, count, q);
         let (t, mut after, loss) = law.answer(&first, &place, &velocity, elapsed, &before);
         // The law takes a point that sees no motion for one that sticks.
@@ -359,20 +364,14 @@ pub(crate) fn points(
             along * (beta * (ks * velocity[1])),
             along * (beta * (ks * velocity[2])),
         ];
-        for (kind, t) in [t, drag].into_iter().enumerate() {
-            sums[kind] = plus(&sums[kind], &t);
-            moments[kind] = [
-                moments[kind][0] + (b * t[2] - c * t[1]),
-                moments[kind][1] + c * t[0],
-                moments[kind][2] - b * t[0],
-            ];
-        }
+        sums[0].add(&t, b, c);
+        sums[1].add(&drag, b, c);
     }
     let share = Lanes::all(0.25) * class.area;
-    let springs = to_space(axis, share, &sums[0], &moments[0]);
+    let springs = to_space(axis, share, &sums[0]);
     let mut dashpots = Force::default();
     if shared.damped {
-        dashpots = to_space(axis, share, &sums[1], &moments[1]);
+        dashpots = to_space(axis, share, &sums[1]);
     }
     let lost = [chosen_lanes(chosen, share * lost[0]), chosen_lanes(chosen, share * lost[1])];
     (Response([springs, dashpots]), lost)
@@ -380,13 +379,10 @@ pub(crate) fn points(
 
 /// Back to the axes of space, where component `axis` is the normal one, times the share of the area of a point.
 #[inline(always)]
-fn to_space(axis: usize, share: Lanes, force: &Vectors, moment: &Vectors) -> Force {
+fn to_space(axis: usize, share: Lanes, local: &Force) -> Force {
     let back = (3 - axis) % 3;
-    let [a, b, c] = [back, (back + 1) % 3, (back + 2) % 3];
-    Force {
-        force: [share * force[a], share * force[b], share * force[c]],
-        moment: [share * moment[a], share * moment[b], share * moment[c]],
-    }
+    let turned = |v: &Vectors| [0, 1, 2].map(|k| share * v[(back + k) % 3]);
+    Force { force: turned(&local.force), moment: turned(&local.moment) }
 }
 
 /// Laws of the lanes.

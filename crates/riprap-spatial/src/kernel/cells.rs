@@ -5,6 +5,8 @@
 //! move with the material, and the depth at them stays.
 //! Deviation from a depth over several layers of elements: these blocks have one.
 
+use std::ops::Range;
+
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::DepthCells;
 
@@ -23,6 +25,8 @@ pub struct TetFan {
     pub cells: Vec<Cell>,
     /// Boxes of the cells.
     pub boxes: Vec<Box3>,
+    /// Key of the contact that each cell belongs to: the facet of terrain. Empty where the block has one contact with another.
+    pub keys: Vec<u32>,
     /// Whether no tetrahedron of the block is inside out.
     pub sound: bool,
     /// Where the points of the cells are that are no nodes, m.
@@ -36,6 +40,7 @@ impl Default for TetFan {
             bounds: Box3::EMPTY,
             cells: Vec::new(),
             boxes: Vec::new(),
+            keys: Vec::new(),
             sound: true,
             points: Vec::new(),
         }
@@ -131,6 +136,8 @@ pub struct PairConstants {
 /// A point at which friction and dashpots of a contact act.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Spot {
+    /// Key of the contact that it belongs to.
+    pub key: u32,
     /// Cells of both blocks.
     pub cells: [u32; 2],
     /// Shape functions of their corners there.
@@ -145,17 +152,40 @@ pub struct Spot {
     pub drag: Vec3,
 }
 
+/// One contact of a pair: that of a block with a facet of terrain, or the only one.
+#[derive(Clone, Debug, Default)]
+pub struct CellPatch {
+    /// Its key among those of the pair.
+    pub key: u32,
+    /// Surface of equal depth, about the centre of the first block.
+    pub surface: Piece,
+    /// Its spots among those of the pair.
+    pub spots: Range<usize>,
+    /// Force of the pressure on the second block, N.
+    pub elastic: Vec3,
+    /// The same with the springs along the contact, N.
+    pub force: Vec3,
+    /// How far the blocks lie in each other there, m.
+    pub depth: f64,
+    /// Area across the normal, m²; 0 without a normal.
+    pub area: f64,
+    /// Gradient of the depth of the facet and that depth (m) at the centre of the first block.
+    pub plane: (Vec3, f64),
+    /// Place of the first contact that it shares dashpots across with.
+    pub ridge: usize,
+}
+
 /// What a pair exerts.
 #[derive(Clone, Debug, Default)]
 pub struct PairSlot {
     /// Forces (N) on the nodes of a deformable block; force (N) and moment (N m) about the centroid on a rigid one.
     pub forces: [Vec<Vec3>; 2],
-    /// Where friction and dashpots act.
+    /// Where friction and dashpots act, contact by contact.
     pub spots: Vec<Spot>,
+    /// The contacts of the pair by their keys.
+    pub patches: Vec<CellPatch>,
     /// Whether the blocks touch.
     pub touching: bool,
-    /// Area across the normal, m².
-    pub area: f64,
 }
 
 /// Workspace of a piece of the pairs, and sums of the group at hand.
@@ -167,8 +197,6 @@ pub struct PairWorkspace {
     pub lists: [Vec<u32>; 2],
     /// Those of the second about the centre of the first.
     pub shifted: Vec<Cell>,
-    /// Surface of equal depth of the pair at hand.
-    pub surface: Piece,
     /// Shares of the nodes of both blocks in the pressure.
     pub shares: [Vec<f64>; 2],
     /// Heat of friction in this step, J.

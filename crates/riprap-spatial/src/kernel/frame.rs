@@ -36,8 +36,8 @@ impl<T: Number> Middle<T> {
     fn new(a: &[T; 3], b: &[T; 3], rise: T) -> Self {
         let difference = minus(a, b);
         let squared = dot(&difference, &difference);
-        let length = squared.root();
-        Self { squared, normal: difference.map(|x| x / length), height: rise / length }
+        let inverse = T::constant(1.0) / squared.root();
+        Self { squared, normal: scaled(inverse, &difference), height: rise * inverse }
     }
 
     /// Two axes in the plane, the first across `axis`.

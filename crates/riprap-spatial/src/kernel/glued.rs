@@ -218,6 +218,7 @@ impl Gluer {
                 faces: [&of_a.faces, &of_b.faces],
                 ties: true,
                 hint: None,
+                witnesses: &[],
             });
             (found, origin, sign)
         };

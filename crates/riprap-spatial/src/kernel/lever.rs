@@ -11,6 +11,7 @@
 //! `int p r dA = h int R (p_c/3 + (p - p_c)/4) ds`, and the others alike; all end in `asinh(s/h)`, R and powers of s.
 
 use crate::kernel::piece::Polygon;
+use crate::lanes::{LANES, Lanes};
 
 /// An edge whose line passes nearer by a point than this, times its length, makes no triangle with it.
 const THROUGH: f64 = 1e-14;
@@ -153,7 +154,7 @@ pub(crate) fn lever(polygon: &Polygon, at: [f64; 2], share: [f64; 2]) -> Lever {
 }
 
 /// Points of Gauss and Legendre on [0, 1] with their weights: the lower half, and the middle one where there is one.
-const POINTS: [&[[f64; 2]]; 4] = [
+const POINTS: [&[[f64; 2]]; 3] = [
     &[
         [0.069_431_844_202_973_71, 0.173_927_422_568_726_9],
         [0.330_009_478_207_571_87, 0.326_072_577_431_273_05],
@@ -170,52 +171,75 @@ const POINTS: [&[[f64; 2]]; 4] = [
         [0.337_873_288_298_095_54, 0.156_173_538_520_001_26],
         [0.5, 0.165_119_677_500_629_9],
     ],
-    &[
-        [0.006_858_095_651_593_831, 0.017_559_730_165_875_93],
-        [0.035_782_558_168_213_24, 0.040_079_043_579_880_104],
-        [0.086_399_342_465_117_5, 0.060_759_285_343_951_59],
-        [0.156_353_547_594_157_26, 0.078_601_583_579_096_77],
-        [0.242_375_681_820_922_95, 0.092_769_198_738_968_91],
-        [0.340_443_815_536_055_1, 0.102_599_231_860_647_8],
-        [0.445_972_525_646_328_17, 0.107_631_926_731_578_9],
-    ],
 ];
-/// Points of each of these lists, and the ratio up to which they do: the error is that of `ratio^(2 n)`.
-const ENOUGH: [(usize, f64); 4] = [(4, 0.0178), (6, 0.068), (9, 0.167), (14, FAR)];
+/// Eight points of the unit square that stands for a triangle: both coordinates of each, and its weight.
+type Packet = [Lanes; 3];
+
+/// All points of a list of `count` along one side by those of the other. Behind the last one it stands again, without a weight.
+const fn packets<const N: usize>(half: &[[f64; 2]], count: usize) -> [Packet; N] {
+    let mut packets = [[Lanes([0.0; LANES]); 3]; N];
+    let mut at = 0;
+    while at < N * LANES {
+        let there = at < count * count;
+        let k = if there { at } else { count * count - 1 };
+        let ([x, along], [y, across]) =
+            (point(half, count, k / count), point(half, count, k % count));
+        let packet = &mut packets[at / LANES];
+        packet[0].0[at % LANES] = x;
+        packet[1].0[at % LANES] = y;
+        // The triangle narrows towards its first corner.
+        packet[2].0[at % LANES] = if there { x * along * across } else { 0.0 };
+        at += 1;
+    }
+    packets
+}
+
+/// Point `k` of a list of which the lower half is given, and its weight.
+const fn point(half: &[[f64; 2]], count: usize, k: usize) -> [f64; 2] {
+    let upper = 2 * k >= count;
+    let [x, weight] = half[if upper { count - 1 - k } else { k }];
+    // The middle one of an odd number is 1/2.
+    [if upper { 1.0 - x } else { x }, weight]
+}
+
+static FOUR: [Packet; 2] = packets(POINTS[0], 4);
+static SIX: [Packet; 5] = packets(POINTS[1], 6);
+static NINE: [Packet; 11] = packets(POINTS[2], 9);
+/// Lists of points, and the ratio up to which they do: the error of n points along a side is some `(ratio/2)^(2 n)`, since the place that does not
+/// move lies at that distance over half the side.
+static ENOUGH: [(&[Packet], f64); 3] = [(&FOUR, 0.0178), (&SIX, 0.1), (&NINE, FAR)];
 /// A centre of rotation whose distance is more than the extent of the surface over this is far: the integrals about it lose digits with the cube
 /// of its distance, and points take their place.
 pub(crate) const FAR: f64 = 0.32;
 
-/// Hands out points of a polygon from `at` (plane coordinates, m), each with what it carries of the traction `share[0]` times the depth plus
-/// `share[1]`. `ratio`: extent of the surface over the distance of the centre of rotation, at most [`FAR`].
+/// Hands out points of a polygon from `at` (plane coordinates, m) by eights, each with what it carries of the traction `share[0]` times the depth
+/// plus `share[1]`. `ratio`: extent of the surface over the distance of the centre of rotation, at most [`FAR`].
+#[inline(always)]
 pub(crate) fn for_points(
     polygon: &Polygon,
     ratio: f64,
     at: [f64; 2],
     share: [f64; 2],
-    mut to: impl FnMut(f64, [f64; 2]),
+    mut to: impl FnMut(Lanes, [Lanes; 2]),
 ) {
     let [w, u, v] = polygon.slope;
     let (s, t) = (polygon.s(), polygon.t());
     let corner = |k: usize| [s[k] - at[0], t[k] - at[1]];
-    let level = share[0] * (w - u * at[0] - v * at[1]) + share[1];
+    let level = Lanes::all(share[0] * (w - u * at[0] - v * at[1]) + share[1]);
+    let (along_s, along_t) = (Lanes::all(share[0] * u), Lanes::all(share[0] * v));
     let list = ENOUGH.iter().position(|(_, most)| ratio <= *most);
-    let list = list.unwrap_or(ENOUGH.len() - 1);
-    let (count, half) = (ENOUGH[list].0, POINTS[list]);
-    let point = |k: usize| {
-        let [x, weight] = half[k.min(count - 1 - k)];
-        (if 2 * k < count { x } else { 1.0 - x }, weight)
-    };
+    let (packets, _) = ENOUGH[list.unwrap_or(ENOUGH.len() - 1)];
     for i in 1..polygon.len().saturating_sub(1) {
         let [a, b, c] = [corner(0), corner(i), corner(i + 1)];
         let [ab, bc] = [[b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]];
-        let twice = ab[0] * bc[1] - ab[1] * bc[0];
-        for (x, along) in (0..count).map(point) {
-            for (y, across) in (0..count).map(point) {
-                let place = [0, 1].map(|k| a[k] + x * (ab[k] + y * bc[k]));
-                let traction = level - share[0] * (u * place[0] + v * place[1]);
-                to(twice * x * along * across * traction, place);
-            }
+        let twice = Lanes::all(ab[0] * bc[1] - ab[1] * bc[0]);
+        let place = |k: usize, x: Lanes, y: Lanes| {
+            Lanes::all(a[k]) + x * (Lanes::all(ab[k]) + y * Lanes::all(bc[k]))
+        };
+        for &[x, y, weight] in packets {
+            let (s, t) = (place(0, x, y), place(1, x, y));
+            let traction = level - (along_s * s + along_t * t);
+            to(twice * weight * traction, [s, t]);
         }
     }
 }

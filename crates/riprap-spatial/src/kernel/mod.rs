@@ -37,7 +37,7 @@ pub(crate) mod terrain;
 pub(crate) mod tetra;
 
 pub(crate) use friction::part;
-pub(crate) use friction::{ContactInput, ContactLaw, Memory, Motion, Pieces, Wrench, respond};
+pub(crate) use friction::{ContactInput, ContactLaw, Memory, Motion, respond};
 pub(crate) use grid::Role;
 pub(crate) use peak::{Peak, peak};
 pub(crate) use planes::Planes;

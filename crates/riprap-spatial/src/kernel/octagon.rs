@@ -12,21 +12,20 @@
 //! with more planes than [`PLANES`], is left to the plain form.
 
 use std::arch::x86_64::{
-    __m512d, __m512i, _CMP_GT_OQ, _CMP_LE_OQ, _mm_set_epi64x, _mm512_add_pd, _mm512_cmp_pd_mask,
-    _mm512_cvtepu8_epi64, _mm512_div_pd, _mm512_mask_blend_pd, _mm512_mul_pd,
-    _mm512_permutex2var_pd, _mm512_permutexvar_pd, _mm512_set1_pd, _mm512_setzero_pd,
-    _mm512_sub_pd,
+    __m128i, __m512d, __m512i, _CMP_GT_OQ, _CMP_LE_OQ, _mm_set_epi64x, _mm512_add_pd,
+    _mm512_cmp_pd_mask, _mm512_cvtepi64_epi16, _mm512_cvtepu8_epi64, _mm512_div_pd,
+    _mm512_mask_blend_epi64, _mm512_mask_blend_pd, _mm512_mul_pd, _mm512_permutex2var_epi64,
+    _mm512_permutex2var_pd, _mm512_permutexvar_pd, _mm512_set1_epi64, _mm512_set1_pd,
+    _mm512_setzero_pd, _mm512_shuffle_f64x2, _mm512_sub_pd, _mm512_unpackhi_pd, _mm512_unpacklo_pd,
 };
 
 use riprap_geom::Vec3;
 
 use crate::kernel::frame::Frame;
-use crate::kernel::piece::{BOUNDARY, OPEN, Polygon};
+use crate::kernel::piece::{BOUNDARY, Few, OPEN, Polygon};
 use crate::kernel::planes::Planes;
-use crate::lanes::Lanes;
+use crate::lanes::{LANES, Lanes};
 
-/// Lanes of a register.
-pub(super) const LANES: usize = 8;
 /// Most planes of a pair.
 pub(super) const PLANES: usize = 32;
 
@@ -44,7 +43,9 @@ const TOO_MANY: u8 = u8::MAX;
 static ROWS: [Row; 504] = rows();
 
 /// Where the corners after each are, by their number.
-static NEXT: [[u8; LANES]; LANES + 1] = next();
+static NEXT: [[u8; LANES]; LANES + 1] = places(1, 0);
+/// Where the corners themselves are, the last one in all lanes behind it.
+static OWN: [[u8; LANES]; LANES + 1] = places(0, LANES);
 
 const fn first_row(corners: usize) -> usize {
     // From 3 corners on, with 2^3, 2^4, ... rows.
@@ -86,18 +87,21 @@ const fn push(row: &mut Row, from: usize) {
     }
 }
 
-const fn next() -> [[u8; LANES]; LANES + 1] {
-    let mut next = [[0; LANES]; LANES + 1];
+/// The place `on` further than each lane, by the number of corners; that of the last corner, or of the first (`behind` 0), behind them.
+const fn places(on: u8, behind: usize) -> [[u8; LANES]; LANES + 1] {
+    let mut places = [[0; LANES]; LANES + 1];
     let mut corners = 1;
     while corners <= LANES {
         let mut i = 0;
         while i < LANES {
-            next[corners][i] = if i + 1 < corners { i as u8 + 1 } else { 0 };
+            let at = i as u8 + on;
+            let last = if behind == 0 { 0 } else { corners as u8 - 1 };
+            places[corners][i] = if (at as usize) < corners { at } else { last };
             i += 1;
         }
         corners += 1;
     }
-    next
+    places
 }
 
 fn pack(lanes: &[f64; LANES]) -> __m512d {
@@ -121,7 +125,7 @@ fn index(lanes: [u8; LANES]) -> __m512i {
 struct Corners {
     s: __m512d,
     t: __m512d,
-    label: __m512d,
+    label: __m512i,
     len: usize,
 }
 
@@ -129,7 +133,7 @@ impl Corners {
     /// Keeps what lies where `a s + b t <= c`; whether anything does, `None` where it has too many corners.
     #[target_feature(enable = "avx512f,avx512dq")]
     #[inline]
-    fn cut(&mut self, [a, b, c]: [f64; 3], label: f64) -> Option<bool> {
+    fn cut(&mut self, [a, b, c]: [f64; 3], label: u16) -> Option<bool> {
         let (s, t) = (self.s, self.t);
         let sum =
             _mm512_add_pd(_mm512_mul_pd(_mm512_set1_pd(a), s), _mm512_mul_pd(_mm512_set1_pd(b), t));
@@ -153,11 +157,12 @@ impl Corners {
         let crossing =
             |x: __m512d| _mm512_add_pd(x, _mm512_mul_pd(share, _mm512_sub_pd(after(x), x)));
         let (across_s, across_t) = (crossing(s), crossing(t));
-        let made = _mm512_mask_blend_pd(inside as u8, self.label, _mm512_set1_pd(label));
+        let label = _mm512_set1_epi64(i64::from(label));
+        let made = _mm512_mask_blend_epi64(inside as u8, self.label, label);
         let from = index(row.from);
         self.s = _mm512_permutex2var_pd(s, from, across_s);
         self.t = _mm512_permutex2var_pd(t, from, across_t);
-        self.label = _mm512_permutex2var_pd(self.label, from, made);
+        self.label = _mm512_permutex2var_epi64(self.label, from, made);
         self.len = usize::from(row.len);
         Some(self.len >= 3)
     }
@@ -180,10 +185,10 @@ pub(super) fn make(
     let mut corners = Corners {
         s: pack(&[-r, r, r, -r, 0.0, 0.0, 0.0, 0.0]),
         t: pack(&[-r, -r, r, r, 0.0, 0.0, 0.0, 0.0]),
-        label: _mm512_set1_pd(f64::from(OPEN)),
+        label: _mm512_set1_epi64(i64::from(OPEN)),
         len: 4,
     };
-    if !corners.cut([u, v, w], f64::from(BOUNDARY))? {
+    if !corners.cut([u, v, w], BOUNDARY)? {
         return Some(false);
     }
     // In 64 bits, since 32 planes would shift all of 32 bits out.
@@ -192,16 +197,48 @@ pub(super) fn make(
     while left != 0 {
         let k = left.trailing_zeros() as usize;
         left &= left - 1;
-        if !corners.cut([lines.a[k], lines.b[k], lines.c[k]], k as f64)? {
+        if !corners.cut([lines.a[k], lines.b[k], lines.c[k]], k as u16)? {
             return Some(false);
         }
     }
+    let own = index(OWN[corners.len]);
+    let s = _mm512_permutexvar_pd(own, corners.s);
+    let t = _mm512_permutexvar_pd(own, corners.t);
     let slope = |x: f64, of: __m512d| _mm512_mul_pd(_mm512_set1_pd(x), of);
-    let depth =
-        _mm512_sub_pd(_mm512_sub_pd(_mm512_set1_pd(w), slope(u, corners.s)), slope(v, corners.t));
-    let lists = [corners.s, corners.t, depth, corners.label].map(unpack);
-    polygon.fill(corners.len, [w, u, v], lists);
+    let depth = _mm512_sub_pd(_mm512_sub_pd(_mm512_set1_pd(w), slope(u, s)), slope(v, t));
+    let lists = [Lanes(unpack(s)), Lanes(unpack(t)), Lanes(unpack(depth))];
+    // Safety: both are eight numbers of 16 bits.
+    let label =
+        unsafe { std::mem::transmute::<__m128i, [u16; 8]>(_mm512_cvtepi64_epi16(corners.label)) };
+    polygon.fill(corners.len, [w, u, v], Few { lists, label });
     Some(true)
+}
+
+/// Exchanges rows and columns of eight lists of eight numbers.
+#[target_feature(enable = "avx512f,avx512dq")]
+#[inline]
+pub(super) fn transpose(rows: &[Lanes; LANES]) -> [Lanes; LANES] {
+    let mut row = [_mm512_setzero_pd(); LANES];
+    for (register, lanes) in row.iter_mut().zip(rows) {
+        *register = pack(&lanes.0);
+    }
+    // Pairs of numbers, then of pairs: each register ends up with one number of every row.
+    let mut two = row;
+    for k in [0, 2, 4, 6] {
+        two[k] = _mm512_unpacklo_pd(row[k], row[k + 1]);
+        two[k + 1] = _mm512_unpackhi_pd(row[k], row[k + 1]);
+    }
+    let mut four = two;
+    for (k, at) in [(0, 0), (1, 1), (4, 4), (5, 5)] {
+        four[at] = _mm512_shuffle_f64x2::<0x88>(two[k], two[k + 2]);
+        four[at + 2] = _mm512_shuffle_f64x2::<0xdd>(two[k], two[k + 2]);
+    }
+    let mut out = [Lanes::default(); LANES];
+    for (k, [low, high]) in [(0, [0, 4]), (1, [1, 5]), (2, [2, 6]), (3, [3, 7])] {
+        out[k] = Lanes(unpack(_mm512_shuffle_f64x2::<0x88>(four[low], four[high])));
+        out[k + 4] = Lanes(unpack(_mm512_shuffle_f64x2::<0xdd>(four[low], four[high])));
+    }
+    out
 }
 
 /// What cuts a piece, in the coordinates of its frame: `a s + b t <= c` for each plane.

@@ -9,9 +9,8 @@ use riprap_geom::Vec3;
 use crate::kernel::frame::Frame;
 #[cfg(target_arch = "x86_64")]
 use crate::kernel::octagon;
-use crate::kernel::octagon::Lines;
 use crate::kernel::planes::Planes;
-use crate::lanes::Width;
+use crate::lanes::{LANES, Lanes, Width};
 
 /// Label of an edge of the square that a piece starts from: none may be left at the end.
 pub(crate) const OPEN: u16 = u16::MAX;
@@ -20,22 +19,25 @@ pub(crate) const BOUNDARY: u16 = u16::MAX - 1;
 /// Half the side of the starting square over the radius of the smaller block; every piece lies within one radius of its centre.
 const SQUARE: f64 = 2.2;
 
-/// A convex polygon in the plane of a piece. Edge `i` runs from corner `i` to the next one.
-///
-/// The lists keep more places than there are corners, so that cutting only writes into them: it is the innermost loop of all contact
-/// in space.
+/// Corners of a polygon of at most [`LANES`] of them, a lane each; lanes beyond the last corner repeat it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Few {
+    /// First coordinate, second coordinate and depth, m.
+    pub(super) lists: [Lanes; 3],
+    /// Plane that made the edge which starts at each corner.
+    pub(super) label: [u16; LANES],
+}
+
+/// Corners without a bound on their number. The lists keep more places than there are corners, so that cutting only writes into them.
 #[derive(Clone, Debug, Default)]
-pub struct Polygon {
+struct Outline {
     len: usize,
     s: Vec<f64>,
     t: Vec<f64>,
-    depth: Vec<f64>,
     label: Vec<u16>,
-    /// The depth is `p[0] - p[1] s - p[2] t`.
-    pub slope: [f64; 3],
 }
 
-impl Polygon {
+impl Outline {
     /// The square with half the side `r` (m) that every piece is cut from.
     fn square(&mut self, r: f64) {
         self.make_room(4);
@@ -45,25 +47,50 @@ impl Polygon {
         self.label[..4].fill(OPEN);
     }
 
-    /// One with these corners (m), for tests.
-    #[cfg(test)]
-    pub fn of(corners: [[f64; 2]; 4], slope: [f64; 3]) -> Self {
-        let mut polygon = Self::default();
-        polygon.square(1.0);
-        for (k, [s, t]) in corners.into_iter().enumerate() {
-            (polygon.s[k], polygon.t[k]) = (s, t);
-        }
-        polygon.find_depths(slope);
-        polygon
-    }
-
     fn make_room(&mut self, corners: usize) {
         if self.s.len() < corners {
             self.s.resize(corners, 0.0);
             self.t.resize(corners, 0.0);
-            self.depth.resize(corners, 0.0);
             self.label.resize(corners, OPEN);
         }
+    }
+
+    /// The corners of a polygon.
+    fn load(&mut self, polygon: &Polygon) {
+        let n = polygon.len;
+        self.make_room(n);
+        self.len = n;
+        self.s[..n].copy_from_slice(polygon.s());
+        self.t[..n].copy_from_slice(polygon.t());
+        self.label[..n].copy_from_slice(polygon.label());
+    }
+}
+
+/// A convex polygon in the plane of a piece. Edge `i` runs from corner `i` to the next one.
+///
+/// Few corners are kept in place: nearly all pieces have at most eight, and they are the innermost data of all contact in space.
+#[derive(Clone, Debug, Default)]
+pub struct Polygon {
+    len: usize,
+    few: Few,
+    /// First coordinate, second coordinate and depth of each corner of a polygon of more than [`LANES`], and the plane of its edge.
+    many: ([Vec<f64>; 3], Vec<u16>),
+    /// The depth is `p[0] - p[1] s - p[2] t`.
+    pub slope: [f64; 3],
+}
+
+impl Polygon {
+    /// One with these corners (m), for tests.
+    #[cfg(test)]
+    pub fn of(corners: [[f64; 2]; 4], slope: [f64; 3]) -> Self {
+        let mut outline = Outline::default();
+        outline.square(1.0);
+        for (k, [s, t]) in corners.into_iter().enumerate() {
+            (outline.s[k], outline.t[k]) = (s, t);
+        }
+        let mut polygon = Self::default();
+        polygon.take(&outline, slope);
+        polygon
     }
 
     /// Leaves nothing of it.
@@ -83,84 +110,110 @@ impl Polygon {
         self.len == 0
     }
 
+    #[inline]
+    fn list(&self, k: usize) -> &[f64] {
+        let list = if self.len <= LANES { &self.few.lists[k].0[..] } else { &self.many.0[k] };
+        &list[..self.len]
+    }
+
     /// First coordinate of each corner, m.
     #[must_use]
+    #[inline]
     pub fn s(&self) -> &[f64] {
-        &self.s[..self.len]
+        self.list(0)
     }
 
     /// Second coordinate, m.
     #[must_use]
+    #[inline]
     pub fn t(&self) -> &[f64] {
-        &self.t[..self.len]
+        self.list(1)
     }
 
     /// Depth at each corner, m.
     #[must_use]
+    #[inline]
     pub fn depth(&self) -> &[f64] {
-        &self.depth[..self.len]
+        self.list(2)
     }
 
     /// Plane that made the edge which starts at each corner.
     #[must_use]
+    #[inline]
     pub fn label(&self) -> &[u16] {
-        &self.label[..self.len]
+        let list = if self.len <= LANES { &self.few.label[..] } else { &self.many.1 };
+        &list[..self.len]
     }
 
-    /// Finds the depths of all corners; whether there is a polygon.
-    fn find_depths(&mut self, slope: [f64; 3]) -> bool {
-        self.slope = slope;
-        let (n, [w, u, v]) = (self.len, slope);
-        let corners = self.s[..n].iter().zip(&self.t[..n]);
-        for (depth, (s, t)) in self.depth[..n].iter_mut().zip(corners) {
-            *depth = w - u * s - v * t;
-        }
-        n >= 3
+    /// The corners in lanes; meaningful where there are at most [`LANES`].
+    #[inline]
+    pub(super) fn few(&self) -> &Few {
+        &self.few
     }
 
-    /// Takes over corners from lanes: s, t, depth and label of each.
+    /// Takes over corners in lanes.
     #[cfg(target_arch = "x86_64")]
     #[inline]
-    pub(super) fn fill<const N: usize>(
-        &mut self,
-        corners: usize,
-        slope: [f64; 3],
-        [s, t, depth, label]: [[f64; N]; 4],
-    ) {
-        self.make_room(N);
-        self.len = corners;
-        self.slope = slope;
-        self.s[..N].copy_from_slice(&s);
-        self.t[..N].copy_from_slice(&t);
-        self.depth[..N].copy_from_slice(&depth);
-        for (to, made) in self.label[..N].iter_mut().zip(label) {
-            *to = made as u16;
+    pub(super) fn fill(&mut self, len: usize, slope: [f64; 3], few: Few) {
+        (self.len, self.slope, self.few) = (len, slope, few);
+    }
+
+    /// Takes over an outline and finds the depths of its corners; whether there is a polygon.
+    fn take(&mut self, outline: &Outline, slope: [f64; 3]) -> bool {
+        let n = outline.len;
+        if n < 3 {
+            self.len = 0;
+            return false;
         }
+        (self.len, self.slope) = (n, slope);
+        let [w, u, v] = slope;
+        let depth = |k: usize| w - u * outline.s[k] - v * outline.t[k];
+        if n <= LANES {
+            for lane in 0..LANES {
+                let k = lane.min(n - 1);
+                self.few.label[lane] = outline.label[k];
+                let values = [outline.s[k], outline.t[k], depth(k)];
+                for (list, value) in self.few.lists.iter_mut().zip(values) {
+                    list.0[lane] = value;
+                }
+            }
+            return true;
+        }
+        let (lists, labels) = &mut self.many;
+        labels.clear();
+        labels.extend(&outline.label[..n]);
+        for list in lists.iter_mut() {
+            list.clear();
+        }
+        lists[0].extend(&outline.s[..n]);
+        lists[1].extend(&outline.t[..n]);
+        lists[2].extend((0..n).map(depth));
+        true
     }
 
     /// Takes over the corners of another one.
     pub fn copy(&mut self, other: &Self) {
-        let n = other.len;
-        self.make_room(n);
-        self.len = n;
-        self.s[..n].copy_from_slice(other.s());
-        self.t[..n].copy_from_slice(other.t());
-        self.depth[..n].copy_from_slice(other.depth());
-        self.label[..n].copy_from_slice(other.label());
-        self.slope = other.slope;
+        (self.len, self.slope) = (other.len, other.slope);
+        if other.len <= LANES {
+            self.few = other.few;
+        } else {
+            self.many.clone_from(&other.many);
+        }
     }
 }
+
+/// No plane is tied.
+pub(crate) const UNTIED: [usize; 2] = [usize::MAX; 2];
 
 /// Workspace for making pieces; kept, so that a piece takes no memory.
 #[derive(Clone, Debug, Default)]
 pub struct Cutter {
-    /// The piece made last.
-    pub polygon: Polygon,
     /// Instructions that may be used; no bit of a result depends on them.
     width: Width,
     #[cfg(target_arch = "x86_64")]
-    lines: Lines,
-    spare: Polygon,
+    lines: octagon::Lines,
+    outline: Outline,
+    spare: Outline,
     beyond: Vec<f64>,
     u: Vec<f64>,
     v: Vec<f64>,
@@ -179,31 +232,38 @@ impl Cutter {
         self.width
     }
 
-    /// Makes piece (f, g) in the plane of `frame`; whether anything is left. `tied(k)` says that plane k does not cut.
+    /// Makes piece (f, g) in the plane of `frame` into a polygon; whether anything is left. Planes that are `tied` do not cut.
     pub fn make(
         &mut self,
         planes: &Planes,
         frame: &Frame,
         [f, g]: [usize; 2],
         radius: f64,
-        tied: impl Fn(usize) -> bool,
+        tied: [usize; 2],
+        to: &mut Polygon,
     ) -> bool {
+        to.clear();
         #[cfg(target_arch = "x86_64")]
-        if self.width.is_eight()
-            && planes.len() <= octagon::PLANES
-            && let Some(left) = self.make_wide(planes, frame, [f, g], radius, &tied)
-        {
-            return left;
+        if self.width.is_eight() && planes.len() <= octagon::PLANES {
+            let bit = |k: usize| if k < octagon::PLANES { 1 << k } else { 0 };
+            let spared = bit(tied[0]) | bit(tied[1]);
+            // Safety: there is no `Width` of eight but where the machine has these instructions.
+            let left = unsafe {
+                octagon::make(&mut self.lines, planes, frame, [f, g], SQUARE * radius, spared, to)
+            };
+            if let Some(left) = left {
+                return left;
+            }
         }
         self.project(planes, frame);
-        self.polygon.square(SQUARE * radius);
+        self.outline.square(SQUARE * radius);
         let [u, v, w] = [self.u[f], self.v[f], self.w[f]];
         if !self.cut(u, v, w, BOUNDARY) {
             return false;
         }
         for k in 0..planes.len() {
             let own = if k < planes.split { f } else { g };
-            if k == own || tied(k) {
+            if k == own || tied.contains(&k) {
                 continue;
             }
             let (a, b) = (self.u[k] - self.u[own], self.v[k] - self.v[own]);
@@ -211,40 +271,15 @@ impl Cutter {
                 return false;
             }
         }
-        self.polygon.find_depths([w, u, v])
+        to.take(&self.outline, [w, u, v])
     }
 
-    /// The same in vector registers; `None` where they have no room for it.
-    #[cfg(target_arch = "x86_64")]
-    fn make_wide(
-        &mut self,
-        planes: &Planes,
-        frame: &Frame,
-        piece: [usize; 2],
-        radius: f64,
-        tied: &impl Fn(usize) -> bool,
-    ) -> Option<bool> {
-        let spared = (0..planes.len()).fold(0, |bits, k| bits | u32::from(tied(k)) << k);
-        // Safety: the caller has asked for a `Width` of eight, and there is none but where the machine has these instructions.
-        unsafe {
-            octagon::make(
-                &mut self.lines,
-                planes,
-                frame,
-                piece,
-                SQUARE * radius,
-                spared,
-                &mut self.polygon,
-            )
-        }
-    }
-
-    /// Cuts the piece made last by a further plane, `normal . x <= offset`, beyond which nothing is looked for; whether
-    /// anything is left.
-    pub fn clip(&mut self, frame: &Frame, normal: Vec3, offset: f64) -> bool {
-        let slope = self.polygon.slope;
+    /// Cuts a piece by a further plane, `normal . x <= offset`, beyond which nothing is looked for; whether anything is left.
+    pub fn clip(&mut self, frame: &Frame, normal: Vec3, offset: f64, piece: &mut Polygon) -> bool {
         let [a, b] = frame.axes.map(|axis| normal.dot(axis));
-        self.cut(a, b, offset - normal.dot(frame.foot), BOUNDARY) && self.polygon.find_depths(slope)
+        self.outline.load(piece);
+        self.cut(a, b, offset - normal.dot(frame.foot), BOUNDARY)
+            && piece.take(&self.outline, piece.slope)
     }
 
     /// All planes in the coordinates of the frame: `u s + v t <= w`.
@@ -267,11 +302,11 @@ impl Cutter {
     /// Keeps what lies where `a s + b t <= c`; whether anything does.
     #[inline]
     fn cut(&mut self, a: f64, b: f64, c: f64, label: u16) -> bool {
-        let n = self.polygon.len;
+        let n = self.outline.len;
         if self.beyond.len() < n {
             self.beyond.resize(2 * n, 0.0);
         }
-        let (s, t) = (&self.polygon.s[..n], &self.polygon.t[..n]);
+        let (s, t) = (&self.outline.s[..n], &self.outline.t[..n]);
         let q = &mut self.beyond[..n];
         let (mut inside, mut outside) = (false, false);
         for i in 0..n {
@@ -285,7 +320,7 @@ impl Cutter {
         if !inside {
             return false;
         }
-        let labels = &self.polygon.label[..n];
+        let labels = &self.outline.label[..n];
         // Every edge can leave two corners at most.
         self.spare.make_room(2 * n);
         let to = &mut self.spare;
@@ -310,7 +345,7 @@ impl Cutter {
             }
         }
         to.len = m;
-        std::mem::swap(&mut self.polygon, &mut self.spare);
+        std::mem::swap(&mut self.outline, &mut self.spare);
         m >= 3
     }
 }

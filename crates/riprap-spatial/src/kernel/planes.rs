@@ -64,11 +64,22 @@ impl Planes {
 
     /// The listed faces of both bodies.
     pub fn gather(&mut self, bodies: [&Body; 2], faces: [&[u16]; 2], origin: Vec3) {
-        self.begin();
+        self.len = faces[0].len() + faces[1].len();
+        self.split = faces[0].len();
+        if self.d.len() < self.len + LANES {
+            self.make_room();
+        }
+        let lists = [&mut self.x, &mut self.y, &mut self.z, &mut self.d];
+        let [mut x, mut y, mut z, mut d] = lists.map(|list| list.iter_mut());
         for (body, faces) in bodies.into_iter().zip(faces) {
-            self.split = self.len();
-            for &face in faces {
-                self.push(body, face, origin);
+            let shift = body.position - origin;
+            let (normals, offsets) = (body.normals, &body.shape.offsets);
+            for (face, ((x, y), (z, d))) in
+                faces.iter().zip(x.by_ref().zip(y.by_ref()).zip(z.by_ref().zip(d.by_ref())))
+            {
+                let n = normals[usize::from(*face)];
+                (*x, *y, *z) = (n.x, n.y, n.z);
+                *d = offsets[usize::from(*face)] + n.dot(shift);
             }
         }
     }

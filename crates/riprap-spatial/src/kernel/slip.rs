@@ -12,6 +12,7 @@
 //! written without units: forces over the largest force N, moments over N times a length, slip over the largest force over the stiffness.
 
 use crate::kernel::lever::Lever;
+use crate::lanes::Lanes;
 
 /// A slip, or a force and a moment, without units.
 pub(crate) type Three = [f64; 3];
@@ -62,6 +63,62 @@ impl Rub {
             self.carried[i] += share * g[i] / speed;
             for (k, entry) in self.second[i].iter_mut().enumerate() {
                 *entry += share * (square[i][k] - g[i] * g[k] / (speed * speed)) / speed;
+            }
+        }
+    }
+}
+
+/// A sum of [`Rub::add`] over points by eights, a lane each.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Rubbing {
+    work: Lanes,
+    carried: [Lanes; 3],
+    /// The upper triangle by rows.
+    second: [Lanes; 6],
+}
+
+impl Rubbing {
+    /// Adds eight points: what each carries, and how turning moves it.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, share: Lanes, q: Three, lever: [Lanes; 2]) {
+        let (s, t, w) = (Lanes::all(q[0]), Lanes::all(q[1]), Lanes::all(q[2]));
+        let v = [s + w * lever[0], t + w * lever[1]];
+        let speed = (v[0] * v[0] + v[1] * v[1]).sqrt();
+        // A place that does not move rubs nothing.
+        let inverse = speed.with(speed, |speed, _| if speed > 0.0 { 1.0 / speed } else { 0.0 });
+        let way = [v[0] * inverse, v[1] * inverse];
+        let slope = [way[0], way[1], way[0] * lever[0] + way[1] * lever[1]];
+        let rate = share * inverse;
+        self.work = self.work + share * speed;
+        for (sum, slope) in self.carried.iter_mut().zip(slope) {
+            *sum = *sum + share * slope;
+        }
+        let [x, y, z] = slope;
+        let (one, none) = (Lanes::all(1.0), Lanes::default());
+        let turning = lever[0] * lever[0] + lever[1] * lever[1];
+        let second = [
+            one - x * x,
+            none - x * y,
+            lever[0] - x * z,
+            one - y * y,
+            lever[1] - y * z,
+            turning - z * z,
+        ];
+        for (sum, of) in self.second.iter_mut().zip(second) {
+            *sum = *sum + rate * of;
+        }
+    }
+
+    /// Adds the sums over the lanes to others.
+    pub(crate) fn give(&self, to: &mut Rub) {
+        to.work += self.work.sum();
+        for (sum, of) in to.carried.iter_mut().zip(&self.carried) {
+            *sum += of.sum();
+        }
+        let [ss, st, sw, tt, tw, ww] = self.second.map(Lanes::sum);
+        for (column, of) in to.second.iter_mut().zip([[ss, st, sw], [st, tt, tw], [sw, tw, ww]]) {
+            for (entry, x) in column.iter_mut().zip(of) {
+                *entry += x;
             }
         }
     }
@@ -229,6 +286,16 @@ mod tests {
     use crate::kernel::lever::{FAR, for_points, lever};
     use crate::kernel::piece::Polygon;
 
+    /// What a polygon rubs about the origin, by points.
+    fn points(polygon: &Polygon, ratio: f64, q: Three) -> Rub {
+        let (mut rubbing, mut sum) = (Rubbing::default(), Rub::default());
+        for_points(polygon, ratio, [0.0; 2], [1.0, 0.0], |share, [x, y]| {
+            rubbing.add(share, q, [-y, x]);
+        });
+        rubbing.give(&mut sum);
+        sum
+    }
+
     /// A polygon with the centre of its traction at the origin, and all of it 1.
     struct Flat(Polygon);
 
@@ -241,11 +308,7 @@ mod tests {
             if ratio > FAR {
                 return Rub::about([s, t], w, &lever(&self.0, [-t / w, s / w], [1.0, 0.0]));
             }
-            let mut sum = Rub::default();
-            for_points(&self.0, ratio, [0.0; 2], [1.0, 0.0], |share, [x, y]| {
-                sum.add(share, [s, t, w], [-y, x], 0.0);
-            });
-            sum
+            points(&self.0, ratio, [s, t, w])
         }
     }
 
@@ -321,10 +384,7 @@ mod tests {
                 for (w, ratio) in [(0.13, 0.3), (0.09, 0.166), (-0.04, 0.07), (0.015, 0.0178)] {
                     let centre = [-a[1] / w, a[0] / w];
                     let near = Rub::about(a, w, &lever(&face, centre, [1.0, 0.0]));
-                    let mut far = Rub::default();
-                    for_points(&face, ratio, [0.0; 2], [1.0, 0.0], |share, [s, t]| {
-                        far.add(share, [a[0], a[1], w], [-t, s], 0.0);
-                    });
+                    let far = points(&face, ratio, [a[0], a[1], w]);
                     assert!((far.work - near.work).abs() < 1e-9, "{far:?} {near:?}");
                     for i in 0..3 {
                         let off = (far.carried[i] - near.carried[i]).abs();

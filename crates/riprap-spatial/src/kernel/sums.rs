@@ -5,6 +5,8 @@
 use riprap_geom::Vec3;
 
 use crate::kernel::frame::{Frame, Frames};
+#[cfg(target_arch = "x86_64")]
+use crate::kernel::octagon;
 use crate::kernel::piece::Polygon;
 use crate::lanes::{LANES, Lanes, Number, cross, dot, plus, scaled};
 
@@ -26,7 +28,7 @@ pub(crate) struct Integrals<T = f64> {
 }
 
 impl<T: Number> Integrals<T> {
-    /// Adds a triangle: s, t and depth of its corners.
+    /// Adds a triangle: s, t and depth of its corners. The sums are undivided until [`Integrals::finish`].
     #[inline(always)]
     fn add(&mut self, [[s0, t0, p0], [s1, t1, p1], [s2, t2, p2]]: [[T; 3]; 3]) {
         let number = T::constant;
@@ -40,22 +42,35 @@ impl<T: Number> Integrals<T> {
         let squares = ss * ss + st * st;
         let two = number(2.0);
         let [mut depth_s, mut depth_t] = self.depth_first;
-        self.depth = self.depth + twice * sp / number(6.0);
-        depth_s = depth_s + twice * (sp * ss + sps) / number(24.0);
-        depth_t = depth_t + twice * (sp * st + spt) / number(24.0);
+        self.depth = self.depth + twice * sp;
+        depth_s = depth_s + twice * (sp * ss + sps);
+        depth_t = depth_t + twice * (sp * st + spt);
         self.depth_first = [depth_s, depth_t];
         self.depth_second = self.depth_second
-            + twice * (sp * squares + two * (ss * sps + st * spt) + sp * sq + two * spq)
-                / number(120.0);
-        self.area = self.area + number(0.5) * twice;
+            + twice * (sp * squares + two * (ss * sps + st * spt) + sp * sq + two * spq);
+        self.area = self.area + twice;
         let [a, b] = self.area_first;
-        self.area_first = [a + twice * ss / number(6.0), b + twice * st / number(6.0)];
+        self.area_first = [a + twice * ss, b + twice * st];
         let [a, b, c] = self.area_second;
         self.area_second = [
-            a + twice * (ss * ss + (s0 * s0 + s1 * s1 + s2 * s2)) / number(24.0),
-            b + twice * (ss * st + (s0 * t0 + s1 * t1 + s2 * t2)) / number(24.0),
-            c + twice * (st * st + (t0 * t0 + t1 * t1 + t2 * t2)) / number(24.0),
+            a + twice * (ss * ss + (s0 * s0 + s1 * s1 + s2 * s2)),
+            b + twice * (ss * st + (s0 * t0 + s1 * t1 + s2 * t2)),
+            c + twice * (st * st + (t0 * t0 + t1 * t1 + t2 * t2)),
         ];
+    }
+
+    /// Divides what triangles have added up to by what is the same for all of them.
+    #[inline(always)]
+    fn finish(mut self) -> Self {
+        let number = T::constant;
+        let (sixth, part) = (number(1.0 / 6.0), number(1.0 / 24.0));
+        self.depth = self.depth * sixth;
+        self.depth_first = self.depth_first.map(|x| x * part);
+        self.depth_second = self.depth_second * number(1.0 / 120.0);
+        self.area = self.area * number(0.5);
+        self.area_first = self.area_first.map(|x| x * sixth);
+        self.area_second = self.area_second.map(|x| x * part);
+        self
     }
 }
 
@@ -68,7 +83,7 @@ pub(crate) fn integrate(polygon: &Polygon) -> Integrals {
     for i in 1..polygon.len() - 1 {
         sum.add([corner(0), corner(i), corner(i + 1)]);
     }
-    sum
+    sum.finish()
 }
 
 /// Foot and axes of a frame by these numbers.
@@ -213,6 +228,27 @@ impl Sums {
     }
 }
 
+/// Corner by corner what polygons have in list `k`. `wide`: whether registers hold eight numbers.
+#[inline(always)]
+fn columns(wide: bool, polygons: [&Polygon; LANES], k: usize) -> [Lanes; LANES] {
+    let mut columns = [Lanes::default(); LANES];
+    #[cfg(target_arch = "x86_64")]
+    if wide {
+        for (row, polygon) in columns.iter_mut().zip(polygons) {
+            *row = polygon.few().lists[k];
+        }
+        // Safety: `wide` is only where the machine has these instructions.
+        return unsafe { octagon::transpose(&columns) };
+    }
+    let _ = wide;
+    for (lane, polygon) in polygons.into_iter().enumerate() {
+        for (column, x) in columns.iter_mut().zip(polygon.few().lists[k].0) {
+            column.0[lane] = x;
+        }
+    }
+    columns
+}
+
 /// Pieces side by side, each in a lane.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Batch {
@@ -233,28 +269,26 @@ impl Batch {
 
     /// Finds what all pieces add.
     ///
-    /// Where a polygon has fewer corners than another, its last one is repeated: the triangles beyond it have the area 0 exactly.
+    /// Where a polygon has fewer corners than another, its last one is repeated: the triangles beyond it have the area 0 exactly. What lanes
+    /// without a piece hold goes nowhere. `wide`: whether registers hold eight numbers.
     #[inline(always)]
-    pub(super) fn integrate(&mut self) {
-        let mut corners = [[Lanes::default(); 3]; LANES];
-        let mut most = 0;
-        for (lane, polygon) in self.polygons.iter().enumerate() {
-            let n = polygon.len();
-            if n == 0 || n > LANES {
-                continue;
-            }
-            most = most.max(n);
-            let lists = [polygon.s(), polygon.t(), polygon.depth()];
-            for (i, corner) in corners.iter_mut().enumerate() {
-                for (to, list) in corner.iter_mut().zip(lists) {
-                    to.0[lane] = list[i.min(n - 1)];
-                }
-            }
-        }
+    pub(super) fn integrate(&mut self, wide: bool) {
+        let few = self.polygons.iter().filter(|polygon| polygon.len() <= LANES);
+        let most = few.map(Polygon::len).max().unwrap_or(0);
+        let [a, b, c, d, e, f, g, h] = &self.polygons;
+        let rows = [a, b, c, d, e, f, g, h];
+        let (s, t, depth) =
+            (columns(wide, rows, 0), columns(wide, rows, 1), columns(wide, rows, 2));
         let mut sum = Integrals::default();
         for i in 1..most.max(1) - 1 {
-            sum.add([corners[0], corners[i], corners[i + 1]]);
+            let [one, two, three] = [0, i, i + 1];
+            sum.add([
+                [s[one], t[one], depth[one]],
+                [s[two], t[two], depth[two]],
+                [s[three], t[three], depth[three]],
+            ]);
         }
+        let sum = sum.finish();
         let Frames { foot, normal, axes, .. } = &self.frames;
         self.addends = Addend::new(&sum, Lanes(self.share), normal, [foot, &axes[0], &axes[1]]);
     }
@@ -262,8 +296,10 @@ impl Batch {
     /// Adds the piece in a lane to sums; its weight, m³.
     pub(super) fn give(&self, lane: usize, sums: &mut Sums) -> f64 {
         let of = &self.addends;
+        // Written out: closures over lists are calls where code is not inlined across units.
         let one = |x: &Lanes| x.0[lane];
-        let three = |v: &[Lanes; 3]| v.each_ref().map(one);
+        let three = |v: &[Lanes; 3]| [v[0].0[lane], v[1].0[lane], v[2].0[lane]];
+        let [x, y, z] = &of.area_second;
         let addend = Addend {
             force: three(&of.force),
             moment: three(&of.moment),
@@ -272,7 +308,7 @@ impl Batch {
             weight_second: one(&of.weight_second),
             area: one(&of.area),
             area_first: three(&of.area_first),
-            area_second: of.area_second.each_ref().map(three),
+            area_second: [three(x), three(y), three(z)],
             vector_area: three(&of.vector_area),
         };
         sums.take(&addend, &self.polygons[lane])

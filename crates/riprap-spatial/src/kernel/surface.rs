@@ -9,6 +9,8 @@
 //! side on which the surface runs there is a matter of round-off. Their strips (f', g) and (f, g') then both count, with weights that
 //! add up to 1 and change continuously as one face passes through the other.
 
+use std::sync::atomic::{AtomicU8, Ordering};
+
 use riprap_geom::{Mat3, Vec3};
 
 use crate::kernel::ContactLaw;
@@ -16,7 +18,7 @@ use crate::kernel::face_clip::FaceClip;
 use crate::kernel::frame::{Frame, Frames, PARALLEL};
 use crate::kernel::lateral;
 use crate::kernel::peak::{Peak, peak};
-use crate::kernel::piece::{BOUNDARY, Cutter, OPEN, Polygon};
+use crate::kernel::piece::{BOUNDARY, Cutter, OPEN, Polygon, UNTIED};
 use crate::kernel::planes::{Planes, origin};
 use crate::kernel::shape::Body;
 use crate::kernel::sums::{Batch, Sums};
@@ -59,7 +61,13 @@ pub struct Pair<'a> {
     pub ties: bool,
     /// Places in the lists of the faces of the piece to start from.
     pub hint: Option<[u16; 2]>,
+    /// For each listed face (those of A first) the plane of the other block that had all of it beyond itself in the last evaluation, by its
+    /// place in the list; tested first. No result depends on it. May be empty.
+    pub witnesses: &'a [Witness],
 }
+
+/// A place in a list of planes, kept from step to step as a guess.
+pub(crate) type Witness = AtomicU8;
 
 /// Faces of A and B in one plane, and where their offset lies in the band of ties, from -1 to 1.
 #[derive(Clone, Copy, Debug)]
@@ -136,13 +144,14 @@ impl Walker {
         mut show: impl FnMut(&Planes, [usize; 2], &Frame, &Polygon, f64),
     ) {
         let count = self.pieces.len();
+        let mut polygon = Polygon::default();
         for k in 0..count {
             let piece = self.pieces[k];
             let numbers = self.numbers(piece);
             if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
-                && let Some(share) = self.make(&frame, piece)
+                && let Some(share) = self.make(&frame, piece, &mut polygon)
             {
-                show(&self.planes, numbers, &frame, &self.cutter.polygon, share);
+                show(&self.planes, numbers, &frame, &polygon, share);
             }
         }
         // Those that were made again.
@@ -282,16 +291,19 @@ impl Walker {
     fn visit(&mut self, piece: [u16; 2]) {
         self.sums.tried += 1;
         let [f, g] = self.numbers(piece);
+        let mut batch = self.batch.take().unwrap_or_default();
+        let polygon = &mut batch.polygons[0];
         if let Some(frame) = Frame::between(&self.planes, f, g, self.radius)
-            && let Some(share) = self.make(&frame, piece)
+            && let Some(share) = self.make(&frame, piece, polygon)
         {
-            let weight = self.sums.add(&self.cutter.polygon, &frame, share);
+            let weight = self.sums.add(polygon, &frame, share);
             if self.takes_the_lead(weight, piece) {
-                self.largest.copy(&self.cutter.polygon);
+                self.largest.copy(polygon);
                 self.largest_frame = frame;
             }
-            self.queue_neighbours(piece);
+            self.queue_neighbours(piece, polygon);
         }
+        self.batch = Some(batch);
     }
 
     /// Tries `some` pieces of the queue from `first` on. What they add is found for all of them at once, and added one after the other.
@@ -308,24 +320,24 @@ impl Walker {
             #[inline(always)]
             || Frames::between(planes, &numbers[..some], reach),
         );
-        batch.share = [0.0; LANES];
-        // What lanes without a piece hold is of an earlier pair.
-        for polygon in &mut batch.polygons {
-            polygon.clear();
-        }
-        for lane in 0..some {
-            let piece = self.queue[first + lane];
-            if let Some(frame) = batch.frames.get(lane)
-                && let Some(share) = self.make(&frame, piece)
+        for lane in 0..LANES {
+            batch.share[lane] = 0.0;
+            // What the lane holds is of an earlier batch.
+            batch.polygons[lane].clear();
+            if lane < some
+                && let Some(frame) = batch.frames.get(lane)
             {
-                self.queue_neighbours(piece);
-                batch.share[lane] = share;
-                std::mem::swap(&mut batch.polygons[lane], &mut self.cutter.polygon);
+                let piece = self.queue[first + lane];
+                if let Some(share) = self.make(&frame, piece, &mut batch.polygons[lane]) {
+                    self.queue_neighbours(piece, &batch.polygons[lane]);
+                    batch.share[lane] = share;
+                }
             }
         }
+        let wide = width.is_eight();
         width.run(
             #[inline(always)]
-            || batch.integrate(),
+            || batch.integrate(wide),
         );
         // In the order of the queue, so that the sums are those of one piece after the other.
         for lane in 0..some {
@@ -352,21 +364,11 @@ impl Walker {
     }
 
     /// Makes the polygon of a piece; how much of it counts, `None` where nothing is left.
-    fn make(&mut self, frame: &Frame, piece: [u16; 2]) -> Option<f64> {
-        let [f, g] = piece;
-        let split = self.planes.split;
+    fn make(&mut self, frame: &Frame, piece: [u16; 2], to: &mut Polygon) -> Option<f64> {
         let numbers = self.numbers(piece);
-        // The strip of f beside its twin g', and that of g beside its twin f'.
-        let beside = |side: usize, face: u16| self.ties.iter().find(move |t| t.faces[side] == face);
-        let (of_a, of_b) = (beside(0, f), beside(1, g));
-        let twins = [
-            of_a.map_or(usize::MAX, |t| t.faces[1] as usize + split),
-            of_b.map_or(usize::MAX, |t| t.faces[0] as usize),
-        ];
-        let share = of_a.map_or(1.0, |t| 0.5 * (1.0 + t.offset))
-            * of_b.map_or(1.0, |t| 0.5 * (1.0 - t.offset));
-        let tied = |k: usize| twins.contains(&k);
-        let left = self.cutter.make(&self.planes, frame, numbers, self.radius, tied);
+        let (tied, share) =
+            if self.ties.is_empty() { (UNTIED, 1.0) } else { self.beside_twins(piece) };
+        let left = self.cutter.make(&self.planes, frame, numbers, self.radius, tied, to);
         if left {
             for number in numbers {
                 self.met[number] = true;
@@ -374,6 +376,20 @@ impl Walker {
             self.pieces.push(piece);
         }
         left.then_some(share)
+    }
+
+    /// Planes tied to those of a piece, which do not cut it, and how much of it counts: the strip of f beside its twin g', and that of g beside
+    /// its twin f'.
+    fn beside_twins(&self, [f, g]: [u16; 2]) -> ([usize; 2], f64) {
+        let beside = |side: usize, face: u16| self.ties.iter().find(move |t| t.faces[side] == face);
+        let (of_a, of_b) = (beside(0, f), beside(1, g));
+        let tied = [
+            of_a.map_or(usize::MAX, |t| t.faces[1] as usize + self.planes.split),
+            of_b.map_or(usize::MAX, |t| t.faces[0] as usize),
+        ];
+        let share = of_a.map_or(1.0, |t| 0.5 * (1.0 + t.offset))
+            * of_b.map_or(1.0, |t| 0.5 * (1.0 - t.offset));
+        (tied, share)
     }
 
     /// Whether a piece carries more than all before, which is noted.
@@ -413,25 +429,26 @@ impl Walker {
     pub(super) fn rate(&mut self) -> Mat3 {
         let mut rate = Mat3::ZERO;
         let count = self.pieces.len();
+        let mut batch = self.batch.take().unwrap_or_default();
+        let polygon = &mut batch.polygons[0];
         for k in 0..count {
             let piece = self.pieces[k];
             let numbers = self.numbers(piece);
             if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
-                && let Some(share) = self.make(&frame, piece)
+                && let Some(share) = self.make(&frame, piece, polygon)
             {
-                let polygon = &self.cutter.polygon;
                 rate += lateral::rate(&self.planes, &frame, polygon, numbers) * share;
             }
         }
+        self.batch = Some(batch);
         // Those that were made again.
         self.pieces.truncate(count);
         rate
     }
 
-    fn queue_neighbours(&mut self, [f, g]: [u16; 2]) {
+    fn queue_neighbours(&mut self, [f, g]: [u16; 2], polygon: &Polygon) {
         let split = self.planes.split as u16;
-        for edge in 0..self.cutter.polygon.len() {
-            let label = self.cutter.polygon.label()[edge];
+        for &label in polygon.label() {
             if label == OPEN {
                 self.sums.unlabelled += 1;
                 continue;
@@ -478,11 +495,22 @@ impl Walker {
         let shift = body.position - origin(pair.bodies[0], pair.bodies[1]);
         let face = body.shape.outline(pair.faces[side][place] as usize);
         let (planes, clip, width) = (&self.planes, &mut self.clip, self.cutter.width());
-        let crosses = width.run(
+        let witness = pair.witnesses.get(k);
+        if let Some(witness) = witness {
+            let guess = others.start + usize::from(witness.load(Ordering::Relaxed));
+            if guess < others.end && is_beyond(planes, guess, body, shift, face) {
+                return false;
+            }
+        }
+        let first = others.start;
+        let beyond = width.run(
             #[inline(always)]
             || cut_face(planes, others, body, shift, face, clip),
         );
-        if !crosses {
+        if let Some(plane) = beyond {
+            if let (Some(witness), Ok(place)) = (witness, u8::try_from(plane - first)) {
+                witness.store(place, Ordering::Relaxed);
+            }
             return false;
         }
         // A face that is tied to one of the other block counts on either side of it.
@@ -491,8 +519,19 @@ impl Walker {
     }
 }
 
-/// Finds how far the corners of a face lie beyond planes of the other block, `shift` (m) being where its block is from their origin; whether no
-/// plane has all of them beyond it.
+/// Whether all corners of a face lie beyond plane `k` of the other block, by the operations of [`cut_face`].
+fn is_beyond(planes: &Planes, k: usize, body: &Body, shift: Vec3, face: &[u16]) -> bool {
+    let normal = planes.normal(k).to_array();
+    let back = body.turn.transpose();
+    let [x, y, z] = [back.x_axis, back.y_axis, back.z_axis].map(|axis| axis.to_array());
+    let own = plus(&plus(&scaled(normal[0], &x), &scaled(normal[1], &y)), &scaled(normal[2], &z));
+    let room = planes.d[k] - dot(&normal, &shift.to_array());
+    let mut corners = face.iter().map(|v| body.shape.vertices[*v as usize].to_array());
+    corners.all(|corner| dot(&own, &corner) - room >= 0.0)
+}
+
+/// Finds how far the corners of a face lie beyond planes of the other block, `shift` (m) being where its block is from their origin; a plane
+/// that has all of them beyond it, if any.
 #[inline(always)]
 fn cut_face(
     planes: &Planes,
@@ -501,7 +540,7 @@ fn cut_face(
     shift: Vec3,
     face: &[u16],
     clip: &mut FaceClip,
-) -> bool {
+) -> Option<usize> {
     // Planes are turned back into the body once, instead of every corner into space: eight at a time.
     let back = body.turn.transpose();
     let axes = [back.x_axis, back.y_axis, back.z_axis].map(|axis| same(&axis.to_array()));
@@ -525,9 +564,9 @@ fn cut_face(
                 *beyond &= height >= 0.0;
             }
         }
-        if beyond[..there].contains(&true) {
-            return false;
+        if let Some(lane) = beyond[..there].iter().position(|all| *all) {
+            return Some(from + lane);
         }
     }
-    true
+    None
 }

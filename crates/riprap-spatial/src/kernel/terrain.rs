@@ -25,7 +25,7 @@ use riprap_geom::Vec3;
 use riprap_geom::height_field::{Bins, HeightField};
 
 use crate::kernel::frame::Frame;
-use crate::kernel::piece::{Cutter, Polygon};
+use crate::kernel::piece::{Cutter, Polygon, UNTIED};
 use crate::kernel::planes::Planes;
 use crate::kernel::shape::Body;
 use crate::kernel::sums::Sums;
@@ -204,6 +204,8 @@ pub(crate) struct Treader {
     planes: Planes,
     /// Makes the pieces.
     pub cutter: Cutter,
+    /// Workspace: a piece.
+    polygon: Polygon,
     /// Corners of the block from its centroid, m.
     corners: Vec<Vec3>,
     /// How high each is above the plane of the triangle, times `c`, m.
@@ -321,13 +323,13 @@ impl Treader {
         let Some(frame) = Frame::between(&self.planes, 0, numbers[1], radius) else {
             return;
         };
-        if !self.cutter.make(&self.planes, &frame, numbers, radius, |_| false) {
+        if !self.cutter.make(&self.planes, &frame, numbers, radius, UNTIED, &mut self.polygon) {
             return;
         }
         for k in 0..3 {
             let (from, to) = (corners[k], corners[(k + 1) % 3]);
             let outward = Vec3::new(to.y - from.y, from.x - to.x, 0.0);
-            if !self.cutter.clip(&frame, outward, outward.dot(from)) {
+            if !self.cutter.clip(&frame, outward, outward.dot(from), &mut self.polygon) {
                 return;
             }
         }
@@ -343,7 +345,7 @@ impl Treader {
             });
             self.facets.len() - 1
         });
-        let polygon = &self.cutter.polygon;
+        let polygon = &self.polygon;
         let weight = self.facets[place].sums.add(polygon, &frame, 1.0);
         if self.kept.len() == self.pieces {
             self.kept.push(Kept::default());

@@ -5,7 +5,7 @@ use riprap_geom::{Quat, Vec3};
 
 use crate::kernel::frame::Frame;
 use crate::kernel::kit::{Chance, KINDS, Kind, Placed, all_faces, overlapping};
-use crate::kernel::piece::Cutter;
+use crate::kernel::piece::{Cutter, Polygon, UNTIED};
 use crate::kernel::planes::{Planes, origin};
 use crate::kernel::sums::integrate;
 use crate::kernel::surface::Walker;
@@ -20,17 +20,17 @@ fn brute(placed: &Placed) -> (Vec3, Vec3, f64) {
     let mut planes = Planes::default();
     planes.gather_all([&a, &b], origin(&a, &b));
     let radius = a.shape.radius.min(b.shape.radius);
-    let mut cutter = Cutter::default();
+    let (mut cutter, mut polygon) = (Cutter::default(), Polygon::default());
     let (mut force, mut moment, mut weight) = (Vec3::ZERO, Vec3::ZERO, 0.0);
     for f in 0..planes.split {
         for g in planes.split..planes.len() {
             let Some(frame) = Frame::between(&planes, f, g, radius) else {
                 continue;
             };
-            if !cutter.make(&planes, &frame, [f, g], radius, |_| false) {
+            if !cutter.make(&planes, &frame, [f, g], radius, UNTIED, &mut polygon) {
                 continue;
             }
-            let i = integrate(&cutter.polygon);
+            let i = integrate(&polygon);
             let [e, h] = frame.axes;
             let first = frame.foot * i.depth + e * i.depth_first[0] + h * i.depth_first[1];
             force += i.depth * frame.normal;
@@ -106,6 +106,7 @@ fn blocks_deep_in_each_other_push_alike_wherever_the_walk_begins() {
                 faces: [&faces[0], &faces[1]],
                 ties: true,
                 hint: Some([f, g]),
+                witnesses: &[],
             };
             let Found::Touching(sums) = walker.find(&pair) else { panic!("they overlap") };
             assert!((sums.weight - weight).abs() < 1e-11 * weight, "{f} {g}");

@@ -210,7 +210,7 @@ impl Cavity {
     /// Volume of the charge V0, m³; that of the removed blocks for a pressure history.
     #[must_use]
     pub fn charge_volume(&self) -> f64 {
-        self.gas.map_or(self.removed, |g| g.adiabat.v0)
+        self.gas.map_or(self.removed, |g| g.adiabat.v0())
     }
 
     /// Volume of the removed blocks over that of the charge, Vc/V0.
@@ -335,9 +335,9 @@ impl Gas {
     fn new(adiabat: Adiabat, removed: f64, coupling: Coupling) -> Self {
         let (start, factor) = match coupling {
             Coupling::Scaled { exponent } => {
-                (adiabat.v0, libm::pow(adiabat.v0 / removed, exponent))
+                (adiabat.v0(), libm::pow(adiabat.v0() / removed, exponent))
             }
-            Coupling::Coupled => (adiabat.v0, 1.0),
+            Coupling::Coupled => (adiabat.v0(), 1.0),
             Coupling::Decoupled => (removed, 1.0),
         };
         Self { adiabat, start, factor }

@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec3;
 
+use crate::laws::transfer;
 use crate::setup::{Load, LoadKind};
 use crate::state::deform::{Body, Deform};
 use crate::state::push::{Account, Wrench};
@@ -105,27 +106,13 @@ fn on_nodes(
         }
         LoadKind::Point { force, at: Some(at) } => {
             let centre = deform.nodes.place[first as usize + kind.mesh.nodes.len() - 1];
-            for (node, weight) in holder(kind, *at - centre) {
+            let all = 0..kind.mesh.tets.len();
+            let (place, _) = transfer::nearest(&kind.mesh, *at - centre, all);
+            for (node, weight) in place.nodes.into_iter().zip(place.weights) {
                 put(first + node, factor * weight * *force);
             }
         }
         // Refused when the model is made: nodes take no moment.
         LoadKind::Moment { .. } => {}
     }
-}
-
-/// Nodes and weights of the tetrahedron that holds a point (from the centroid, m), or comes nearest to it.
-fn holder(kind: &BlockClass, at: Vec3) -> [(u32, f64); 4] {
-    let mesh = &kind.mesh;
-    let mut best = ([(0, 0.0); 4], f64::NEG_INFINITY);
-    for (tet, g) in mesh.tets.iter().zip(&mesh.gradients) {
-        let r = at - mesh.nodes[tet[0] as usize];
-        let n = g.map(|g| g.dot(r));
-        let weights = [1.0 - n[0] - n[1] - n[2], n[0], n[1], n[2]];
-        let least = weights.iter().copied().fold(f64::INFINITY, f64::min);
-        if least > best.1 {
-            best = (std::array::from_fn(|k| (tet[k], weights[k])), least);
-        }
-    }
-    best.0
 }

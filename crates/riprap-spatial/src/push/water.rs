@@ -100,32 +100,26 @@ pub(crate) fn on_rigid(world: &World, table: &WaterTable, b: usize) -> (Vec3, Ve
         solid.volume,
         |each| {
             let attitude = turn();
-            match &world.setup.blocks[b].shape {
+            let solids = match &world.setup.blocks[b].shape {
                 Shape::Brick { half, .. } => {
                     let sign = |k: u8, bit: u8| if k & bit == 0 { -1.0 } else { 1.0 };
                     for face in BRICK_FACES {
                         let corner = |k: u8| Vec3::new(sign(k, 1), sign(k, 2), sign(k, 4)) * *half;
                         each(&face.map(|k| attitude * corner(k)));
                     }
+                    return;
                 }
-                Shape::Polyhedron(body) => {
-                    for face in &body.faces {
-                        let corner = |k: &u32| attitude * (body.vertices[*k as usize] - start);
-                        let corners: Vec<Vec3> = face.iter().map(corner).collect();
-                        each(&corners);
-                    }
-                }
+                Shape::Polyhedron(body) => std::slice::from_ref(&**body),
                 // What acts on glued faces cancels.
-                Shape::Glued(parts) => {
-                    for part in parts {
-                        for face in &part.faces {
-                            let corner = |k: &u32| attitude * (part.vertices[*k as usize] - start);
-                            let corners: Vec<Vec3> = face.iter().map(corner).collect();
-                            each(&corners);
-                        }
-                    }
+                Shape::Glued(parts) => &parts[..],
+                Shape::Terrain(_) => return,
+            };
+            for solid in solids {
+                for face in &solid.faces {
+                    let corner = |k: &u32| attitude * (solid.vertices[*k as usize] - start);
+                    let corners: Vec<Vec3> = face.iter().map(corner).collect();
+                    each(&corners);
                 }
-                Shape::Terrain(_) => {}
             }
         },
         &|r| start + turn().inverse() * r,

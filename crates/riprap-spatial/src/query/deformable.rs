@@ -258,11 +258,7 @@ impl<'a> View<'a> {
     /// Number of broken points of a facet.
     #[must_use]
     pub fn broken_points(&self, facet: &Facet) -> u32 {
-        let Some((deform, _)) = self.deformables() else {
-            return 0;
-        };
-        let points = &deform.memory[facet.points()];
-        points.iter().filter(|m| m.state.is_broken()).count() as u32
+        self.world.deform.as_ref().map_or(0, |deform| deform.failed_points(facet) as u32)
     }
 
     /// Forces of bonds on rigid blocks: block, present arm from its centroid (m), force (N).

@@ -8,7 +8,7 @@ use riprap_geom::Vec3;
 use crate::contact;
 use crate::dynamics::kick::past;
 use crate::joint::patch::{Points, Poses, Resultant};
-use crate::laws::face_joint::{Memory, Traction};
+use crate::laws::face_joint::Traction;
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
 use crate::push::boundary;
@@ -325,12 +325,6 @@ impl View<'_> {
         self.patch(p).tractions(&self.patch_points(p))
     }
 
-    /// What the points of patch `p` remember.
-    #[must_use]
-    pub fn patch_memory(&self, p: usize) -> [Memory; 4] {
-        self.patch(p).memory()
-    }
-
     /// Forces of patch `p` on its blocks, without dashpots.
     #[must_use]
     pub fn patch_resultant(&self, p: usize) -> Resultant {
@@ -366,13 +360,11 @@ impl View<'_> {
         // Work that has gone in and is not stored, or the other way round, steps have lost or made.
         out.works.law_defect += pressed - self.world.works.contact_path;
         let found = self.world.found.pairs.iter();
-        out.contact_shear += found.map(|pair| pair.stored).sum::<f64>();
+        out.contact_shear += found.map(|pair| pair.stored()).sum::<f64>();
         for pair in &self.world.found.deformable.pairs {
             out.contact_normal += pair.energy;
             out.contact_shear += pair.stored;
         }
-        let facets = self.world.found.terrain.iter().flat_map(|on| &on.facets);
-        out.contact_shear += facets.map(|facet| facet.stored).sum::<f64>();
         out.bond = self.boundary_energy() + self.strain_energy();
         let [normal, shear] = self.bond_energy();
         out.contact_normal += normal;
@@ -392,8 +384,8 @@ impl View<'_> {
     /// Blocks that have gone over the rim of the terrain.
     #[must_use]
     pub fn left_terrain(&self) -> Vec<u32> {
-        let all = (0..).zip(&self.world.found.terrain);
-        all.filter(|(_, on)| on.left).map(|(b, _)| b).collect()
+        let all = (0..).zip(&self.world.found.left_terrain);
+        all.filter(|(_, left)| **left).map(|(b, _)| b).collect()
     }
 
     /// The bolt whose equilibrium was missed by most so far: its name, and the force that was left over its largest one; `None` as long as

@@ -2,11 +2,10 @@
 
 use riprap_geom::Vec3;
 
-use crate::kernel::Memory;
-use crate::kernel::cells::PairSlot;
+use crate::kernel::cells::{CellPatch, Spot};
 use crate::query::view::View;
-use crate::state::contact_scratch::Exerted;
-use crate::state::deformable::DeformablePair;
+use crate::state::deformable::DeformableMemory;
+use crate::state::found::ContactPatch;
 
 /// A found contact that touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,58 +36,38 @@ impl Contact {
 
 impl View<'_> {
     /// The found contacts that touch: of rigid blocks in their order, those of glued parts for each two pieces; of rigid blocks on terrain, one
-    /// a facet and piece; then of deformable ones.
+    /// a facet and piece; then of deformable ones, on terrain one a facet.
     pub fn contacts(&self) -> impl Iterator<Item = Contact> + '_ {
         let desk = &self.scratch.deformable;
         let pairs = self.world.found.deformable.pairs.iter();
         let pairs = pairs.zip(desk.slots.iter().zip(&desk.constants));
         let touching = pairs.filter(|(_, (slot, _))| slot.touching);
-        let deformable = touching.map(|(pair, (slot, constants))| {
+        let deformable = touching.flat_map(move |(pair, (slot, constants))| {
             let centres = constants.members.map(|m| desk.stars[m as usize].origin);
-            self.of_deformable(pair, slot, centres)
+            let contacts = slot.patches.iter().zip(&pair.contacts);
+            contacts.map(move |(patch, contact)| {
+                let spots = &slot.spots[patch.spots.clone()];
+                self.of_deformable(pair.ends, (patch, spots), &contact.memory, centres)
+            })
         });
-        self.of_rigid().chain(self.on_facets()).chain(deformable)
+        self.of_rigid().chain(deformable)
     }
 
-    /// Of rigid blocks on facets of terrain.
-    fn on_facets(&self) -> impl Iterator<Item = Contact> + '_ {
-        let grounds = &self.scratch.desk.terrain.blocks;
-        let blocks = (0..).zip(&self.world.found.terrain);
-        blocks.flat_map(move |(b, on): (u32, _)| {
-            on.facets.iter().map(move |facet| {
-                let ground = grounds[facet.terrain()];
-                let (memory, size) = (&facet.memory, [facet.area, facet.depth]);
-                let on_block = self.contact([ground, b], memory, facet.force, size);
-                if ground < b { on_block } else { on_block.turned() }
+    /// Of rigid blocks, with each other and with terrain.
+    fn of_rigid(&self) -> impl Iterator<Item = Contact> + '_ {
+        let pairs = self.world.found.pairs.iter().zip(&self.scratch.desk.slots);
+        let touching = pairs.filter(|(_, slot)| slot.touching);
+        touching.flat_map(|(pair, _)| {
+            pair.patches.iter().map(|patch| {
+                let contact = self.contact(pair.ends, patch);
+                // Terrain comes first, whatever its number.
+                if pair.ends[0] < pair.ends[1] { contact } else { contact.turned() }
             })
         })
     }
 
-    fn of_rigid(&self) -> impl Iterator<Item = Contact> + '_ {
-        let desk = &self.scratch.desk;
-        let pairs = self.world.found.pairs.iter().zip(&desk.slots).enumerate();
-        let pairs = pairs.filter(|(_, (_, slot))| slot.touching);
-        pairs.flat_map(|(k, (pair, slot))| {
-            let plain = pair.pieces.is_empty().then(|| {
-                let sides = |by: &Exerted| by.elastic.force + by.spring.force;
-                let force = desk.exerted(k).map_or(Vec3::ZERO, sides);
-                self.contact(pair.ends, &pair.memory, force, [slot.area, pair.depth])
-            });
-            let pieces = pair.pieces.iter().map(|piece| {
-                let size = [piece.area, piece.depth];
-                self.contact(pair.ends, &piece.memory, piece.force, size)
-            });
-            plain.into_iter().chain(pieces)
-        })
-    }
-
-    fn contact(
-        &self,
-        ends: [u32; 2],
-        memory: &Memory,
-        force: Vec3,
-        [area, depth]: [f64; 2],
-    ) -> Contact {
+    fn contact(&self, ends: [u32; 2], patch: &ContactPatch) -> Contact {
+        let &ContactPatch { ref memory, force, area, depth, .. } = patch;
         // A touch without a normal acts where the pressure does; its blocks hardly overlap.
         let arms = if memory.normal == Vec3::ZERO { self.midway(ends) } else { memory.arms };
         Contact { ends, force, arms, normal: memory.normal, area, depth, sliding: memory.sliding }
@@ -96,25 +75,31 @@ impl View<'_> {
 
     /// A contact of which one block at least deforms: its point is the centre of the pressure. `centres`: where the tetrahedra of each block
     /// meet, from where spots are counted.
-    fn of_deformable(&self, pair: &DeformablePair, slot: &PairSlot, centres: [Vec3; 2]) -> Contact {
-        let pressure: f64 = slot.spots.iter().map(|spot| spot.pressure).sum();
+    fn of_deformable(
+        &self,
+        ends: [u32; 2],
+        (patch, spots): (&CellPatch, &[Spot]),
+        memory: &DeformableMemory,
+        centres: [Vec3; 2],
+    ) -> Contact {
+        let pressure: f64 = spots.iter().map(|spot| spot.pressure).sum();
         let arms = if pressure > 0.0 {
             [0, 1].map(|side| {
-                let parts = slot.spots.iter().map(|s| s.pressure * s.arms[side]);
+                let parts = spots.iter().map(|s| s.pressure * s.arms[side]);
                 let from_centre = parts.sum::<Vec3>() / pressure;
-                from_centre + centres[side] - self.position(pair.ends[side] as usize)
+                from_centre + centres[side] - self.position(ends[side] as usize)
             })
         } else {
-            self.midway(pair.ends)
+            self.midway(ends)
         };
         Contact {
-            ends: pair.ends,
-            force: pair.force,
+            ends,
+            force: patch.force,
             arms,
-            normal: pair.memory.normal,
-            area: slot.area,
-            depth: pair.depth,
-            sliding: pair.memory.sliding,
+            normal: memory.normal,
+            area: patch.area,
+            depth: patch.depth,
+            sliding: memory.sliding,
         }
     }
 

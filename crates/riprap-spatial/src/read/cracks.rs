@@ -6,7 +6,7 @@ use crate::deform::area::Area;
 use crate::faces::deformable::outline;
 use crate::frame::{Column, Surfaces};
 use crate::query::view::View;
-use crate::state::deform::{Deform, State};
+use crate::state::deform::{Deform, Facet, State};
 use crate::state::world::World;
 use crate::topology::cut::tip::{broken, near};
 
@@ -55,24 +55,21 @@ pub fn surfaces(view: &View<'_>) -> Option<Surfaces> {
 /// Mean over the area of broken facets of the squared components of their normals.
 #[must_use]
 pub fn fabric(deform: &Deform) -> Vec3 {
-    let (mut sum, mut area) = (Vec3::ZERO, 0.0);
-    for k in broken(deform) {
-        let facet = &deform.facets[k];
-        let n = facet.frame[0];
-        sum += facet.area * n * n;
-        area += facet.area;
-    }
-    sum / area
+    mean_of_broken(deform, |facet| facet.area * facet.frame[0] * facet.frame[0])
 }
 
 /// Mean over the area of broken facets of the distances of their centres from the planes x = 0, y = 0 and z = 0 of the
 /// file, m; `origin` is that of the local frame.
 #[must_use]
 pub fn away(deform: &Deform, origin: Vec3) -> Vec3 {
+    mean_of_broken(deform, |facet| facet.area * (facet.centre + origin).abs())
+}
+
+/// Sum over the broken facets over their area.
+fn mean_of_broken(deform: &Deform, get: impl Fn(&Facet) -> Vec3) -> Vec3 {
     let (mut sum, mut area) = (Vec3::ZERO, 0.0);
-    for k in broken(deform) {
-        let facet = &deform.facets[k];
-        sum += facet.area * (facet.centre + origin).abs();
+    for facet in broken(deform).map(|k| &deform.facets[k]) {
+        sum += get(facet);
         area += facet.area;
     }
     sum / area

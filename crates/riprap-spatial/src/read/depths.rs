@@ -42,7 +42,7 @@ impl View<'_> {
     /// The found contact that is deepest for its blocks: rigid, on terrain, or deformable.
     #[must_use]
     pub fn deepest_contact(&self) -> Option<Deepest> {
-        let others = self.deformable_depths().chain(self.terrain_depths());
+        let others = self.deformable_depths();
         others
             .fold(self.scratch.desk.deepest, |deepest, other| Deepest::deeper(deepest, Some(other)))
     }
@@ -138,32 +138,6 @@ impl View<'_> {
             .zip(&self.scratch.deformable.constants)
             .filter(|(pair, _)| pair.depth > 0.0)
             .map(|(pair, k)| Deepest::new(pair.ends, Pressed::Contact, pair.depth, k.peak))
-    }
-
-    /// How deep each rigid block on terrain lies in it, facet by facet.
-    fn terrain_depths(&self) -> impl Iterator<Item = Deepest> {
-        let desk = &self.scratch.desk;
-        let blocks = self.world.found.terrain.iter().enumerate();
-        // One that lies below the surface as a whole has no facet, and a force that is no number.
-        let exerted = desk.terrain.exerted.iter().enumerate();
-        let lost = exerted.filter(|(_, of)| of.elastic.force.is_nan());
-        let swallowed = lost.filter_map(move |(b, _)| {
-            let at = self.world.pose(b).position;
-            let depths = desk.terrain.grounds.iter().map(move |ground| ground.depth(at));
-            let (k, depth) =
-                (0..).zip(depths).find_map(|(k, d)| Some((k, d.filter(|d| *d > 0.0)?)))?;
-            let (ends, reach) =
-                ([desk.terrain.blocks[k], b as u32], desk.inradius(self.world.solid[b]));
-            Some(Deepest::new(ends, Pressed::Contact, depth + reach, reach))
-        });
-        let touching = blocks.flat_map(move |(b, on)| {
-            on.facets.iter().map(move |facet| {
-                let ends = [desk.terrain.blocks[facet.terrain()], b as u32];
-                let reach = desk.inradius(self.world.solid[b]);
-                Deepest::new(ends, Pressed::Contact, facet.depth, reach)
-            })
-        });
-        touching.chain(swallowed)
     }
 }
 

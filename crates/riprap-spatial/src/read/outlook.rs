@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 use crate::contact::deformable::between;
 use crate::contact::deformable::search::shown;
 use crate::contact::limit::InverseInertia;
-use crate::contact::terrain::share;
+use crate::contact::limit::share_on_ground;
 use crate::contact::{constants, joined, make_shapes, roles};
 use crate::kernel::{Role, limits};
 use crate::query::view::View;
@@ -96,8 +96,7 @@ fn rigid(world: &World) -> Vec<Meets> {
             let laws = partner.iter().flatten().map(|other| {
                 let ends = [*other, b as u32];
                 let materials = ends.map(|b| usize::from(world.setup.blocks[b as usize].material));
-                let row = materials[0] * world.setup.materials.len() + materials[1];
-                let row = world.setup.pair_table[row];
+                let row = world.setup.row_of(materials);
                 (row, constants::law(&world.setup, ends, [inradius; 2]))
             });
             let laws: Vec<_> = laws.collect();
@@ -107,7 +106,7 @@ fn rigid(world: &World) -> Vec<Meets> {
             let ease = InverseInertia::of(world, &desk.shapes, b).of_area(face);
             let steps = laws.iter().map(|(_, law)| {
                 let stiffness = 2.0 * law.normal_stiffness.max(law.shear_stiffness);
-                share(law) * 2.0 / (stiffness * face * ease).sqrt()
+                share_on_ground(law) * 2.0 / (stiffness * face * ease).sqrt()
             });
             let spin = world.bodies.spin(b).length() * solid.radius;
             let density =
@@ -136,8 +135,7 @@ fn deformable(view: &View<'_>) -> Vec<Meets> {
     };
     let roles = &world.found.deformable.roles;
     // One block of each material and kind stands for all, as in `check`.
-    let count = world.setup.materials.len();
-    let mut partner = vec![[None; 2]; count];
+    let mut partner = vec![[None; 2]; world.setup.materials.len()];
     for b in (0..world.alive.len()).filter(|b| world.alive[*b]) {
         let material = usize::from(world.setup.blocks[b].material);
         partner[material][usize::from(world.deforms(b))].get_or_insert(b as u32);
@@ -158,8 +156,7 @@ fn deformable(view: &View<'_>) -> Vec<Meets> {
             let laws = partners.filter_map(|(material, deforms, other)| {
                 let rigid = [false, deforms == 0];
                 let law = between(&world.setup, [b as u32, other], rigid, [depth; 2]).ok()?;
-                let row = world.setup.pair_table[own * count + material];
-                Some((row, law.normal_stiffness))
+                Some((world.setup.row_of([own, material]), law.normal_stiffness))
             });
             let (row, stiffness) = laws.min_by(|a, b| a.1.total_cmp(&b.1))?;
             let nodes = deform.nodes.velocity[body.nodes()].iter();

@@ -223,28 +223,22 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
         }
         let place = view.facet_place(facet) + view.world.setup.origin;
         frame.contact_points.push(place.to_array());
-        let points = facet.points();
-        let force: Vec3 = points.clone().map(|p| Vec3::from(work.slots[p])).sum();
+        let of = |is: &dyn Fn(&Memory) -> bool| {
+            let points = facet.points().filter(|p| is(&deform.memory[*p]));
+            points.map(|p| (deform.points[p].area, Vec3::from(work.slots[p]))).collect::<Vec<_>>()
+        };
+        let area = |points: &[(f64, Vec3)]| points.iter().map(|p| p.0).sum::<f64>();
+        let force: Vec3 = of(&|_| true).iter().map(|p| p.1).sum();
         let [n, b, c] = facet.frame.map(|e| e.dot(force) / facet.area);
-        let lost = points.clone().filter(|p| deform.memory[*p].state.is_broken());
-        let failed: f64 = lost.map(|p| deform.points[p].area).sum();
-        let open = points.clone().filter(|p| {
-            deform.memory[*p].state.is_broken() && Vec3::from(work.slots[*p]) == Vec3::ZERO
-        });
-        let in_shear = points.clone().filter(|p| deform.memory[*p].state == State::Sheared);
-        let sheared: f64 = in_shear.map(|p| deform.points[p].area).sum();
+        let lost = of(&|m| m.state.is_broken());
+        let (failed, open) = (area(&lost), lost.iter().filter(|p| p.1 == Vec3::ZERO));
+        let sheared = area(&of(&|m| m.state == State::Sheared));
         let mode = match broken {
             0 => 0.0,
             _ if sheared > failed - sheared => 2.0,
             _ => 1.0,
         };
-        let deformable: Vec<f64> = points
-            .filter(|p| {
-                let memory = &deform.memory[*p];
-                !memory.state.is_broken() && memory.law.damage > 0.0
-            })
-            .map(|p| deform.points[p].area)
-            .collect();
+        let softening = of(&|m| !m.state.is_broken() && m.law.damage > 0.0);
         let numbers = [
             f64::from(facet.blocks[0]),
             f64::from(facet.blocks[1]),
@@ -262,14 +256,19 @@ fn put_facets(view: &View<'_>, frame: &mut Frame) {
             facet.frame[0].z,
             failed,
             mode,
-            deformable.len() as f64,
-            deformable.iter().sum(),
+            softening.len() as f64,
+            area(&softening),
             f64::from(facet.origin.code()),
         ];
-        let mut numbers = numbers.into_iter();
-        for column in &mut frame.contact_columns {
-            column.data.extend(numbers.by_ref().take(column.components));
-        }
+        put_row(frame, numbers);
+    }
+}
+
+/// Appends a row to the columns of patches.
+fn put_row(frame: &mut Frame, numbers: impl IntoIterator<Item = f64>) {
+    let mut numbers = numbers.into_iter();
+    for column in &mut frame.contact_columns {
+        column.data.extend(numbers.by_ref().take(column.components));
     }
 }
 
@@ -292,10 +291,7 @@ fn put_contacts(view: &View<'_>, frame: &mut Frame) {
         numbers.extend([0.0, 0.0, sliding, normal.x, normal.y, normal.z]);
         numbers.extend([0.0; 4]);
         numbers.push(f64::from(Origin::Found.code()));
-        let mut numbers = numbers.into_iter();
-        for column in &mut frame.contact_columns {
-            column.data.extend(numbers.by_ref().take(column.components));
-        }
+        put_row(frame, numbers);
     }
 }
 

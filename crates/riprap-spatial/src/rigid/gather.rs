@@ -23,7 +23,7 @@ use crate::lanes::{LANES, Lanes, Width};
 use crate::push::boundary;
 use crate::rigid::kick::{Acting, Kick, Moving};
 use crate::state::bodies::{Bodies, SolidClass, Turned};
-use crate::state::contact_scratch::OnBlocks;
+use crate::state::contact_scratch::ContactScratch;
 use crate::state::face::Face;
 use crate::state::push::{Pushes, Wrench};
 use crate::state::scratch::{FaceEntry, NonFinite, Partial, Scratch};
@@ -77,7 +77,7 @@ pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         tiles: &scratch.tiles,
         slots: &scratch.slots,
         pushes: &scratch.pushes,
-        found: scratch.desk.exerted_on_blocks(world.has_terrain()),
+        found: &scratch.desk,
         implicit: world.implicit.is_some(),
         plain: scratch.plain(),
         width: scratch.width,
@@ -115,8 +115,8 @@ struct Gathering<'a> {
     tiles: &'a Tiles,
     slots: &'a [Sums; 2],
     pushes: &'a Pushes,
-    /// What found contacts and terrain do to each block.
-    found: OnBlocks<'a>,
+    /// What found contacts do to each block.
+    found: &'a ContactScratch,
     /// Whether contacts are implicit ones, which book all their work together.
     implicit: bool,
     /// Whether blocks in rows need nothing but gravity and water.
@@ -345,7 +345,7 @@ impl Gathering<'_> {
         }
         let weight = self.kick.solid_of(b).mass * self.kick.gravity;
         net[0].add(b - base, weight + load.force + other.force, load.moment + other.moment);
-        let found = self.found.of(b);
+        let found = self.found.on_block(b);
         if let Some(found) = &found {
             for share in [&found.elastic, &found.spring] {
                 net[0].add(b - base, share.force, share.moment);

@@ -23,7 +23,6 @@ use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Unsolved};
 use crate::joint::patch::turned_inertia;
 use crate::rigid::kick::Acting;
-use crate::state::found::FoundPair;
 use crate::state::scratch::{NotSolved, Scratch};
 use crate::state::world::World;
 
@@ -43,10 +42,10 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
         contact::release_loose(world, scratch);
     }
     world.implicit = implicit.then(|| {
-        let pressed = |pair: &&FoundPair| pair.memory.area > 0.0;
-        let kept = world.found.pairs.iter().filter(pressed).map(|pair| {
-            let force = pair.force.dot(pair.memory.normal);
-            Kept::of_explicit(pair.ends, &pair.memory, force)
+        let kept = world.found.pairs.iter().filter_map(|pair| {
+            let patch = pair.leading().filter(|patch| patch.memory.area > 0.0)?;
+            let force = patch.force.dot(patch.memory.normal);
+            Some(Kept::of_explicit(pair.ends, &patch.memory, force))
         });
         Box::new(Implicit { kept: kept.collect(), ..Implicit::default() })
     });

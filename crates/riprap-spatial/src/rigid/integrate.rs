@@ -176,11 +176,15 @@ impl Integration<'_> {
         u += self.dt * v;
         if let Some(turned) = &mut work.turned[at] {
             let solid = self.kick.solid_of(b);
-            let inertia = patch::turned_inertia(&solid.inertia, turned.attitude);
             let motion = self.kick.motion[b].as_deref();
+            let inertia = || patch::turned_inertia(&solid.inertia, turned.attitude);
+            let bound = motion.and_then(|motion| {
+                let inertia = inertia();
+                Some((Bound::of(motion, inertia)?, inertia))
+            });
             // The spin that is kept is that on the way, of the middle of the step as all velocities are.
-            match motion.and_then(|motion| Bound::of(motion, inertia)) {
-                Some(bound) => {
+            match bound {
+                Some((bound, inertia)) => {
                     let spin = bound.spin(w, turned.momentum) + change.spin;
                     turned.momentum = inertia * spin;
                     (turned.attitude, w) =

@@ -92,23 +92,27 @@ pub(crate) struct Turning {
 }
 
 impl Moving<'_> {
-    /// The present tensor of inertia and its inverse.
-    fn tensors(&self, solid: &SolidClass) -> [Mat3; 2] {
-        let both = [solid.inertia, solid.inverse];
-        self.turned.map_or(both, |t| both.map(|tensor| turned_inertia(&tensor, t.attitude)))
+    /// The present tensor of inertia.
+    fn inertia(&self, solid: &SolidClass) -> Mat3 {
+        self.turned.map_or(solid.inertia, |t| turned_inertia(&solid.inertia, t.attitude))
     }
 
-    /// Its rotation at the present attitude. A turned block is carried on by its momentum; its spin is read off that at each attitude, but
-    /// for what is prescribed.
-    fn turning(&self, [inertia, inverse]: &[Mat3; 2], bound: Option<&Bound>) -> Turning {
+    /// Its inverse.
+    fn inverse(&self, solid: &SolidClass) -> Mat3 {
+        self.turned.map_or(solid.inverse, |t| turned_inertia(&solid.inverse, t.attitude))
+    }
+
+    /// Its rotation at the present attitude, `inverse` being the present inverse of its tensor. A turned block is carried on by its momentum; its
+    /// spin is read off that at each attitude, but for what is prescribed.
+    fn turning(&self, solid: &SolidClass, inverse: &Mat3, bound: Option<&Bound>) -> Turning {
         match (self.turned, bound) {
-            (None, _) => Turning { spin: self.spin, momentum: *inertia * self.spin },
+            (None, _) => Turning { spin: self.spin, momentum: solid.inertia * self.spin },
             (Some(turned), None) => {
                 Turning { spin: *inverse * turned.momentum, momentum: turned.momentum }
             }
             (Some(turned), Some(bound)) => {
                 let spin = bound.spin(self.spin, turned.momentum);
-                let momentum = *inertia * spin;
+                let momentum = self.inertia(solid) * spin;
                 Turning { spin, momentum }
             }
         }
@@ -140,11 +144,13 @@ impl Kick<'_> {
         let (v, w) = (moving.velocity, moving.spin);
         let mass = solid.mass;
         let motion = self.motion[b].as_deref();
-        let tensors = moving.tensors(solid);
-        let [inertia, inverse] = tensors;
-        let bound = motion.and_then(|motion| Bound::of(motion, inertia));
+        let inverse = moving.inverse(solid);
+        // Only what is prescribed asks for the tensor itself.
+        let held = motion.map(|motion| (motion, moving.inertia(solid)));
+        let bound = held.and_then(|(motion, inertia)| Bound::of(motion, inertia));
         // Spin belongs to the attitude now; a turned block's spin of half a step ago does not.
-        let Turning { spin: now, momentum: before } = moving.turning(&tensors, bound.as_ref());
+        let Turning { spin: now, momentum: before } =
+            moving.turning(solid, &inverse, bound.as_ref());
         let local = self.damping.local;
         let against = |f: Vec3, v: Vec3| -> Vec3 {
             Vec3::from_array([0, 1, 2].map(|k| kick::local_drag(local, f[k], v[k])))
@@ -162,7 +168,7 @@ impl Kick<'_> {
         let mut dl = kick::change(self.span, torque, fade_turn, before);
         let mut dw = inverse * dl;
         let mut extra = Extra::default();
-        if let Some(motion) = motion {
+        if let Some((motion, inertia)) = held {
             let free = (dv, dl);
             (dv, dw) = self.prescribed(motion, v, now, dv, dw);
             let attitude = moving.turned.map(|t| t.attitude);
@@ -347,7 +353,7 @@ impl World {
         };
         let [along, about] = motion.given().map(|given| Vec3::ONE - given);
         let velocity = along * change.velocity;
-        let [inertia, _] = self.moving(b).tensors(self.solid_of(b));
+        let inertia = self.moving(b).inertia(self.solid_of(b));
         match Bound::of(motion, inertia).filter(Bound::couples) {
             // Without the jump of what is given, which takes the free part with it.
             Some(bound) => {
@@ -364,10 +370,10 @@ impl World {
     #[must_use]
     pub(crate) fn turning(&self, b: usize) -> Turning {
         let moving = self.moving(b);
-        let tensors = moving.tensors(self.solid_of(b));
+        let solid = self.solid_of(b);
         let motion = self.motion[b].as_deref();
-        let bound = motion.and_then(|motion| Bound::of(motion, tensors[0]));
-        moving.turning(&tensors, bound.as_ref())
+        let bound = motion.and_then(|motion| Bound::of(motion, moving.inertia(solid)));
+        moving.turning(solid, &moving.inverse(solid), bound.as_ref())
     }
 
     /// Whether block `b` can move in any freedom by forces.

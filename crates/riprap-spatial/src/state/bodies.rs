@@ -1,5 +1,6 @@
 //! Motion and mass properties of blocks.
 
+use riprap_geom::polyhedron::Polyhedron;
 use riprap_geom::{Mat3, Quat, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -112,6 +113,32 @@ pub struct SolidClass {
     pub radius: f64,
     /// Whether the axes are principal axes (bricks): `inertia` is diagonal.
     pub diagonal: bool,
+}
+
+impl SolidClass {
+    /// That of what a closed surface bounds, and its centroid. Another `volume` (m³), that of tetrahedra within crooked faces, scales mass and inertia.
+    pub(crate) fn bounded_by(body: &Polyhedron, density: f64, volume: Option<f64>) -> (Vec3, Self) {
+        let moments = body.moments();
+        let scale = volume.map_or(density, |volume| density * volume / moments.volume);
+        let volume = volume.unwrap_or(moments.volume);
+        let inertia = scale * moments.inertia;
+        let (mut half, mut radius) = (Vec3::ZERO, 0.0_f64);
+        for corner in &body.vertices {
+            let arm = *corner - moments.centroid;
+            half = half.max(arm.abs());
+            radius = radius.max(arm.length());
+        }
+        let class = Self {
+            mass: density * volume,
+            volume,
+            inertia,
+            inverse: inertia.inverse(),
+            half,
+            radius,
+            diagonal: false,
+        };
+        (moments.centroid, class)
+    }
 }
 
 /// State of a block with finite rotations.

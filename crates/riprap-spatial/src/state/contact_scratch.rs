@@ -14,7 +14,7 @@ use crate::kernel::ridges::Ridges;
 use crate::kernel::shape::{Pose, Shape};
 use crate::kernel::surface::Walker;
 use crate::kernel::terrain::{Terrain, Under};
-use crate::state::found::{FacetContact, PieceContact};
+use crate::state::found::ContactPatch;
 
 /// Workspace for all found contacts of a model.
 #[derive(Debug, Default)]
@@ -71,8 +71,8 @@ pub struct ContactScratch {
     pub damped: bool,
     /// The contact that is deepest for its blocks; `None` where none touch.
     pub deepest: Option<Deepest>,
-    /// Of blocks on terrain.
-    pub terrain: TerrainDesk,
+    /// What is terrain.
+    pub terrain: Grounds,
     /// Workspace of the looks at who can meet whom.
     pub who: RoleScratch,
 }
@@ -84,6 +84,8 @@ pub struct RoleScratch {
     pub roles: Vec<Role>,
     /// Whether all joints of a block are whole.
     pub whole: Vec<bool>,
+    /// The same at the look before.
+    pub were_whole: Vec<bool>,
     /// Blocks that patches join.
     pub joined: Sets,
 }
@@ -125,13 +127,10 @@ impl ContactScratch {
         glued.map_or(self.shapes[class].inradius, |glued| glued.inradius)
     }
 
-    /// What acts on the blocks of the model; `terrain`: whether there is any.
-    pub(crate) fn exerted_on_blocks(&self, terrain: bool) -> OnBlocks<'_> {
-        OnBlocks {
-            place: &self.place,
-            acting: &self.acting,
-            terrain: if terrain { &self.terrain.exerted } else { &[] },
-        }
+    /// What contacts do to block `b`, nil where none is near; `None` where nothing is looked for.
+    pub(crate) fn on_block(&self, b: usize) -> Option<Acting> {
+        let place = self.place.get(b)?;
+        Some(self.acting.get(*place as usize).copied().unwrap_or_default())
     }
 
     /// What pair `k` exerts, if it does.
@@ -175,42 +174,24 @@ impl Deepest {
     }
 }
 
-/// Workspace for all blocks on terrain.
+/// Terrain of a model, ready for contact.
 #[derive(Debug, Default)]
-pub struct TerrainDesk {
+pub struct Grounds {
     /// Blocks that are terrain, ascending.
     pub blocks: Vec<u32>,
     /// Their surfaces.
     pub grounds: Vec<Terrain>,
-    /// The law of each block on each of them; none for blocks that do not meet terrain.
-    pub laws: Vec<Vec<ContactLaw>>,
-    /// 1 over the mass of each block, 1/kg; 0 for what no contact can move.
-    pub inverse_masses: Vec<f64>,
-    /// What terrain does to each block.
-    pub exerted: Vec<Acting>,
-    /// Workspace of each piece of the blocks.
-    pub workspaces: Vec<TerrainWorkspace>,
-    /// Heat of friction of each group of blocks in this step, J.
-    pub sums: Vec<f64>,
-    /// Whether any contact has dashpots.
-    pub damped: bool,
 }
 
-/// Workspace of a piece of the blocks on terrain, and sums of the group at hand.
-#[derive(Debug, Default)]
-pub struct TerrainWorkspace {
-    /// Finds surfaces.
-    pub under: Under,
-    /// Normals of the block, turned into space.
-    pub normals: Vec<Vec3>,
-    /// Contacts of the block that have not been found yet.
-    pub old: Vec<FacetContact>,
-    /// Dashpots of ridges under the block.
-    pub ridges: Ridges,
-    /// Blocks that have gone over the rim in this step.
-    pub left: Vec<u32>,
-    /// Heat of friction in this step, J.
-    pub friction: f64,
+/// What the bodies of a pair are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PairKind {
+    /// Two convex blocks.
+    Convex,
+    /// Two blocks of which one at least is made of glued parts.
+    Glued,
+    /// Terrain (its place among all) and a block.
+    Terrain(u16),
 }
 
 /// What is the same in all steps for a pair. There are many pairs that do not touch: what can be looked up does not stand here.
@@ -226,8 +207,8 @@ pub struct Constants {
     pub facing: u32,
     /// The interface, a place in [`ContactScratch::rows`].
     pub row: u16,
-    /// Whether it is a pair with a block of glued parts.
-    pub glued: bool,
+    /// What the two are.
+    pub kind: PairKind,
 }
 
 impl Constants {
@@ -277,6 +258,15 @@ pub struct Exerted {
     pub spring: Wrench,
     /// Dashpots.
     pub drag: Wrench,
+}
+
+impl Exerted {
+    /// Adds what another patch exerts.
+    pub fn add(&mut self, other: &Self) {
+        self.elastic = self.elastic.plus(&other.elastic);
+        self.spring = self.spring.plus(&other.spring);
+        self.drag = self.drag.plus(&other.drag);
+    }
 }
 
 /// What the pairs of a group of [`GROUP`] exert, in their order: of those that touch only, which are few among all.
@@ -401,49 +391,23 @@ pub struct Acting {
     pub drag: Share,
 }
 
-/// What found contacts and terrain do to the blocks of a model.
-pub(crate) struct OnBlocks<'a> {
-    /// Place in `acting`, per block; empty where nothing is looked for.
-    place: &'a [u32],
-    acting: &'a [Acting],
-    /// Per block; empty without terrain.
-    terrain: &'a [Acting],
-}
-
-impl OnBlocks<'_> {
-    /// What they do to a block, nil where none is near; `None` where nothing is looked for.
-    pub(crate) fn of(&self, b: usize) -> Option<Acting> {
-        let (place, terrain) = (self.place.get(b), self.terrain.get(b));
-        if place.is_none() && terrain.is_none() {
-            return None;
-        }
-        let pairs = place.and_then(|at| self.acting.get(*at as usize));
-        let mut all = pairs.copied().unwrap_or_default();
-        if let Some(terrain) = terrain {
-            all.elastic.plus(&terrain.elastic);
-            all.spring.plus(&terrain.spring);
-            all.drag.plus(&terrain.drag);
-        }
-        Some(all)
-    }
-}
-
-/// Workspace of pairs with blocks of glued parts.
-#[derive(Debug, Default)]
-pub struct GluedWorkspace {
-    /// Finds what pieces share.
-    pub gluer: Gluer,
-    /// Contacts of the pair that have not been found yet.
-    pub old: Vec<PieceContact>,
-}
-
 /// Workspace of a piece of the pairs.
 #[derive(Debug, Default)]
 pub struct Workspace {
     /// Walks over surfaces.
     pub walker: Walker,
     /// For blocks of glued parts.
-    pub glued: GluedWorkspace,
+    pub gluer: Gluer,
+    /// For terrain.
+    pub under: Under,
+    /// Normals of a block on terrain, turned into space.
+    pub normals: Vec<Vec3>,
+    /// Dashpots of ridges under a block.
+    pub ridges: Ridges,
+    /// Patches of the pair at the last evaluation that have not been found again yet.
+    pub old: Vec<ContactPatch>,
+    /// Blocks that are beside all terrain.
+    pub beside: Vec<u32>,
 }
 
 /// Sums over a group of pairs in a step.

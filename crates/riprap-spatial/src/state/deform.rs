@@ -1,5 +1,7 @@
 //! State of deformable blocks and their bonds: what a checkpoint holds.
 
+use std::ops::Range;
+
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -203,6 +205,30 @@ pub struct Facet {
 }
 
 impl Facet {
+    /// One without points between two blocks, with the row of the table of interfaces and the stiffness of its law.
+    pub(crate) fn new(
+        blocks: [u32; 2],
+        frame: [Vec3; 3],
+        (row, stiffness): (u16, [f64; 2]),
+        rigid: [bool; 2],
+    ) -> Self {
+        Self {
+            blocks,
+            frame,
+            now: frame,
+            centre: Vec3::ZERO,
+            area: 0.0,
+            first: 0,
+            count: 0,
+            stiffness,
+            row,
+            rigid,
+            origin: Origin::Built,
+            intact_until_step: 0,
+            parted: false,
+        }
+    }
+
     /// Its points.
     #[must_use]
     pub fn points(&self) -> std::ops::Range<usize> {
@@ -301,29 +327,41 @@ impl Deform {
 
     /// Takes a block out, a rigid one too: its facets and surfaces go, its nodes stay in the lists at rest.
     pub fn retire(&mut self, block: u32) {
-        if let Some(&slot) = self.slot.get(block as usize).filter(|s| **s != RIGID) {
-            let body = &mut self.bodies[slot as usize];
-            body.alive = false;
-            let nodes = body.nodes();
-            self.nodes.velocity[nodes.clone()].fill([0.0; 3]);
+        if let Some(nodes) = self.still(block) {
+            let slot = self.slot[block as usize];
             self.holds.retain(|h| !nodes.contains(&(h.node as usize)));
             self.surfaces.retain(|s| s.body != slot);
         }
-        let (mut facets, mut has_history) = (Vec::new(), Vec::new());
-        let (mut points, mut memory) = (Vec::new(), Vec::new());
-        for (facet, had_history) in self.facets.iter().zip(&self.has_history) {
-            if facet.blocks.contains(&block) {
+        self.drop_facets(|facet| facet.blocks.contains(&block));
+    }
+
+    /// Ends the life of a deformable block and the motion of its nodes, which it returns.
+    pub(crate) fn still(&mut self, block: u32) -> Option<Range<usize>> {
+        let slot = self.slot.get(block as usize).filter(|s| **s != RIGID)?;
+        let body = &mut self.bodies[*slot as usize];
+        body.alive = false;
+        self.nodes.velocity[body.nodes()].fill([0.0; 3]);
+        Some(body.nodes())
+    }
+
+    /// Takes facets with their points out of the lists; the others close up.
+    pub(crate) fn drop_facets(&mut self, goes: impl Fn(&Facet) -> bool) {
+        let (mut to, mut point) = (0, 0);
+        for k in 0..self.facets.len() {
+            let facet = self.facets[k];
+            if goes(&facet) {
                 continue;
             }
-            let range = facet.points();
-            facets.push(Facet { first: points.len() as u32, ..*facet });
-            has_history.push(*had_history);
-            points.extend_from_slice(&self.points[range.clone()]);
-            memory.extend_from_slice(&self.memory[range]);
+            self.facets[to] = Facet { first: point as u32, ..facet };
+            self.has_history[to] = self.has_history[k];
+            self.points.copy_within(facet.points(), point);
+            self.memory.copy_within(facet.points(), point);
+            to += 1;
+            point += facet.count as usize;
         }
-        self.facets = facets;
-        self.has_history = has_history;
-        self.points = points;
-        self.memory = memory;
+        self.facets.truncate(to);
+        self.has_history.truncate(to);
+        self.points.truncate(point);
+        self.memory.truncate(point);
     }
 }

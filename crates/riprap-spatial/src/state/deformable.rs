@@ -3,7 +3,8 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
-use crate::kernel::{Pose, Role};
+use crate::broad::search::Search;
+use crate::kernel::Role;
 
 /// Found contacts of deformable blocks with each other and with rigid ones.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -23,22 +24,20 @@ pub struct DeformableContacts {
 pub struct DeformableSearch {
     /// Displacements of all nodes, m.
     pub displacement: Vec<[f64; 3]>,
-    /// Poses of all blocks, of use for rigid ones.
-    pub poses: Vec<Pose>,
-    /// How far a point of each block may move, m.
-    pub margins: Vec<f64>,
+    /// Poses of all blocks, of use for rigid ones, and margins.
+    pub blocks: Search,
 }
 
 /// Two blocks that can touch, at least one of them deformable.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct DeformablePair {
     /// The blocks; the smaller number first.
     pub ends: [u32; 2],
     /// Whether the pair has been evaluated before: what a new one stores already comes from an edit.
     pub known: bool,
-    /// Springs along the contact.
-    pub memory: DeformableMemory,
-    /// Energy in these springs, J.
+    /// Its contacts that touch, by their keys: one, or on terrain one for each facet.
+    pub contacts: Vec<DeformableContact>,
+    /// Energy in their springs, J.
     pub stored: f64,
     /// Energy of the pressure, J.
     pub energy: f64,
@@ -46,6 +45,26 @@ pub struct DeformablePair {
     pub force: Vec3,
     /// How far the blocks lie in each other, m; 0 when apart.
     pub depth: f64,
+}
+
+impl DeformablePair {
+    /// The contact with this key, a fresh one where there is none.
+    pub fn contact(&mut self, key: u32) -> &mut DeformableContact {
+        let at = self.contacts.partition_point(|c| c.key < key);
+        if self.contacts.get(at).is_none_or(|c| c.key != key) {
+            self.contacts.insert(at, DeformableContact { key, ..DeformableContact::default() });
+        }
+        &mut self.contacts[at]
+    }
+}
+
+/// A contact of two blocks with one normal and one limit of friction.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct DeformableContact {
+    /// Number of the facet of terrain; 0 for the only contact of two blocks.
+    pub key: u32,
+    /// Springs along it.
+    pub memory: DeformableMemory,
 }
 
 /// What a contact remembers from step to step.

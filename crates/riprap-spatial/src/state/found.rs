@@ -1,4 +1,4 @@
-//! What is known of contacts that are found anew in each step.
+//! What is known of contacts that are found again in each step.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +13,7 @@ pub struct FoundContacts {
     pub roles: Vec<Role>,
     /// What the candidate list is made of.
     pub search: Search,
-    /// The candidates, sorted by their blocks.
+    /// The candidates, sorted by their blocks; then each block that terrain acts on with each terrain, sorted by block.
     pub pairs: Vec<FoundPair>,
     /// Pairs near each other that joints held at the last look, so that they are no candidates; sorted.
     pub held: Vec<[u32; 2]>,
@@ -26,102 +26,67 @@ pub struct FoundContacts {
     pub unlabelled: u64,
     /// Those of deformable blocks.
     pub deformable: super::deformable::DeformableContacts,
-    /// What each block has to do with terrain; empty without terrain.
-    pub terrain: Vec<OnTerrain>,
+    /// Blocks whose centroid has been beside all terrain, which fall for ever; empty without terrain.
+    pub left_terrain: Vec<bool>,
 }
 
-/// A block that terrain acts on.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct OnTerrain {
-    /// Way that its points can go before it can touch, m.
-    pub clear: f64,
-    /// Whether its centroid has been beside all terrain: it falls for ever.
-    pub left: bool,
-    /// Its contacts, by terrain and facet.
-    pub facets: Vec<FacetContact>,
-}
-
-/// A block on a facet of terrain.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FacetContact {
-    /// What it is on and with which piece, see [`FacetContact::key`].
-    pub key: [u32; 2],
-    /// Springs along the contact.
-    pub memory: Memory,
-    /// Energy in these springs, J.
-    pub stored: f64,
-    /// Force of the terrain on the block at the last evaluation, N.
-    pub force: riprap_geom::Vec3,
-    /// How deep the block lies in the terrain there, m.
-    pub depth: f64,
-    /// Area across the normal, m².
-    pub area: f64,
-}
-
-impl FacetContact {
-    /// Bits for the place of the terrain; those above are for the piece.
-    const PIECE: u32 = 16;
-
-    /// Key of a piece of a block on a facet: place of the terrain among all with the number of the piece (0 for convex blocks) above it, and
-    /// number of the facet.
-    #[must_use]
-    pub fn key(terrain: usize, piece: u16, facet: u32) -> [u32; 2] {
-        [terrain as u32 | u32::from(piece) << Self::PIECE, facet]
-    }
-
-    /// Number of the piece of a block of glued parts; 0 for a convex block.
-    #[must_use]
-    pub fn piece(&self) -> u16 {
-        (self.key[0] >> Self::PIECE) as u16
-    }
-
-    /// Place of the terrain among all.
-    #[must_use]
-    pub fn terrain(&self) -> usize {
-        (self.key[0] & ((1 << Self::PIECE) - 1)) as usize
-    }
-}
-
-/// Two blocks that can touch.
+/// Two bodies that can touch: blocks, or terrain and a block.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FoundPair {
-    /// The blocks; the smaller number first.
+    /// The blocks; the smaller number first, or terrain.
     pub ends: [u32; 2],
-    /// Springs along the contact.
-    pub memory: Memory,
     /// What goes on of the load of a joint that has let go (boxed: few have any).
     pub offset: Option<Box<Offset>>,
-    /// Energy in these springs, J.
-    pub stored: f64,
     /// Faces of both from which the walk of the last evaluation began; `None` for the peak.
     pub start: Option<[u16; 2]>,
     /// Faces of both from which the next one begins.
     pub next: Option<[u16; 2]>,
-    /// Force of the first on the second at the last evaluation, N; 0 when apart.
-    pub force: riprap_geom::Vec3,
-    /// How far the blocks lie in each other, m; 0 when apart.
+    /// How far they lie in each other, m; 0 when apart.
     pub depth: f64,
     /// They are at least so far apart, m; 0 where that is not known. State, since the length of steps hangs on it.
     pub gap: f64,
     /// Whether joints held the two in place, and they have not been far apart since.
     pub seated: bool,
-    /// Of blocks of glued parts: what each two convex pieces of them share, sorted; springs are in these. `memory` is that of the one
-    /// that presses most, `stored` the sum.
-    pub pieces: Vec<PieceContact>,
+    /// What they share, in the order of the narrow phase: nothing while they are apart, one patch of two convex blocks, one of each two
+    /// pieces of glued parts, one of each facet of terrain and piece.
+    pub patches: Vec<ContactPatch>,
 }
 
-/// What two convex pieces of two blocks share.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct PieceContact {
-    /// Numbers of the pieces.
-    pub pieces: [u16; 2],
+impl FoundPair {
+    /// The patch that presses most, the first of equal ones; `None` when apart.
+    #[must_use]
+    pub fn leading(&self) -> Option<&ContactPatch> {
+        let most = |a: &'_ ContactPatch, b: &'_ ContactPatch| b.pressed > a.pressed;
+        self.patches.iter().reduce(|a, b| if most(a, b) { b } else { a })
+    }
+
+    /// Energy in the springs along all patches, J.
+    #[must_use]
+    pub fn stored(&self) -> f64 {
+        self.patches.iter().map(|patch| patch.stored).sum()
+    }
+
+    /// Force of the first on the second at the last evaluation without dashpots, N.
+    #[must_use]
+    pub fn force(&self) -> riprap_geom::Vec3 {
+        self.patches.iter().map(|patch| patch.force).sum()
+    }
+}
+
+/// A patch of the surface that two bodies share, with springs of its own.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ContactPatch {
+    /// Pieces of both blocks (0 for convex ones); on terrain the piece and the facet.
+    pub key: [u32; 2],
     /// Springs along the contact.
     pub memory: Memory,
     /// Energy in these springs, J.
     pub stored: f64,
     /// Force of pressure and springs of the first on the second at the last evaluation, N.
     pub force: riprap_geom::Vec3,
-    /// How far the pieces lie in each other, m.
+    /// Size of the force of the pressure, N.
+    pub pressed: f64,
+    /// How far they lie in each other there, m.
     pub depth: f64,
     /// Area across the normal, m².
     pub area: f64,

@@ -6,6 +6,7 @@ use crate::implicit::memory::Implicit;
 use crate::kernel::offset::Offset;
 use crate::kernel::{Memory, Pose};
 use crate::state::deform::{Deform, State};
+use crate::state::deformable::DeformableContact;
 use crate::state::found::FoundContacts;
 use crate::state::patches::{Patches, flag};
 use crate::state::world::World;
@@ -124,37 +125,38 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
             hash.count(faces.map_or(u64::MAX, |[a, b]| u64::from(a) << 16 | u64::from(b)));
         }
         hash.number(pair.gap);
-        if touches {
-            remember(hash, &pair.memory);
-        }
-        for piece in &pair.pieces {
-            hash.pair(piece.pieces.map(u32::from));
-            remember(hash, &piece.memory);
+        // Those of two convex blocks have no number.
+        for patch in pair.patches.iter().filter(|_| touches) {
+            if patch.key != [0; 2] {
+                hash.pair(patch.key);
+            }
+            remember(hash, &patch.memory);
         }
         if let Some(offset) = &pair.offset {
             carried_on(hash, offset);
         }
     }
     let deformable = &found.deformable;
-    poses(hash, &deformable.search.poses, &deformable.search.margins);
+    let blocks = &deformable.search.blocks;
+    poses(hash, &blocks.pose, &blocks.margin);
     hash.numbers(deformable.search.displacement.as_flattened());
     hash.number(deformable.longest_step.unwrap_or(-1.0));
     hash.count(deformable.pairs.len() as u64);
+    // A pair that does not touch counts as one contact without memory.
+    let apart = [DeformableContact::default()];
     for pair in &deformable.pairs {
-        let m = &pair.memory;
         hash.pair(pair.ends);
-        hash.count(u64::from(pair.known) | u64::from(m.sliding) << 1);
-        hash.numbers(&m.shear.to_array());
-        hash.numbers(&m.normal.to_array());
-        hash.numbers(&[m.torsion, m.area, m.polar]);
-    }
-    for on in &found.terrain {
-        hash.number(on.clear);
-        hash.count((on.facets.len() as u64) << 1 | u64::from(on.left));
-        for facet in &on.facets {
-            hash.pair(facet.key);
-            remember(hash, &facet.memory);
+        let contacts = if pair.contacts.is_empty() { &apart } else { pair.contacts.as_slice() };
+        for DeformableContact { key, memory: m } in contacts {
+            let flags = u64::from(pair.known) | u64::from(m.sliding) << 1;
+            hash.count(u64::from(*key) << 2 | flags);
+            hash.numbers(&m.shear.to_array());
+            hash.numbers(&m.normal.to_array());
+            hash.numbers(&[m.torsion, m.area, m.polar]);
         }
+    }
+    for left in &found.left_terrain {
+        hash.count(u64::from(*left));
     }
 }
 

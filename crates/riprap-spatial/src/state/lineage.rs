@@ -22,6 +22,16 @@ impl Origin {
     pub const GIVEN: Self = Self { parent: Self::NONE, octant: 0, level: 0 };
 }
 
+/// The block with a number below `first`, or without a parent, that block `b` comes from: itself if it is one.
+#[must_use]
+pub(crate) fn ancestor(lineage: &[Origin], b: u32, first: u32) -> u32 {
+    let mut b = b;
+    while b >= first && lineage[b as usize].parent != Origin::NONE {
+        b = lineage[b as usize].parent;
+    }
+    b
+}
+
 /// Name of block `b`: `rock.17/3` is octant 3 of `rock.17`.
 #[must_use]
 pub(crate) fn name(setup: &Setup, lineage: &[Origin], b: usize) -> String {

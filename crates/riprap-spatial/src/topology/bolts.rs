@@ -6,7 +6,7 @@ use crate::faces::region::holds;
 use crate::push::bolts::inside::TetFan;
 use crate::state::anchor::Inside;
 use crate::state::bolts::{Bolt, Dowel, Pin};
-use crate::state::lineage::Origin;
+use crate::state::lineage::ancestor;
 use crate::state::world::World;
 
 /// A point of a divided block that is no more than this share of a tetrahedron outside a part still belongs to it: faces may be a little
@@ -132,15 +132,9 @@ fn start(world: &World, pin: &Pin) -> Vec3 {
 
 /// What is left of a block that has been divided.
 fn parts(world: &World, block: u32) -> impl Iterator<Item = usize> {
-    let descends = move |b: u32| {
-        let mut of = b;
-        while of != Origin::NONE && of != block {
-            of = world.lineage[of as usize].parent;
-        }
-        of == block
-    };
+    let descends = move |b: &usize| ancestor(&world.lineage, *b as u32, block + 1) == block;
     let after = block as usize + 1..world.alive.len();
-    after.filter(move |b| world.alive[*b] && descends(*b as u32))
+    after.filter(move |b| world.alive[*b] && descends(b))
 }
 
 /// A pin that hangs on another block from now on and has moved by as much as before.

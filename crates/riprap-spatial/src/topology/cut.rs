@@ -12,37 +12,36 @@
 
 mod apply;
 mod facets;
-mod follow;
-mod plan;
 mod pressed;
 mod select;
 mod stretch;
 pub mod tip;
 mod transfer;
 
-use plan::{Cut, Family};
-use transfer::Handed;
+use crate::topology::family::{self, Family};
+use transfer::{Cut, Handed};
 
 use riprap_geom::Vec3;
 
+use crate::deform;
 use crate::exec::Exec;
 use crate::laws::fracture::FractureMode;
 use crate::push::charge;
 use crate::query::view::View;
 pub use crate::setup::deform::{CutAnchor as Anchor, CutRules as Rules};
 use crate::setup::error::RefineError;
-use crate::stable::deformable;
+use crate::stable::deformable::alone;
 pub use crate::state::cutting::{Cutting, Effort};
 use crate::state::deform::Deform;
 pub use crate::state::event::Note;
-use crate::state::event::{EditEvent, EditKind};
 use crate::state::scratch::Scratch;
 use crate::state::workspace::Workspace;
 use crate::state::world::World;
-use crate::step;
-use crate::topology::audit::unchanged;
+use crate::topology::audit;
+use crate::topology::bolts;
 use crate::topology::error::EditError;
 use crate::topology::fracture::CHECK_INTERVAL;
+use crate::topology::transaction::transact;
 
 /// Most blocks that a model may have after a cut.
 const MAX_BLOCKS: usize = 4_000_000;
@@ -98,24 +97,20 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     if world.alive.len() + new > MAX_BLOCKS {
         return Err(RefineError::TooMany.into());
     }
-    // Parts begin with half a kick of forces of their own.
-    step::end_motion(world, scratch, &scratch.damping.clone())?;
-    // Nothing moves until `after`: what the residual changes by is what the cut has made.
-    let before = View { world, scratch }.balance().residual();
     let count = cuts.len();
-    carry_out(world, scratch, cuts)?;
-    if let Some(deform) = world.deform.as_deref_mut() {
-        if let Some(cutting) = &mut deform.cutting {
-            cutting.stages += 1;
+    transact(world, scratch, dt, |world, scratch| {
+        carry_out(world, scratch, cuts)?;
+        if let Some(deform) = world.deform.as_deref_mut() {
+            if let Some(cutting) = &mut deform.cutting {
+                cutting.stages += 1;
+            }
+            if let Some(relax) = &mut deform.relax {
+                relax.disturb();
+            }
         }
-        if let Some(relax) = &mut deform.relax {
-            relax.disturb();
-        }
-    }
-    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
-    let view = View { world, scratch };
-    let (after, ratio) = (view.balance().residual(), view.deformable_unbalanced());
-    world.works.edit_defect += after - before;
+        Ok(())
+    })?;
+    let ratio = View { world, scratch }.deformable_unbalanced();
     if let Some(deform) = world.deform.as_deref_mut() {
         deform.cut_blocks += count as u64;
         deform.cut_unbalanced = deform.cut_unbalanced.max(ratio.unwrap_or(0.0));
@@ -142,134 +137,84 @@ pub fn one(
     dt: f64,
 ) -> Result<Vec<u32>, EditError> {
     let blocks = world.alive.len() as u32;
-    let Some(deform) = world.deform.as_deref_mut() else {
+    if let Some(deform) = world.deform.as_deref_mut() {
+        deform.given.get_or_insert(blocks);
+    }
+    let planned = |view: &View<'_>| {
+        let (deform, work) = view.deformables()?;
+        let body = deform.body(block as usize)?;
+        let whole = (block, work.class(body).mesh.volume());
+        let parts = select::divide(view.world, whole, normal, planes, (0.03, 0.0), None).ok()?;
+        let note = Note { normal, mode: FractureMode::Tension, excess: 0.0 };
+        Some(select::cut(view.world, (deform, work), body, note, parts))
+    };
+    let Some(cut) = planned(&View { world, scratch }) else {
         return Ok(Vec::new());
     };
-    deform.given.get_or_insert(blocks);
-    let note = Note { normal, mode: FractureMode::Tension, excess: 0.0 };
-    let view = View { world, scratch };
-    let Some((deform, work)) = view.deformables() else {
-        return Ok(Vec::new());
-    };
-    let Some(body) = deform.body(block as usize) else {
-        return Ok(Vec::new());
-    };
-    let whole = (block, work.class(body).mesh.volume());
-    let Ok(parts) = select::divide(world, whole, normal, planes, (0.03, 0.0), None) else {
-        return Ok(Vec::new());
-    };
-    let cut = select::cut(world, (deform, work), body, note, parts);
-    step::end_motion(world, scratch, &scratch.damping.clone())?;
-    let before = View { world, scratch }.balance().residual();
-    carry_out(world, scratch, vec![cut])?;
-    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
-    let after = View { world, scratch }.balance().residual();
-    world.works.edit_defect += after - before;
+    transact(world, scratch, dt, |world, scratch| carry_out(world, scratch, vec![cut]))?;
     Ok((blocks..world.alive.len() as u32).collect())
 }
 
 /// Does it all but the evaluation.
 fn carry_out(world: &mut World, scratch: &mut Scratch, cuts: Vec<Cut>) -> Result<(), EditError> {
-    let classes = world.deform.as_ref().map_or(0, |d| d.classes.len());
-    let whole = world.clone();
-    let made = match edit(world, scratch, &cuts) {
-        Ok(made) => made,
-        // A cut that fails half-way leaves the run as it was: it is told, saved and resumed from there.
-        Err(error) => {
-            *world = whole;
-            return Err(error);
-        }
+    let Some(work) = scratch.deform.as_deref() else {
+        return Ok(());
     };
-    drop(whole);
+    let (whole, walls) = (world.clone(), charge::walls::state(world));
+    let made =
+        deform::beside(world, |world, deform| edit(world, deform, (work, &scratch.exec), &cuts));
+    // A cut that fails half-way leaves the run as it was, to be saved and resumed from there.
+    let made = made.transpose().inspect_err(|_| *world = whole)?.unwrap_or(0);
+    charge::walls::renew(world, &walls);
+    bolts::follow(world);
+    let classes = cuts.iter().map(|cut| cut.classes.len()).sum();
     scratch.extend(world, cuts.into_iter().flat_map(|cut| cut.classes));
     let (Some(deform), Some(work)) = (world.deform.as_deref(), scratch.deform.as_deref_mut())
     else {
         return Ok(());
     };
-    let mut known = std::mem::take(&mut work.alone);
     let mut frequencies = 0;
     // Frequencies are for the time step, and a relaxation has none.
     if deform.relax.is_none() {
+        let mut known = std::mem::take(&mut work.alone);
         // The facets that were made stand last.
-        for facet in &deform.facets[deform.facets.len() - made..] {
-            for block in facet.blocks {
-                if let Some(known) = known.get_mut(deform.slot[block as usize] as usize) {
-                    *known = f64::NAN;
-                }
+        let made = deform.facets[deform.facets.len() - made..].iter();
+        for block in made.flat_map(|facet| facet.blocks) {
+            if let Some(known) = known.get_mut(deform.slot[block as usize] as usize) {
+                *known = f64::NAN;
             }
         }
-        (known, frequencies) = deformable::alone::each(deform, work, known, &scratch.exec);
-        work.alone = known;
+        (work.alone, frequencies) = alone::each(deform, work, known, &scratch.exec);
     }
-    work.effort = Effort { classes: deform.classes.len() - classes, facets: made, frequencies };
+    work.effort = Effort { classes, facets: made, frequencies };
     Ok(())
 }
 
-/// Cuts, in the lists of the world; returns the number of facets made.
-fn edit(world: &mut World, scratch: &Scratch, cuts: &[Cut]) -> Result<usize, EditError> {
-    let walls = charge::walls::state(world);
-    let Some(work) = scratch.deform.as_deref() else {
-        return Ok(0);
-    };
-    let made = crate::deform::beside(world, |world, deform| {
-        edit_lists(world, deform, (work, &scratch.exec), cuts)
-    });
-    let made = made.transpose()?.unwrap_or(0);
-    charge::walls::renew(world, &walls);
-    super::bolts::follow(world);
-    Ok(made)
-}
-
-/// The same in the lists of blocks, bodies and facets alone.
-fn edit_lists(
+/// Cuts in the lists of blocks, bodies and facets; returns the number of facets made.
+fn edit(
     world: &mut World,
     deform: &mut Deform,
     (work, exec): (&Workspace, &Exec),
     cuts: &[Cut],
 ) -> Result<usize, EditError> {
-    let first = world.alive.len() as u32;
-    let mut next = first;
-    let families: Vec<Family> = cuts
-        .iter()
-        .map(|cut| {
-            let family = Family { cut, first: next, slot: deform.slot[cut.block as usize] };
-            next += cut.parts.len() as u32;
-            family
-        })
-        .collect();
-    apply::append(world, deform, &families);
-    follow::follow(&mut world.setup, &families);
-    audit(world, &families)?;
+    let mut families: Vec<Family> = Vec::with_capacity(cuts.len());
+    for Cut { block, note, parts, .. } in cuts {
+        let first = families.last().map_or(world.alive.len() as u32, |f| f.children().end);
+        families.push(Family { parent: *block, first, parts, note: Some(*note) });
+    }
+    apply::append(world, deform, &families, cuts);
+    family::follow(&mut world.setup, &families);
+    for Cut { block, handed: Handed { before, after, .. }, .. } in cuts {
+        // That they have no more energy of motion is seen to before.
+        let reach = world.solid_of(*block as usize).radius + before.centre.length();
+        audit::motion(world, *block, [before, after], EXACT, reach)?;
+    }
     let (counts, made) = facets::rebuild(world, deform, work, &families, exec)?;
     for (family, counts) in families.iter().zip(counts) {
-        apply::retire(world, deform, family);
-        let event = EditEvent {
-            children: family.children().collect(),
-            patches: counts,
-            cut: Some(family.cut.note),
-            ..world.event(EditKind::Cut, family.cut.block)
-        };
-        world.events.push(event);
+        world.alive[family.parent as usize] = false;
+        deform.still(family.parent);
+        family::record(world, family, counts);
     }
     crate::deform::build::hold_anew(world, deform);
     Ok(made)
-}
-
-/// Checks that the parts of each block have its mass and momenta; that they have no more energy of motion is seen to before.
-fn audit(world: &World, families: &[Family]) -> Result<(), EditError> {
-    for family in families {
-        let Handed { before, after, .. } = &family.cut.handed;
-        let check = |what, before: f64, after: f64, scale: f64| {
-            unchanged(world, family.cut.block, what, [before, after], EXACT * scale)
-        };
-        check("the mass", before.mass, after.mass, before.mass)?;
-        let scale = before.mass * (2.0 * before.kinetic / before.mass).sqrt();
-        let radius = world.solid_of(family.cut.block as usize).radius + before.centre.length();
-        for k in 0..3 {
-            check("the momentum", before.momentum[k], after.momentum[k], scale)?;
-            let (one, two) = (before.spin[k], after.spin[k]);
-            check("the angular momentum", one, two, scale * radius)?;
-        }
-    }
-    Ok(())
 }

@@ -5,7 +5,9 @@
 //! strength. In a dynamic phase springs break in the step in which they fail (`bonds`), facets are looked at every few
 //! steps. What a point held and no longer holds is booked as fracture.
 
-use riprap_geom::Mat3;
+use std::collections::BTreeMap;
+
+use riprap_geom::{Mat3, Vec3};
 
 use crate::deform::bonds;
 use crate::deform::relax::Breaks;
@@ -13,14 +15,15 @@ use crate::laws::bond;
 use crate::laws::bond::Traction;
 use crate::ledger::Works;
 use crate::query::view::View;
-use crate::setup::deform::{BondFailure, BondLaw, Strength};
+use crate::setup::deform::{BondFailure, BondLaw};
 use crate::state::anchor::Freedoms;
 use crate::state::deform::{Break, Deform, Facet, State};
 use crate::state::relax::Relax;
 use crate::state::scratch::{NonFinite, Scratch};
 use crate::state::workspace::Workspace;
 use crate::state::world::World;
-use crate::step;
+use crate::topology::cut::tip;
+use crate::topology::transaction::booked;
 
 /// Facets used at least this share of the most used one break with it.
 pub const TOGETHER: f64 = 0.95;
@@ -69,12 +72,7 @@ pub fn step(world: &mut World, scratch: &mut Scratch, dt: f64) -> Result<usize, 
     if due.is_empty() {
         return Ok(0);
     }
-    let before = View { world, scratch }.balance().residual();
-    let count = apply(world, &due);
-    step::evaluate(world, scratch, &scratch.damping.clone(), dt)?;
-    let after = View { world, scratch }.balance().residual();
-    world.works.edit_defect += after - before;
-    Ok(count)
+    booked(world, scratch, dt, |world, _| Ok(apply(world, &due)))
 }
 
 /// Commits softening and slip of a converged state of a relaxing phase, once, and books what they have taken since the last one.
@@ -122,44 +120,33 @@ fn due(view: &View<'_>) -> Vec<Due> {
     let Some((deform, work)) = view.deformables() else {
         return Vec::new();
     };
+    let relax = deform.relax.as_ref();
+    let breaks = relax.map_or(Breaks::Always, |r| r.relaxation.breaks);
     let mut stresses = Stresses::default();
     let mut found: Vec<Due> = Vec::new();
-    for (k, facet) in deform.facets.iter().enumerate() {
+    for (k, facet) in (0..).zip(&deform.facets) {
         let law = view.world.setup.interfaces[usize::from(facet.row)].bond.as_ref();
         let Some((law, strength)) = law.and_then(|l| Some((l, l.strength?))) else {
             continue;
         };
-        if view.world.step < facet.intact_until_step {
+        // Softening points look after themselves, and so do those of dynamic phases.
+        let alone = law.failure == BondFailure::Spring
+            && (law.cohesive.is_some() || breaks == Breaks::Always);
+        if alone || view.world.step < facet.intact_until_step {
             continue;
         }
-        let relax = deform.relax.as_ref();
-        let springs_break_at_once = relax.is_none_or(|r| r.relaxation.breaks == Breaks::Always);
-        match law.failure {
-            // Softening points look after themselves, and so do those of dynamic phases.
-            BondFailure::Spring if law.cohesive.is_some() || springs_break_at_once => {}
-            BondFailure::Spring => {
-                for p in whole(deform, facet) {
-                    let t = traction(deform, work, facet, p);
-                    push(&mut found, k, Some(p as u32), &strength, &t);
-                }
+        let each = |point, t: &Traction| {
+            let (utilisation, mode) = strength.utilisation(t);
+            if utilisation > 1.0 {
+                found.push(Due { facet: k, point, utilisation, mode });
             }
-            BondFailure::Facet => {
-                if let Some(t) = mean_traction(deform, work, facet) {
-                    push(&mut found, k, None, &strength, &t);
-                }
-            }
-            BondFailure::BlockStress => {
-                if whole(deform, facet).next().is_some() {
-                    let t = stresses.on(deform, work, facet);
-                    push(&mut found, k, None, &strength, &t);
-                }
-            }
-        }
+        };
+        stresses.judge(deform, work, facet, law.failure, each);
     }
-    if let Some(chosen) = crate::topology::cut::tip::may_break(view.world, deform) {
+    if let Some(chosen) = tip::may_break(view.world, deform) {
         // From each tip a crack goes on in one direction.
         let of = |d: &Due| chosen.get(&d.facet).cloned().unwrap_or_default();
-        let mut best = std::collections::BTreeMap::new();
+        let mut best = BTreeMap::new();
         for due in &found {
             for tip in of(due) {
                 let most: &mut f64 = best.entry(tip).or_insert(0.0);
@@ -168,42 +155,22 @@ fn due(view: &View<'_>) -> Vec<Due> {
         }
         found.retain(|d| of(d).iter().any(|tip| d.utilisation >= best[tip]));
     }
-    let most = found.iter().map(|d| d.utilisation).fold(0.0, f64::max);
     // While everything moves each facet fails when it fails.
-    let least = match deform.relax.as_ref().map(|r| r.relaxation.breaks) {
-        Some(Breaks::Most) => TOGETHER * most,
-        Some(Breaks::All | Breaks::Always) | None => 0.0,
-    };
-    found.retain(|d| d.utilisation >= least);
+    if breaks == Breaks::Most {
+        let most = most(&found);
+        found.retain(|d| d.utilisation >= TOGETHER * most);
+    }
     found
 }
 
-fn push(found: &mut Vec<Due>, k: usize, point: Option<u32>, strength: &Strength, t: &Traction) {
-    let (utilisation, mode) = strength.utilisation(t);
-    if utilisation > 1.0 {
-        found.push(Due { facet: k as u32, point, utilisation, mode });
-    }
+/// The largest utilisation.
+fn most(due: &[Due]) -> f64 {
+    due.iter().map(|d| d.utilisation).fold(0.0, f64::max)
 }
 
 /// Points of a facet that are not broken.
 fn whole<'a>(deform: &'a Deform, facet: &Facet) -> impl Iterator<Item = usize> + 'a {
     facet.points().filter(|p| !deform.memory[*p].state.is_broken())
-}
-
-/// Traction (n, b, c) of a point, Pa.
-fn traction(deform: &Deform, work: &Workspace, facet: &Facet, p: usize) -> Traction {
-    let force = riprap_geom::Vec3::from_array(work.slots[p]);
-    facet.now.map(|e| e.dot(force) / deform.points[p].area)
-}
-
-/// Mean traction (n, b, c) of the points that are not broken, Pa; `None` if all are.
-fn mean_traction(deform: &Deform, work: &Workspace, facet: &Facet) -> Option<Traction> {
-    let (mut force, mut area) = (riprap_geom::Vec3::ZERO, 0.0);
-    for p in whole(deform, facet) {
-        force += riprap_geom::Vec3::from_array(work.slots[p]);
-        area += deform.points[p].area;
-    }
-    (area > 0.0).then(|| facet.now.map(|e| e.dot(force) / area))
 }
 
 /// Largest utilisation of the facets for which `chosen` holds (their two blocks), each by `failure`.
@@ -225,28 +192,53 @@ pub fn utilisation(view: &View<'_>, k: usize, failure: BondFailure) -> Option<f6
     let facet = &deform.facets[k];
     let law = view.world.setup.interfaces[usize::from(facet.row)].bond.as_ref()?;
     let strength = law.strength?;
-    match failure {
-        BondFailure::Spring => whole(deform, facet)
-            .map(|p| strength.utilisation(&traction(deform, work, facet, p)).0)
-            .reduce(f64::max),
-        BondFailure::Facet => {
-            mean_traction(deform, work, facet).map(|t| strength.utilisation(&t).0)
-        }
-        BondFailure::BlockStress => {
-            whole(deform, facet).next()?;
-            let t = Stresses::default().on(deform, work, facet);
-            Some(strength.utilisation(&t).0)
-        }
-    }
+    let mut most: Option<f64> = None;
+    Stresses::default().judge(deform, work, facet, failure, |_, t| {
+        let used = strength.utilisation(t).0;
+        most = Some(most.map_or(used, |most| most.max(used)));
+    });
+    most
 }
 
 /// Average stresses of bodies, found when they are asked for.
 #[derive(Default)]
 struct Stresses {
-    known: std::collections::BTreeMap<u32, Mat3>,
+    known: BTreeMap<u32, Mat3>,
 }
 
 impl Stresses {
+    /// Calls `each` with the tractions (n, b, c, Pa) by which a facet fails: of its points, or one for all; with none for what is broken.
+    fn judge(
+        &mut self,
+        deform: &Deform,
+        work: &Workspace,
+        facet: &Facet,
+        failure: BondFailure,
+        mut each: impl FnMut(Option<u32>, &Traction),
+    ) {
+        let force = |p: usize| Vec3::from_array(work.slots[p]);
+        let along = |t: Vec3, area: f64| facet.now.map(|e| e.dot(t) / area);
+        match failure {
+            BondFailure::Spring => whole(deform, facet)
+                .for_each(|p| each(Some(p as u32), &along(force(p), deform.points[p].area))),
+            BondFailure::Facet => {
+                let (mut sum, mut area) = (Vec3::ZERO, 0.0);
+                for p in whole(deform, facet) {
+                    sum += force(p);
+                    area += deform.points[p].area;
+                }
+                if area > 0.0 {
+                    each(None, &along(sum, area));
+                }
+            }
+            BondFailure::BlockStress => {
+                if whole(deform, facet).next().is_some() {
+                    each(None, &self.on(deform, work, facet));
+                }
+            }
+        }
+    }
+
     /// Traction (n, b, c) on a facet by the mean of the average stresses of its deformable blocks, Pa.
     fn on(&mut self, deform: &Deform, work: &Workspace, facet: &Facet) -> Traction {
         let (mut sum, mut count) = (Mat3::ZERO, 0.0);
@@ -309,7 +301,7 @@ fn apply(world: &mut World, due: &[Due]) -> usize {
         deform.has_history[k as usize] = true;
     }
     world.works.fracture += released;
-    let most = due.iter().map(|d| d.utilisation).fold(0.0, f64::max);
+    let most = most(due);
     record_failure(deform, world.step, world.time, most, released);
     if let Some(relax) = &mut deform.relax {
         relax.disturb();

@@ -1,133 +1,70 @@
 //! What patches hand on when their blocks are split or taken out.
 
-use riprap_geom::{Mat3, Vec3};
+use riprap_geom::Mat3;
 
-use crate::joint::patch;
-use crate::joint::patch::Poses;
+use crate::joint::patch::{self, Poses};
+use crate::joint::reading::Reading;
 use crate::laws::face_joint::{SIGNS, Traction};
-use crate::query::view::View;
-use crate::state::interface::Origin;
-use crate::state::patches::{PatchClass, flag};
+use crate::state::patches::flag;
 use crate::state::world::World;
 
-/// A patch whose block is about to be split.
-#[derive(Clone, Debug)]
-pub(super) struct Old {
-    /// Blocks i and j.
-    pub(super) ends: [u32; 2],
-    /// Geometry and stiffness.
-    class: PatchClass,
-    /// Centre in the place of block i at the start, m.
-    centre: Vec3,
-    /// Tractions on i at the points (n, b, c), Pa.
-    tractions: [Traction; 4],
-    /// Tractions at zero displacement.
-    start: [Traction; 4],
-    flags: u16,
-    normal_offset: [f64; 4],
-    accumulated_slip: [f64; 4],
-    wear: [[f64; 4]; 2],
-    /// Openings of the points, m, where the law is not plain.
-    openings: Option<[f64; 4]>,
-    origin: Origin,
-}
-
-impl Old {
-    pub(super) fn new(view: &View, p: usize) -> Self {
-        let (world, list) = (view.world, &view.world.patches);
-        let class = *view.patch_class(p);
-        let ends = list.ends[p];
-        Self {
-            centre: world.reference[ends[0] as usize] + class.arms[0],
-            tractions: view.patch_tractions(p),
-            start: patch::start(&class, list.prestress.get(p)),
-            flags: list.flags[p],
-            normal_offset: list.normal_offset.get(p).copied().unwrap_or_default(),
-            accumulated_slip: list.accumulated_slip.get(p).copied().unwrap_or_default(),
-            wear: list.wear.get(p).copied().unwrap_or_default(),
-            openings: patch::openings(
-                patch::joint(&world.setup.interfaces, &class),
-                &class,
-                &view.patch_points(p),
-                &patch::start(&class, list.prestress.get(p)),
-                &view.patch_memory(p),
-            ),
-            origin: list.origin_of(p),
-            ends,
-            class,
+/// Hands the state of patch `k` of a split block on to patch `p`, which is a part of it.
+///
+/// While all points hold, tractions are those of the bilinear field through the old points: force and moment
+/// stay exactly; where the axes of the part are others, so are the components. Where a point is broken or open,
+/// each new point takes state and traction of the nearest old point, so that none exceeds its limit.
+pub(super) fn hand_on(world: &mut World, p: usize, k: usize) {
+    let old = Reading { world, p: k };
+    let (list, was) = (&world.patches, *old.class());
+    let class = world.classes[world.patches.class[p] as usize];
+    let (start, tractions, openings) = (old.start(), old.tractions(&old.points()), old.openings());
+    let [i, i_was] =
+        [world.patches.ends[p][0], list.ends[k][0]].map(|b| world.reference[b as usize]);
+    let shift = i + class.arms[0] - (i_was + was.arms[0]);
+    let ([_, b, c], [_, along_b, along_c]) = (was.frame, class.frame);
+    let turned = along_b.dot(b).min(along_c.dot(c)) < 1.0 - 1e-9;
+    let own = |[n, s, t]: Traction| match turned {
+        true => {
+            [n, s * b.dot(along_b) + t * c.dot(along_b), s * b.dot(along_c) + t * c.dot(along_c)]
         }
+        false => [n, s, t],
+    };
+    let same = !turned
+        && shift.length() < 1e-9 * was.half_spacing[0].max(was.half_spacing[1])
+        && (class.area - was.area).abs() < 1e-9 * class.area;
+    let at = [0, 1, 2, 3].map(|q| {
+        let at = shift + patch::place(&class, q);
+        [at.dot(b) / was.half_spacing[0], at.dot(c) / was.half_spacing[1]]
+    });
+    // The old point that each new one takes its state of.
+    let from = [0, 1, 2, 3].map(|q| if same { q } else { nearest(at[q]) });
+    let is = |group: u16, o: usize| list.flags[k] & flag::of(group, o) != 0;
+    // A law that is not plain is not linear: points go on from where the nearest one was.
+    let linear = list.flags[k] & (flag::BROKEN | flag::OPEN) == 0 && !same && openings.is_none();
+    let normal_offset = list.normal_offset.get(k).copied().unwrap_or_default();
+    let accumulated_slip = list.accumulated_slip.get(k).copied().unwrap_or_default();
+    let new = New {
+        tractions: [0, 1, 2, 3]
+            .map(|q| own(if linear { bilinear(&tractions, at[q]) } else { tractions[from[q]] })),
+        // An open point closes at the displacement at which it would have closed.
+        normal_offset: from
+            .map(|o| is(flag::OPEN, o).then(|| normal_offset[o] - start[o][0] / was.stiffness[0])),
+        accumulated_slip: from.map(|o| accumulated_slip[o]),
+        wear: list.wear.get(k).copied().unwrap_or_default().map(|wear| from.map(|o| wear[o])),
+        openings: openings.map(|openings| from.map(|o| openings[o])),
+    };
+    let mut flags = list.flags[k] & flag::FINITE;
+    for group in [flag::BROKEN, flag::OPEN, flag::SLIDING] {
+        let set = (0..4).filter(|q| is(group, from[*q]));
+        flags |= set.map(|q| flag::of(group, q)).sum::<u16>();
     }
-
-    /// Unit normal from i to j.
-    pub(super) fn normal(&self) -> Vec3 {
-        self.class.frame[0]
-    }
-
-    /// Hands its state to patch `p`, which is a part of it.
-    ///
-    /// While all points hold, tractions are those of the bilinear field through the old points: force and moment
-    /// stay exactly; where the axes of the part are others, so are the components. Where a point is broken or open,
-    /// each new point takes state and traction of the nearest old point, so that none exceeds its limit.
-    pub(super) fn hand_on(&self, world: &mut World, p: usize) {
-        let class = world.classes[world.patches.class[p] as usize];
-        let i = world.patches.ends[p][0] as usize;
-        let shift = world.reference[i] + class.arms[0] - self.centre;
-        let [_, b, c] = self.class.frame;
-        let [_, along_b, along_c] = class.frame;
-        let turned = along_b.dot(b).min(along_c.dot(c)) < 1.0 - 1e-9;
-        let own = |[n, s, t]: Traction| match turned {
-            true => [
-                n,
-                s * b.dot(along_b) + t * c.dot(along_b),
-                s * b.dot(along_c) + t * c.dot(along_c),
-            ],
-            false => [n, s, t],
-        };
-        let whole = self.flags & (flag::BROKEN | flag::OPEN) == 0;
-        let same = !turned
-            && shift.length() < 1e-9 * self.class.half_spacing[0].max(self.class.half_spacing[1])
-            && (class.area - self.class.area).abs() < 1e-9 * class.area;
-        let mut flags = self.flags & flag::FINITE;
-        let mut new = New::default();
-        for q in 0..4 {
-            let at = shift + patch::place(&class, q);
-            let at =
-                [at.dot(b) / self.class.half_spacing[0], at.dot(c) / self.class.half_spacing[1]];
-            let nearest = if same { q } else { nearest(at) };
-            // A law that is not plain is not linear: points go on from where the nearest one was.
-            new.tractions[q] = own(if whole && !same && self.openings.is_none() {
-                bilinear(&self.tractions, at)
-            } else {
-                self.tractions[nearest]
-            });
-            new.accumulated_slip[q] = self.accumulated_slip[nearest];
-            new.wear = [0, 1].map(|k| {
-                let mut wear = new.wear[k];
-                wear[q] = self.wear[k][nearest];
-                wear
-            });
-            if let Some(openings) = &self.openings {
-                new.openings.get_or_insert([0.0; 4])[q] = openings[nearest];
-            }
-            for group in [flag::BROKEN, flag::OPEN, flag::SLIDING] {
-                if self.flags & flag::of(group, nearest) != 0 {
-                    flags |= flag::of(group, q);
-                }
-            }
-            if self.flags & flag::of(flag::OPEN, nearest) != 0 {
-                // An open point closes at the displacement at which it would have closed.
-                let closes =
-                    self.normal_offset[nearest] - self.start[nearest][0] / self.class.stiffness[0];
-                new.normal_offset[q] = Some(closes);
-            }
-        }
-        new.put(world, p, flags);
-        world.patches.set_origin(p, self.origin);
-    }
+    let origin = list.origin_of(k);
+    new.put(world, p, flags);
+    world.patches.set_origin(p, origin);
 }
 
 /// The point whose quarter holds a place given in units of the half_spacing.
-fn nearest(at: [f64; 2]) -> usize {
+pub(super) fn nearest(at: [f64; 2]) -> usize {
     let side = |x: f64| if x < 0.0 { -1.0 } else { 1.0 };
     (0..4).find(|&q| SIGNS[0][q] == side(at[0]) && SIGNS[1][q] == side(at[1])).unwrap_or(0)
 }

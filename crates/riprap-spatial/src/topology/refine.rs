@@ -8,10 +8,9 @@
 //!
 //! Source: Tian & Li, section 2.
 
-mod follow;
-
 use crate::setup::error::{MAX_BLOCKS, MAX_LEVELS, RefineError};
 use crate::state::lineage::name;
+use crate::topology::family::{self, Family};
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Parallelepiped, Polyhedron};
 
@@ -20,21 +19,18 @@ use crate::faces::region::{Bins, Bounds, Extent, TOUCH};
 use crate::faces::solids::share_face;
 use crate::setup::{BlockSpec, Refinement, Region, Setup};
 pub(crate) use crate::state::lineage::Origin;
-pub(crate) use follow::follow;
 
 /// Blocks as a forest of octrees; finds neighbours and keeps the balance.
 #[derive(Debug)]
 pub(crate) struct Forest {
     cells: Vec<Cell>,
-    leaning: Vec<Parallelepiped>,
-    whole: Vec<Extent>,
     bins: Bins,
     periodic: [Option<f64>; 3],
     splits: Vec<u32>,
     found: Vec<u32>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 struct Cell {
     bounds: Bounds,
     level: u8,
@@ -44,50 +40,58 @@ struct Cell {
     children: u32,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 enum Kind {
     Brick,
-    /// Number in `Forest::leaning`.
-    Leaning(u32),
-    /// It cannot be divided; number in `Forest::whole`.
-    Whole(u32),
+    Leaning(Box<Parallelepiped>),
+    /// It cannot be divided.
+    Whole(Box<Extent>),
+}
+
+impl From<Divisible> for Kind {
+    fn from(part: Divisible) -> Self {
+        match part {
+            Divisible::Brick(_) => Self::Brick,
+            Divisible::Leaning(solid) => Self::Leaning(Box::new(solid)),
+        }
+    }
+}
+
+impl Cell {
+    fn divisible(&self) -> Option<Divisible> {
+        match &self.kind {
+            Kind::Brick => Some(Divisible::Brick(self.bounds)),
+            Kind::Leaning(solid) => Some(Divisible::Leaning(**solid)),
+            Kind::Whole(_) => None,
+        }
+    }
+
+    fn extent(&self) -> Extent {
+        match &self.kind {
+            Kind::Brick => Extent::Box(self.bounds),
+            Kind::Leaning(solid) => Divisible::Leaning(**solid).extent(),
+            Kind::Whole(extent) => (**extent).clone(),
+        }
+    }
 }
 
 impl Forest {
     /// The blocks of a model; `alive` is false for blocks that were split or removed.
     #[must_use]
     pub(crate) fn new(setup: &Setup, lineage: &[Origin], alive: &[bool]) -> Self {
-        let (mut leaning, mut whole) = (Vec::new(), Vec::new());
-        let mut deforms = vec![false; setup.blocks.len()];
-        for &b in setup.deform.sets.iter().flat_map(|set| &set.blocks) {
-            deforms[b as usize] = true;
-        }
-        let mut cells: Vec<Cell> = setup
-            .blocks
-            .iter()
-            .zip(lineage)
-            .zip(alive)
-            .zip(&deforms)
-            .map(|(((block, origin), &alive), &deforms)| Cell {
-                bounds: Bounds::of(&block.shape),
-                level: origin.level,
-                // Blocks that bend are cut and not split.
-                kind: match Divisible::of(&block.shape).filter(|_| !deforms) {
-                    Some(Divisible::Brick(_)) => Kind::Brick,
-                    Some(Divisible::Leaning(solid)) => {
-                        leaning.push(solid);
-                        Kind::Leaning(leaning.len() as u32 - 1)
-                    }
-                    None => {
-                        whole.push(Extent::of(&block.shape));
-                        Kind::Whole(whole.len() as u32 - 1)
-                    }
-                },
-                // Terrain is never divided, nor a neighbour of who is.
-                alive: alive && !block.shape.is_terrain(),
-                children: 0,
-            })
-            .collect();
+        let blocks = setup.blocks.iter().zip(lineage).zip(alive);
+        let cell = |((block, origin), &alive): ((&BlockSpec, &Origin), &bool)| Cell {
+            bounds: Bounds::of(&block.shape),
+            level: origin.level,
+            kind: match Divisible::of(&block.shape) {
+                Some(part) => part.into(),
+                None => Kind::Whole(Box::new(Extent::of(&block.shape))),
+            },
+            // Terrain is never divided, nor a neighbour of who is.
+            alive: alive && !block.shape.is_terrain(),
+            children: 0,
+        };
+        let mut cells: Vec<Cell> = blocks.map(cell).collect();
         for (b, origin) in lineage.iter().enumerate() {
             if origin.parent != Origin::NONE && origin.octant == 0 {
                 cells[origin.parent as usize].children = b as u32;
@@ -101,43 +105,19 @@ impl Forest {
                 numbers.push(b as u32);
             }
         }
-        Self {
-            bins: Bins::new(&boxes, &numbers),
-            cells,
-            leaning,
-            whole,
-            periodic: setup.periodic,
-            splits: Vec::new(),
-            found: Vec::new(),
-        }
+        let bins = Bins::new(&boxes, &numbers);
+        let (splits, found) = (Vec::new(), Vec::new());
+        let mut forest = Self { bins, cells, periodic: setup.periodic, splits, found };
+        // Blocks that bend are cut and not split.
+        let bend = setup.deform.sets.iter().flat_map(|set| &set.blocks);
+        bend.for_each(|&b| forest.keep_whole(b));
+        forest
     }
 
     /// Leaves a block whole and out of the balance.
     pub(crate) fn keep_whole(&mut self, b: u32) {
-        if matches!(self.cells[b as usize].kind, Kind::Whole(_)) {
-            return;
-        }
-        let extent = self.extent(b);
-        self.cells[b as usize].kind = Kind::Whole(self.whole.len() as u32);
-        self.whole.push(extent);
-    }
-
-    fn divisible(&self, b: u32) -> Option<Divisible> {
-        let cell = &self.cells[b as usize];
-        match cell.kind {
-            Kind::Brick => Some(Divisible::Brick(cell.bounds)),
-            Kind::Leaning(k) => Some(Divisible::Leaning(self.leaning[k as usize])),
-            Kind::Whole(_) => None,
-        }
-    }
-
-    fn extent(&self, b: u32) -> Extent {
-        let cell = &self.cells[b as usize];
-        match cell.kind {
-            Kind::Brick => Extent::Box(cell.bounds),
-            Kind::Leaning(k) => Divisible::Leaning(self.leaning[k as usize]).extent(),
-            Kind::Whole(k) => self.whole[k as usize].clone(),
-        }
+        let cell = &mut self.cells[b as usize];
+        cell.kind = Kind::Whole(Box::new(cell.extent()));
     }
 
     /// Parents in the order of splitting; the children of the `k`-th are the blocks `8 k` to `8 k + 7` after the
@@ -153,7 +133,7 @@ impl Forest {
         self.leaves()
             .filter(|&b| {
                 let cell = &self.cells[b as usize];
-                cell.level < levels && cell.bounds.touches(region) && self.extent(b).touches(region)
+                cell.level < levels && cell.bounds.touches(region) && cell.extent().touches(region)
             })
             .collect()
     }
@@ -181,17 +161,17 @@ impl Forest {
     /// # Errors
     /// As `refine`: the block cannot be divided, or there would be too many.
     pub(crate) fn split(&mut self, b: u32) -> Result<(), Option<u32>> {
-        let cell = self.cells[b as usize];
-        if !cell.alive {
+        let &Cell { level, alive, .. } = &self.cells[b as usize];
+        if !alive {
             return Ok(());
         }
-        let Some(divisible) = self.divisible(b) else {
+        let Some(divisible) = self.cells[b as usize].divisible() else {
             return Err(Some(b));
         };
         loop {
             let coarser = self.face_neighbours(b).into_iter().find(|&n| {
                 let other = &self.cells[n as usize];
-                !matches!(other.kind, Kind::Whole(_)) && other.level < cell.level
+                !matches!(other.kind, Kind::Whole(_)) && other.level < level
             });
             match coarser {
                 // Its parts may still be coarser than this block: the neighbours are looked for again.
@@ -209,16 +189,10 @@ impl Forest {
             let part = divisible.part(octant);
             self.cells.push(Cell {
                 bounds: *part.extent().bounds(),
-                level: cell.level + 1,
-                kind: match part {
-                    Divisible::Brick(_) => Kind::Brick,
-                    Divisible::Leaning(solid) => {
-                        self.leaning.push(solid);
-                        Kind::Leaning(self.leaning.len() as u32 - 1)
-                    }
-                },
+                level: level + 1,
+                kind: part.into(),
+                alive: true,
                 children: 0,
-                ..cell
             });
         }
         Ok(())
@@ -226,15 +200,15 @@ impl Forest {
 
     /// Living blocks that share part of a face with block `b`, ascending.
     pub(crate) fn face_neighbours(&mut self, b: u32) -> Vec<u32> {
-        let own = self.cells[b as usize];
+        let own = &self.cells[b as usize];
         let mut neighbours = Vec::new();
         let mut roots = std::mem::take(&mut self.found);
         for shift in images(self.periodic) {
             let image = Image {
                 bounds: Bounds { centre: own.bounds.centre + shift, ..own.bounds },
-                solid: match own.kind {
+                solid: match &own.kind {
                     Kind::Brick => None,
-                    Kind::Leaning(_) | Kind::Whole(_) => Some(self.extent(b).solid(shift)),
+                    Kind::Leaning(_) | Kind::Whole(_) => Some(own.extent().solid(shift)),
                 },
             };
             self.bins.near(&image.bounds, &mut roots);
@@ -266,7 +240,7 @@ impl Forest {
 
     fn share_face(&self, b: u32, image: &Image) -> bool {
         let cell = &self.cells[b as usize];
-        let solid = match (&image.solid, cell.kind) {
+        let solid = match (&image.solid, &cell.kind) {
             (None, Kind::Brick) => return cell.bounds.share_face(&image.bounds),
             (None, Kind::Leaning(_) | Kind::Whole(_)) => {
                 &Extent::Box(image.bounds).solid(Vec3::ZERO)
@@ -275,7 +249,7 @@ impl Forest {
         };
         let gap = TOUCH * cell.bounds.half.min(image.bounds.half).min_element();
         cell.bounds.gaps(&image.bounds).max_element() <= gap
-            && share_face(&self.extent(b).solid(Vec3::ZERO), solid, gap)
+            && share_face(&cell.extent().solid(Vec3::ZERO), solid, gap)
     }
 }
 
@@ -326,7 +300,6 @@ pub(crate) fn before_run(setup: &mut Setup) -> Result<Vec<Origin>, RefineError> 
     }
     let splits = forest.into_splits();
     append_children(setup, &mut lineage, &splits);
-    follow(setup, &lineage, &splits);
     Ok(lineage)
 }
 
@@ -339,24 +312,29 @@ pub(crate) fn why(setup: &Setup, lineage: &[Origin], block: Option<u32>) -> Refi
     }
 }
 
-/// Appends the children of the split blocks; they move with the rigid motion of their parent at the start.
+/// Appends the children of the split blocks, with the rigid motion of their parent at the start; lists that name blocks follow.
 pub(crate) fn append_children(setup: &mut Setup, lineage: &mut Vec<Origin>, splits: &[u32]) {
+    let families = in_eight(splits, lineage.len());
     for &parent in splits {
-        let spec = setup.blocks[parent as usize].clone();
+        let spec = &setup.blocks[parent as usize];
         let Some(whole) = Divisible::of(&spec.shape) else {
             unreachable!("only blocks with eight similar parts are split")
         };
-        let level = lineage[parent as usize].level + 1;
+        let (velocity, spin) = (spec.velocity, spec.spin);
         for octant in 0..8 {
             let part = whole.part(octant);
-            setup.blocks.push(BlockSpec {
-                shape: part.shape(),
-                velocity: spec.velocity + spec.spin.cross(part.centre() - whole.centre()),
-                ..spec.clone()
-            });
-            lineage.push(Origin { parent, octant, level });
+            let velocity = velocity + spin.cross(part.centre() - whole.centre());
+            family::describe(setup, lineage, (parent, octant), (part.shape(), velocity));
         }
     }
+    family::follow(setup, &families);
+}
+
+/// The families of blocks that are split in this order, with `blocks` blocks before.
+pub(super) fn in_eight(splits: &[u32], blocks: usize) -> Vec<Family<'static>> {
+    let firsts = (blocks as u32..).step_by(8);
+    let one = |(&parent, first)| Family { parent, first, parts: &[], note: None };
+    splits.iter().zip(firsts).map(one).collect()
 }
 
 #[cfg(test)]

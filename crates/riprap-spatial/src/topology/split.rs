@@ -10,20 +10,23 @@ use crate::faces::overlap;
 use crate::faces::overlap::Overlap;
 use crate::joint::classes::ClassTable;
 use crate::joint::patch::turned_inertia;
-use crate::laws::face_joint::SIGNS;
+use crate::joint::reading::Reading;
 use crate::push::charge;
 use crate::push::charge::walls;
 use crate::query::view::View;
+use crate::state::anchor::Anchor;
 use crate::state::bodies::Turned;
 use crate::state::cavity::Wall;
-use crate::state::event::{EditEvent, EditKind};
 use crate::state::face::{Face, HalfBlock};
 use crate::state::interface::Origin;
+use crate::state::lineage;
 use crate::state::world::World;
+use crate::topology::audit;
 use crate::topology::error::EditError;
+use crate::topology::family::{self, Moving};
 use crate::topology::patches;
-use crate::topology::patches::Old;
 use crate::topology::refine;
+use crate::topology::remove::orphans;
 
 /// Least cosine between the normals of a face and of its part.
 const ALIKE: f64 = 0.999;
@@ -32,62 +35,46 @@ const IN_RECTANGLE: f64 = 1.8;
 /// The same for a parallelogram along its principal axes (half diagonals of a rhombus are sqrt(6)).
 const IN_PARALLELOGRAM: f64 = 2.5;
 
-/// All that is needed of the state before.
+/// What is split, and what is needed of the state before.
 pub(super) struct Plan<'a> {
     /// Parents in order; children may be named by their future number.
     splits: &'a [u32],
     /// Number of blocks before.
     pub(super) blocks: usize,
-    /// Patches of split blocks, by the lower and the higher block.
-    old: BTreeMap<[u32; 2], Vec<Old>>,
+    /// Patches of split blocks, by the lower and the higher block; they stay in the list until their parts have taken over.
+    old: BTreeMap<[u32; 2], Vec<usize>>,
     /// Average stress of the split blocks in the frame of the start, Pa.
     stress: BTreeMap<u32, Mat3>,
-    /// Number of patches of the split blocks.
-    count: BTreeMap<u32, u32>,
 }
 
 impl<'a> Plan<'a> {
     pub(super) fn new(view: &View, splits: &'a [u32]) -> Self {
         let world = view.world;
         let blocks = world.alive.len();
-        let mut plan = Self {
-            splits,
-            blocks,
-            old: BTreeMap::new(),
-            stress: BTreeMap::new(),
-            count: BTreeMap::new(),
-        };
         let stresses = view.stresses();
-        for &b in splits.iter().filter(|b| (**b as usize) < blocks) {
-            let turn = world.turned[b as usize]
-                .as_ref()
-                .map_or(Mat3::IDENTITY, |t| Mat3::from_quat(t.attitude));
-            let stress = turn.transpose() * stresses[b as usize] * turn;
-            plan.stress.insert(b, stress);
-            plan.count.insert(b, 0);
-        }
-        for (p, &ends) in world.patches.ends.iter().enumerate() {
-            if !ends.iter().any(|b| plan.stress.contains_key(b)) {
-                continue;
-            }
-            let pair = [ends[0].min(ends[1]), ends[0].max(ends[1])];
-            plan.old.entry(pair).or_default().push(Old::new(view, p));
-            for b in ends {
-                if let Some(count) = plan.count.get_mut(&b) {
-                    *count += 1;
-                }
+        let stress = splits.iter().filter(|b| (**b as usize) < blocks).map(|&b| {
+            let turned = world.turned[b as usize].as_ref();
+            let turn = turned.map_or(Mat3::IDENTITY, |t| Mat3::from_quat(t.attitude));
+            (b, turn.transpose() * stresses[b as usize] * turn)
+        });
+        let stress: BTreeMap<u32, Mat3> = stress.collect();
+        let mut old: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+        for (p, &[i, j]) in world.patches.ends.iter().enumerate() {
+            if stress.contains_key(&i) || stress.contains_key(&j) {
+                old.entry([i.min(j), i.max(j)]).or_default().push(p);
             }
         }
-        plan
+        Self { splits, blocks, old, stress }
+    }
+
+    /// Blocks of the old patches.
+    fn old_ends(&self, world: &World) -> impl Iterator<Item = u32> {
+        self.old.values().flatten().flat_map(|p| world.patches.ends[*p])
     }
 
     /// The block that existed before and holds block `b`.
     pub(super) fn root(&self, world: &World, b: u32) -> u32 {
-        let mut b = b;
-        while b as usize >= self.blocks {
-            b = world.lineage[b as usize].parent;
-        }
-        b
+        lineage::ancestor(&world.lineage, b, self.blocks as u32)
     }
 
     pub(super) fn is_new(&self, b: u32) -> bool {
@@ -95,48 +82,42 @@ impl<'a> Plan<'a> {
     }
 
     /// The patch that parts of the blocks `roots` share in an overlap, and whether its blocks stand the other way round there.
-    fn old_of(&self, roots: [u32; 2], overlap: &Overlap) -> Option<(&Old, bool)> {
+    fn old_of(&self, world: &World, roots: [u32; 2], overlap: &Overlap) -> Option<(usize, bool)> {
         let pair = [roots[0].min(roots[1]), roots[0].max(roots[1])];
-        let same = |old: &Old, back: bool| {
+        let same = |p: usize, back: bool| {
             let sign = if back { -1.0 } else { 1.0 };
             let ends = if back { [roots[1], roots[0]] } else { roots };
-            old.ends == ends && sign * old.normal().dot(overlap.frame[0]) > ALIKE
+            let normal = Reading { world, p }.class().frame[0];
+            world.patches.ends[p] == ends && sign * normal.dot(overlap.frame[0]) > ALIKE
         };
         let olds = self.old.get(&pair).into_iter().flatten();
         // Parts can share their face in the other order than the patch of their parents has it.
-        olds.flat_map(|old| [(old, false), (old, true)]).find(|(old, back)| same(old, *back))
+        olds.flat_map(|&p| [(p, false), (p, true)]).find(|(p, back)| same(*p, *back))
     }
 }
 
 /// Does it all but the evaluation.
 pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
     refine::append_children(&mut world.setup, &mut world.lineage, plan.splits);
-    refine::follow(&mut world.setup, &world.lineage, plan.splits);
-    for (k, &parent) in plan.splits.iter().enumerate() {
-        let first = plan.blocks + 8 * k;
-        for child in first..first + 8 {
-            add_child(world, parent as usize, child);
+    let families = refine::in_eight(plan.splits, plan.blocks);
+    for family in &families {
+        for child in family.children() {
+            add_child(world, family.parent as usize, child as usize);
         }
-        world.alive[parent as usize] = false;
+        world.alive[family.parent as usize] = false;
     }
-    let tolerance = GAP * world.finest();
     let (near, charges) = neighbourhood(world, plan);
-    let (overlaps, free) = overlap::touching(world, &near, tolerance);
+    let (overlaps, free) = overlap::touching(world, &near, GAP * world.finest());
     let turned = turned_walls(world);
-    forget(world);
+    let World { cavities, alive, .. } = &mut *world;
+    cavities.iter_mut().for_each(|c| c.walls.retain(|wall| alive[wall.block as usize]));
     let parents: BTreeMap<u32, Vec<Face>> = take_faces(world);
-    let mut after: BTreeMap<u32, u32> = BTreeMap::new();
     let mut table = ClassTable::new(world, world.finest());
-    for overlap in &overlaps {
-        let blocks = overlap.blocks;
-        if !blocks.iter().any(|b| plan.is_new(*b)) {
-            continue;
-        }
-        let owner = |k: usize| charges.get(&blocks[k]).copied();
-        if let Some((side, cavity)) = [(1, owner(0)), (0, owner(1))]
-            .into_iter()
-            .find_map(|(side, owner)| owner.map(|cavity| (side, cavity)))
-        {
+    let mut counts: BTreeMap<u32, [u32; 2]> = BTreeMap::new();
+    plan.old_ends(world).for_each(|b| counts.entry(b).or_default()[0] += 1);
+    for overlap in overlaps.iter().filter(|o| o.blocks.iter().any(|b| plan.is_new(*b))) {
+        let owner = |side: usize| charges.get(&overlap.blocks[1 - side]);
+        if let Some((side, &cavity)) = [1, 0].into_iter().find_map(|k| Some((k, owner(k)?))) {
             let mut wall = Wall::new(&world.setup, &world.reference, overlap, side);
             if let Some(parent) = turned.get(&(plan.root(world, wall.block), wall.behind)) {
                 walls::divide(world, &mut wall, parent);
@@ -144,57 +125,58 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
             world.cavities[cavity].walls.push(wall);
             continue;
         }
-        let roots = blocks.map(|b| plan.root(world, b));
-        let inside = roots[0] == roots[1] && lies_inside(world, roots[0], overlap);
-        let old = plan.old_of(roots, overlap);
-        if !inside && old.is_none() {
+        let roots = overlap.blocks.map(|b| plan.root(world, b));
+        if join(world, plan, &mut table, overlap, roots)? {
+            let once = usize::from(roots[0] == roots[1]);
+            roots[once..].iter().for_each(|root| counts.entry(*root).or_default()[1] += 1);
+        } else {
             // Neighbours of the start whose joint has given way: the faces of the parts are as bare as those of the parents.
             for side in [0, 1] {
                 lay_bare(world, plan, &parents, overlap.side(side))?;
             }
-            continue;
-        }
-        let p = world.patches.len();
-        // What a patch remembers is along its own axes, from its own block i to its block j.
-        match old {
-            Some((_, true)) if !inside => world.add_patch(&mut table, &overlap.reversed())?,
-            _ => world.add_patch(&mut table, overlap)?,
-        }
-        for root in if roots[0] == roots[1] { &roots[..1] } else { &roots[..] } {
-            *after.entry(*root).or_default() += 1;
-        }
-        if inside {
-            let finite = world.turned[roots[0] as usize].is_some();
-            patches::inside(world, p, &plan.stress[&roots[0]], finite);
-            world.patches.set_origin(p, Origin::Cut);
-        } else if let Some((old, _)) = old {
-            old.hand_on(world, p);
         }
     }
-    for mut face in free {
-        if plan.is_new(face.block) {
-            let root = plan.root(world, face.block);
-            inherit(world, &mut face, &parents, root);
-            world.faces.push(face);
-        }
+    for mut face in free.into_iter().filter(|face| plan.is_new(face.block)) {
+        let root = plan.root(world, face.block);
+        inherit(world, &mut face, &parents, root);
+        world.faces.push(face);
     }
     world.faces.sort_by_key(|f| f.block);
+    world.patches.drop_some(&orphans(world));
     world.patches.sort(&world.classes);
     for cavity in &mut world.cavities {
         cavity.walls.sort_by_key(|w| (w.block, w.behind));
     }
     charge::renew_surfaces(world);
-    report(world, plan, &after);
+    for family in &families {
+        family::record(world, family, counts.get(&family.parent).copied().unwrap_or_default());
+    }
     Ok(())
 }
 
-fn missing(world: &World, block: u32, area: f64) -> EditError {
-    EditError::Audit {
-        what: "the area of patches",
-        block: world.name(block as usize),
-        before: 0.0,
-        after: area,
+/// Adds the patch of parts of the blocks `roots`: one inside a block, or a part of one that was there; false where neither is.
+fn join(
+    world: &mut World,
+    plan: &Plan,
+    table: &mut ClassTable,
+    overlap: &Overlap,
+    roots: [u32; 2],
+) -> Result<bool, EditError> {
+    let p = world.patches.len();
+    if roots[0] == roots[1] && lies_inside(world, roots[0], overlap) {
+        world.add_patch(table, overlap)?;
+        let finite = world.turned[roots[0] as usize].is_some();
+        patches::inside(world, p, &plan.stress[&roots[0]], finite);
+        world.patches.set_origin(p, Origin::Cut);
+    } else if let Some((old, back)) = plan.old_of(world, roots, overlap) {
+        // What a patch remembers is along its own axes, from its own block i to its block j.
+        let overlap = if back { &overlap.reversed() } else { overlap };
+        world.add_patch(table, overlap)?;
+        patches::hand_on(world, p, old);
+    } else {
+        return Ok(false);
     }
+    Ok(true)
 }
 
 /// Appends a child to the lists of the world; it moves with the rigid body that its parent is.
@@ -222,35 +204,32 @@ fn add_child(world: &mut World, parent: usize, child: usize) {
         world.solids.push(part);
         world.solids.len() - 1
     });
-    let (u, turn) = (world.bodies.displacement(parent), world.bodies.rotation(parent));
+    let there = Anchor::Block { block: parent as u32, arm: start };
+    let u = world.all_freedoms().displacement(&there);
     let (v, mut w) = (world.bodies.velocity(parent), world.bodies.spin(parent));
-    let (mut moved, mut arm, mut turned) = (turn.cross(start), start, None);
+    let (mut arm, mut turned) = (start, None);
     if let Some(state) = world.turned[parent].as_deref() {
         let q = state.attitude;
         arm = q * start;
-        moved = arm - start;
         w = turned_inertia(&whole.inverse, q) * state.momentum;
         turned =
             Some(Box::new(Turned { attitude: q, momentum: turned_inertia(&part.inertia, q) * w }));
     }
-    world.bodies.push([u + moved, turn], [v + w.cross(arm), w]);
-    if !world.datum.is_empty() {
-        let [shift, turn] = world.datum(parent);
-        world.datum.resize(child, [Vec3::ZERO; 2]);
-        world.datum.push([shift + turn.cross(start), turn]);
-    }
-    world.reference.push(centre);
-    world.solid.push(class as u32);
-    world.turned.push(turned);
-    world.alive.push(true);
-    world.motion.push(world.motion[parent].clone());
-    world.peak_speed_squared.push(world.peak_speed_squared[parent]);
+    let part = Moving {
+        solid: class,
+        lever: start,
+        centre,
+        displacement: [u, world.bodies.rotation(parent)],
+        velocity: [v + w.cross(arm), w],
+        turned,
+    };
+    family::append(world, parent, part);
 }
 
 /// New blocks, the blocks around them, and the removed blocks behind walls of cavities, with the number of the cavity.
 fn neighbourhood(world: &World, plan: &Plan) -> (Vec<u32>, BTreeMap<u32, usize>) {
     let mut near: BTreeSet<u32> = (plan.blocks..world.alive.len()).map(|b| b as u32).collect();
-    near.extend(plan.old.values().flatten().flat_map(|old| old.ends));
+    near.extend(plan.old_ends(world));
     near.retain(|&b| world.alive[b as usize]);
     let mut charges = BTreeMap::new();
     for (k, cavity) in world.cavities.iter().enumerate() {
@@ -271,28 +250,14 @@ fn turned_walls(world: &World) -> BTreeMap<(u32, u32), Wall> {
     gone.map(|w| ((w.block, w.behind), *w)).collect()
 }
 
-/// Drops patches and walls of dead blocks.
-fn forget(world: &mut World) {
-    let list = &world.patches;
-    let alive = |b: &u32| world.alive[*b as usize];
-    let keep: Vec<u32> =
-        (0..list.len() as u32).filter(|&p| list.ends[p as usize].iter().all(alive)).collect();
-    world.patches.keep(&keep);
-    for cavity in &mut world.cavities {
-        cavity.walls.retain(|w| world.alive[w.block as usize]);
-    }
-}
-
 /// Takes the faces of dead blocks out of the list, by block.
 fn take_faces(world: &mut World) -> BTreeMap<u32, Vec<Face>> {
+    let faces = std::mem::take(&mut world.faces).into_iter();
+    let (living, dead): (Vec<Face>, _) = faces.partition(|face| world.alive[face.block as usize]);
+    world.faces = living;
     let mut parents: BTreeMap<u32, Vec<Face>> = BTreeMap::new();
-    for face in std::mem::take(&mut world.faces) {
-        if world.alive[face.block as usize] {
-            world.faces.push(face);
-        } else {
-            parents.entry(face.block).or_default().push(face);
-        }
-    }
+    let mut add = |face: Face| parents.entry(face.block).or_default().push(face);
+    dead.into_iter().for_each(&mut add);
     parents
 }
 
@@ -320,7 +285,7 @@ fn lay_bare(
     let root = plan.root(world, face.block);
     inherit(world, &mut face, parents, root);
     if !face.parted {
-        return Err(missing(world, root, face.area));
+        audit::unchanged(world, root, "the area of patches", [0.0, face.area], 0.0)?;
     }
     world.faces.push(face);
     Ok(())
@@ -360,6 +325,8 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
     let Some(behind) = &parent.half_block else {
         return;
     };
+    let freedoms = world.all_freedoms();
+    let moved = |block: u32, arm: Vec3| freedoms.displacement(&Anchor::Block { block, arm });
     let mut half = HalfBlock {
         stiffness: behind.stiffness.map(|k| ratio * k),
         impedance: behind.impedance,
@@ -368,36 +335,11 @@ fn inherit(world: &World, face: &mut Face, parents: &BTreeMap<u32, Vec<Face>>, r
     for p in 0..4 {
         let at = face.place(p);
         let from = reference(face.block) + at - (reference(root) + parent.arm);
-        let side = |k: usize| from.dot(parent.frame[k + 1]) >= 0.0;
-        let nearest = (0..4).find(|&q| (0..2).all(|k| (SIGNS[k][q] > 0.0) == side(k))).unwrap_or(0);
-        let own = moved(world, face.block, at);
-        let theirs = moved(world, root, parent.place(nearest));
-        let stretch = theirs - behind.anchor[nearest];
+        let nearest = patches::nearest([from.dot(parent.frame[1]), from.dot(parent.frame[2])]);
+        let own = moved(face.block, at);
+        let stretch = moved(root, parent.place(nearest)) - behind.anchor[nearest];
         // With the stretch divided by what the stiffness is multiplied with the stress goes on.
         half.anchor[p] = own - stretch / ratio;
     }
     face.half_block = Some(Box::new(half));
-}
-
-/// Displacement of a point of a block given from its centroid at the start, m.
-fn moved(world: &World, block: u32, arm: Vec3) -> Vec3 {
-    let b = block as usize;
-    let turned = match &world.turned[b] {
-        Some(turned) => turned.attitude * arm - arm,
-        None => world.bodies.rotation(b).cross(arm),
-    };
-    world.bodies.displacement(b) + turned
-}
-
-fn report(world: &mut World, plan: &Plan, after: &BTreeMap<u32, u32>) {
-    for (k, &parent) in plan.splits.iter().enumerate() {
-        let first = (plan.blocks + 8 * k) as u32;
-        let counts = [plan.count.get(&parent), after.get(&parent)];
-        let event = EditEvent {
-            children: (first..first + 8).collect(),
-            patches: counts.map(|c| c.copied().unwrap_or(0)),
-            ..world.event(EditKind::Split, parent)
-        };
-        world.events.push(event);
-    }
 }

@@ -3,7 +3,6 @@
 use super::builder::Builder;
 use crate::accounts::{Condition, Holder};
 use crate::record::field::Site;
-use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::Target;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Name};
@@ -63,10 +62,7 @@ impl Builder<'_> {
             }
             (None, _) => {
                 let known: Vec<&str> = known.map(|(_, c)| c.name.as_str()).collect();
-                let message = format!("there is no {word} `{one}`");
-                let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
-                error.help = suggest(one.as_str(), known);
-                self.found.push(error);
+                self.found.push(Diagnostic::unknown(word, one, known));
                 None
             }
         }

@@ -4,7 +4,6 @@ use super::builder::Builder;
 use super::fields::{FieldUse, Said as Place};
 use crate::plan::shown::Shown;
 use crate::plan::{Check, Expected, Part, Reduce, Window};
-use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Reduce as Said};
 use crate::scenario::quantity::{Any, Raw, When};
 use crate::scenario::units::Dim;
@@ -110,22 +109,7 @@ impl Builder<'_> {
             Some(reduce) => Some(self.reduce(reduce, said.threshold.as_ref(), unit, &said.name)?),
             None => None,
         };
-        let window = match (&said.at, &said.over, reduce) {
-            (_, Some([from, to]), Some(reduce)) => {
-                self.in_run(from.si(), from.span.clone(), &said.name);
-                Window::Over { from: from.si(), to: to.si(), reduce }
-            }
-            (None, None, Some(reduce)) => Window::Over { from: 0.0, to: f64::INFINITY, reduce },
-            (Some(moment), _, _) => match moment.read() {
-                When::Time(time) => {
-                    self.in_run(time, moment.span.clone(), &said.name);
-                    Window::At(time)
-                }
-                When::Start => Window::Start,
-                When::End => Window::End,
-            },
-            (None, _, _) => Window::End,
-        };
+        let window = self.window(said, reduce);
         let window = match &said.phase {
             Some(name) => self.in_phase(name, window)?,
             None => window,
@@ -142,14 +126,7 @@ impl Builder<'_> {
             gauge: used.gauge(),
             unit: field_unit,
             shown: shown(
-                [
-                    said.value.as_ref(),
-                    said.between.as_ref().map(|[low, _]| low),
-                    said.between.as_ref().map(|[_, high]| high),
-                    said.absolute.as_ref(),
-                ]
-                .into_iter()
-                .flatten(),
+                said.value.iter().chain(said.between.iter().flatten()).chain(&said.absolute),
             ),
             window,
             expected,
@@ -157,6 +134,26 @@ impl Builder<'_> {
             absolute,
             known: said.known.as_ref().map(|reason| reason.text.clone()),
         })
+    }
+
+    /// When a check reads its field.
+    fn window(&mut self, said: &language::Check, reduce: Option<Reduce>) -> Window {
+        match (&said.at, &said.over, reduce) {
+            (_, Some([from, to]), Some(reduce)) => {
+                self.in_run(from.si(), from.span.clone(), &said.name);
+                Window::Over { from: from.si(), to: to.si(), reduce }
+            }
+            (None, None, Some(reduce)) => Window::Over { from: 0.0, to: f64::INFINITY, reduce },
+            (Some(moment), _, _) => match moment.read() {
+                When::Time(time) => {
+                    self.in_run(time, moment.span.clone(), &said.name);
+                    Window::At(time)
+                }
+                When::Start => Window::Start,
+                When::End => Window::End,
+            },
+            (None, _, _) => Window::End,
+        }
     }
 
     /// A field that is one number.
@@ -204,10 +201,8 @@ impl Builder<'_> {
     fn in_phase(&mut self, name: &Name, window: Window) -> Option<Window> {
         let phases = &self.plan.phases;
         let Some(phase) = phases.iter().position(|phase| phase.name == name.text) else {
-            let message = format!("there is no phase `{name}`");
-            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
-            error.help = suggest(name.as_str(), phases.iter().map(|p| p.name.as_str()));
-            self.found.push(error);
+            let known = phases.iter().map(|p| p.name.as_str());
+            self.found.push(Diagnostic::unknown("phase", name, known));
             return None;
         };
         let part = match window {
@@ -228,8 +223,7 @@ impl Builder<'_> {
             let message = format!(
                 "check `{name}` reads at {time} s, after the end of the last phase ({total} s)"
             );
-            let error = Diagnostic::error("check.late", message).at(span);
-            self.found.push(error.help("choose an earlier time, or a longer phase"));
+            self.error_at("check.late", span, message, "choose an earlier time, or a longer phase");
         }
     }
 
@@ -244,9 +238,9 @@ impl Builder<'_> {
                 return None;
             };
             if low > high_value {
-                let error =
-                    Diagnostic::error("value.order", "the lower bound exceeds the upper bound");
-                self.found.push(error.at(high.span.clone()).help("between = [lowest, highest]"));
+                let message = "the lower bound exceeds the upper bound";
+                let help = "between = [lowest, highest]";
+                self.error_at("value.order", high.span.clone(), message, help);
             }
             return Some(Expected::Between(low, high_value));
         }
@@ -273,10 +267,9 @@ impl Builder<'_> {
             match number {
                 Ok(number) => names.push((name.text.clone(), number)),
                 Err(reason) => {
-                    let error =
-                        Diagnostic::error("key.path", format!("`{name}` in `let`: {reason}"));
                     let help = "give a number, a value with a unit, or a key of this scene";
-                    self.found.push(error.at(value.span.clone()).help(help));
+                    let message = format!("`{name}` in `let`: {reason}");
+                    self.error_at("key.path", value.span.clone(), message, help);
                     return None;
                 }
             }

@@ -18,7 +18,7 @@ use crate::scenario::language::{
 };
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::units::Dim;
-use crate::scenario::{Diagnostic, Quantity, Span};
+use crate::scenario::{Diagnostic, Name, Quantity, Span};
 
 /// Points that show where a table's blocks are, in the coordinates of the file.
 pub(super) fn places(block: &Block) -> Vec<Vec2> {
@@ -68,14 +68,7 @@ impl Builder<'_> {
                 let spans = |k: usize| points.get(k).map(|[x, y]| x.span.start..y.span.end);
                 self.outline(block, outline, &spans).map(Generated::single)?
             }
-            Geometry::Polygon(Polygon::Csv(file)) => {
-                let table = self.table(file, &CORNER)?;
-                let corners = table.values(0).iter().zip(table.values(1));
-                let place = |(x, y): (&f64, &f64)| Vec2::new(*x, *y) - self.origin;
-                let outline = corners.map(place).collect();
-                let span = |_| Some(file.span.clone());
-                self.outline(block, outline, &span).map(Generated::single)?
-            }
+            Geometry::Polygon(Polygon::Csv(file)) => self.polygon_of_csv(block, file)?,
             Geometry::Polygons(said) => self.polygons(block, said)?,
             Geometry::Rectangle(shape) => Generated::single(self.rectangle(shape)),
             Geometry::Regular(r) => {
@@ -112,21 +105,7 @@ impl Builder<'_> {
             | Geometry::Mesh(_)
             | Geometry::Terrain(_) => return None,
             Geometry::Voronoi(v) => self.voronoi(block, v)?,
-            Geometry::Pour(p) => {
-                let mut read = self.reading(format!("blocks.{}.pour", block.name), p);
-                let ([few, many], seed) = (read.vertices(), read.seed());
-                let pour = Pour {
-                    region: Aabb {
-                        min: Vec2::from(p.region[0].xy()) - self.origin,
-                        max: Vec2::from(p.region[1].xy()) - self.origin,
-                    },
-                    count: p.count as usize,
-                    size: (p.size[0].si(), p.size[1].si()),
-                    vertices: (few as usize, many as usize),
-                    seed,
-                };
-                self.made(block, pack::pour(&pour)).map(Generated::several)?
-            }
+            Geometry::Pour(said) => self.poured(block, said)?,
         };
         self.place(block, &mut made.outlines);
         self.copy(block, &mut made);
@@ -137,6 +116,32 @@ impl Builder<'_> {
             return None;
         }
         Some(made)
+    }
+
+    fn polygon_of_csv(&mut self, block: &Block, file: &Name) -> Option<Generated> {
+        let table = self.table(file, &CORNER)?;
+        let corners = table.values(0).iter().zip(table.values(1));
+        let outline = corners.map(|(x, y)| Vec2::new(*x, *y) - self.origin).collect();
+        let span = |_| Some(file.span.clone());
+        self.outline(block, outline, &span).map(Generated::single)
+    }
+
+    fn poured(
+        &mut self,
+        block: &Block,
+        said: &crate::scenario::language::Pour,
+    ) -> Option<Generated> {
+        let mut read = self.reading(format!("blocks.{}.pour", block.name), said);
+        let ([few, many], seed) = (read.vertices(), read.seed());
+        let [min, max] = [0, 1].map(|end| Vec2::from(said.region[end].xy()) - self.origin);
+        let pour = Pour {
+            region: Aabb { min, max },
+            count: said.count as usize,
+            size: (said.size[0].si(), said.size[1].si()),
+            vertices: (few as usize, many as usize),
+            seed,
+        };
+        self.made(block, pack::pour(&pour)).map(Generated::several)
     }
 
     fn rectangle(&self, shape: &Rectangle) -> Vec<Vec2> {

@@ -13,7 +13,7 @@ use crate::scenario::language::{self, Dowel, Plate};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::units::Dim;
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{Diagnostic, Name, Quantity, Span};
+use crate::scenario::{Name, Quantity, Span};
 use crate::{planar, spatial};
 
 /// Most bolts of one table.
@@ -90,10 +90,8 @@ impl Builder<'_> {
             format!("bolts `{}` would have {all:.1e} pieces in total", said.name)
         };
         let at = said.piece.as_ref().map_or(&said.name.span, |piece| &piece.span);
-        let error = Diagnostic::error("bolt.pieces", message).at(at.clone());
-        self.found.push(error.help(
-            "give a longer `piece`: a tenth of the load transfer length of the grout (`sqrt(E A / k)`) is fine enough",
-        ));
+        let help = "give a longer `piece`: a tenth of the load transfer length of the grout (`sqrt(E A / k)`) is fine enough";
+        self.error_at("bolt.pieces", at.clone(), message, help);
         false
     }
 
@@ -264,8 +262,7 @@ impl Builder<'_> {
             Misplaced::NoGrout => "use a longer grouted length, or a longer bolt",
         };
         let message = format!("bolt `{name}`: {reason}");
-        let error = Diagnostic::error("bolt.place", message).at(line.span.clone());
-        self.found.push(error.help(help));
+        self.error_at("bolt.place", line.span.clone(), message, help);
     }
 }
 

@@ -52,31 +52,17 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         Space::Planar(space) => b.planar(space),
         Space::Spatial(space) => b.solid(space),
     };
+    let (mut checks, mut bisect) = (Vec::new(), None);
     if sound {
         b.water();
         b.phases();
         b.reduce_strength();
         b.outputs();
-    }
-    let (mut checks, mut bisect) = (Vec::new(), None);
-    if sound {
         let (of_limit, of_run) = b.checks().into_iter().partition(|c| c.gauge.field == LIMIT);
         checks = of_run;
         bisect = b.bisect(of_limit);
         if b.errors() == 0 {
-            b.unused();
-            b.loose();
-            b.dry_tables();
-            match b.space {
-                InSpace::Planar => {
-                    inspect::inspect(&mut b);
-                    b.stress_balance();
-                }
-                InSpace::Spatial => {
-                    b.unused_in_space();
-                    b.inspect_solid();
-                }
-            }
+            b.inspect();
         }
     }
     let diagnostics = Diagnostics::new(parsed.source.clone(), b.found);
@@ -101,6 +87,23 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
 }
 
 impl Builder<'_> {
+    /// Looks at a model without errors for what is probably not meant.
+    fn inspect(&mut self) {
+        self.unused();
+        self.loose();
+        self.dry_tables();
+        match self.space {
+            InSpace::Planar => {
+                inspect::inspect(self);
+                self.stress_balance();
+            }
+            InSpace::Spatial => {
+                self.unused_in_space();
+                self.inspect_solid();
+            }
+        }
+    }
+
     /// Everything of the plane up to the loads; whether names and sizes are known.
     fn planar(&mut self, space: &Planar) -> bool {
         self.planar_gravity(space);
@@ -195,11 +198,8 @@ impl Builder<'_> {
         let material = scenario.materials.names().position(|name| name == block.material.as_str());
         let density = scenario.materials.get(block.material.as_str()).map(|m| m.density.si());
         let (Some(material), Some(density)) = (material, density) else {
-            let message = format!("there is no material `{}`", block.material);
-            let mut error = Diagnostic::error("name.unknown", message);
             let known: Vec<&str> = scenario.materials.names().collect();
-            error.help = crate::scenario::diagnostic::suggest(block.material.as_str(), known);
-            self.found.push(error.at(block.material.span.clone()));
+            self.found.push(Diagnostic::unknown("material", &block.material, known));
             return;
         };
         let entry = Entry {

@@ -15,7 +15,7 @@ use crate::scenario::language::{BoxRegion, Point, Target};
 use crate::scenario::quantity::{Acceleration, Down};
 use crate::scenario::read::{Explained, Provenance, Read};
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{Diagnostic, Name, Parsed, Severity};
+use crate::scenario::{Diagnostic, Name, Parsed, Severity, Span};
 use crate::spatial::setup as spatial;
 
 /// A model that is being made.
@@ -180,15 +180,25 @@ impl Builder<'_> {
         }
     }
 
-    /// An error at a name.
+    /// An error at a name or another place.
     pub(super) fn error_at(
         &mut self,
         code: &'static str,
-        name: &Name,
-        message: String,
-        help: &str,
+        at: impl Into<Span>,
+        message: impl Into<String>,
+        help: impl Into<String>,
     ) {
-        self.found.push(Diagnostic::error(code, message).at(name.span.clone()).help(help));
+        self.found.push(Diagnostic::error(code, message).at(at.into()).help(help));
+    }
+
+    pub(super) fn warn_at(
+        &mut self,
+        code: &'static str,
+        at: impl Into<Span>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.found.push(Diagnostic::warning(code, message).at(at.into()).help(help));
     }
 }
 

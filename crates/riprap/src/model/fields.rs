@@ -71,16 +71,16 @@ impl Builder<'_> {
         };
         let vector = info.shape != Shape::Scalar && part == Part::Whole;
         if let Some(direction) = said.along.filter(|_| !vector) {
-            let error = Diagnostic::error("field.direction", format!("`{name}` has no direction"));
             let help = "`along` applies to a vector field named without component; leave it out";
-            self.found.push(error.at(direction.span.clone()).help(help));
+            let message = format!("`{name}` has no direction");
+            self.error_at("field.direction", direction.span.clone(), message, help);
             return None;
         }
         let along = match said.along.map(|along| (along.unit(), along)) {
             Some((None, along)) => {
-                let error = Diagnostic::error("value.direction", "the direction has zero length");
                 let help = "at least one component must be non-zero, for example [0, 0, 1]";
-                self.found.push(error.at(along.span.clone()).help(help));
+                let message = "the direction has zero length";
+                self.error_at("value.direction", along.span.clone(), message, help);
                 return None;
             }
             Some((unit, _)) => unit,
@@ -163,16 +163,7 @@ impl Builder<'_> {
                 return None;
             }
         };
-        let mut lists = Vec::new();
-        for one in names {
-            match self.directory.blocks(one) {
-                Ok(blocks) => lists.push((one, blocks)),
-                Err(error) => self.found.push(*error),
-            }
-        }
-        if lists.len() < names.len() {
-            return None;
-        }
+        let lists = self.blocks_of_each(names)?;
         let group = site == Site::Group;
         if names.len() != need && !(group && names.len() > 1) {
             let message = match need {
@@ -187,31 +178,46 @@ impl Builder<'_> {
             self.error_at("field.of", place, message, &help);
             return None;
         }
-        let mut all = Vec::new();
-        for (one, blocks) in lists {
-            if !group && blocks.len() != 1 {
-                let count = blocks.len();
-                let message =
-                    format!("`{one}` stands for {count} blocks, but `{name}` needs single blocks");
-                let first = blocks.first().map(|&b| self.directory.name(b));
-                let first = first.unwrap_or_default();
-                self.error_at("field.of", one, message, &format!("write for example `{first}`"));
-                return None;
-            }
-            all.extend(blocks);
-        }
         if group {
+            let mut all: Vec<u32> = lists.into_iter().flat_map(|(_, blocks)| blocks).collect();
             all.sort_unstable();
             all.dedup();
-        } else if all.len() == 2 && all[0] == all[1] {
-            let message = "both names refer to the same block".to_owned();
-            self.error_at(
-                "field.of",
-                names.last().unwrap_or(name),
-                message,
-                "name two different blocks",
-            );
-            return None;
+            return Some(all);
+        }
+        self.single_blocks(name, lists)
+    }
+
+    /// The blocks of each name; `None` where one is not known.
+    fn blocks_of_each<'n>(&mut self, names: &'n [Name]) -> Option<Vec<(&'n Name, Vec<u32>)>> {
+        let mut lists = Vec::new();
+        for one in names {
+            match self.directory.blocks(one) {
+                Ok(blocks) => lists.push((one, blocks)),
+                Err(error) => self.found.push(*error),
+            }
+        }
+        (lists.len() == names.len()).then_some(lists)
+    }
+
+    /// One block for each name; two must differ.
+    fn single_blocks(&mut self, field: &Name, lists: Vec<(&Name, Vec<u32>)>) -> Option<Vec<u32>> {
+        let mut all: Vec<u32> = Vec::new();
+        for (one, blocks) in lists {
+            let [block] = blocks[..] else {
+                let count = blocks.len();
+                let message =
+                    format!("`{one}` stands for {count} blocks, but `{field}` needs single blocks");
+                let first = blocks.first().map(|&b| self.directory.name(b));
+                let help = format!("write for example `{}`", first.unwrap_or_default());
+                self.error_at("field.of", one, message, help);
+                return None;
+            };
+            if all.contains(&block) {
+                let message = "both names refer to the same block";
+                self.error_at("field.of", one, message, "name two different blocks");
+                return None;
+            }
+            all.push(block);
         }
         Some(all)
     }
@@ -228,10 +234,8 @@ impl Builder<'_> {
         if let Some(number) = sources.iter().position(|source| *source == one.text) {
             return Some(vec![number as u32]);
         }
-        let message = format!("there is no source `{one}`");
-        let mut error = Diagnostic::error("name.unknown", message).at(one.span.clone());
-        error.help = suggest(one.as_str(), sources.iter().map(String::as_str));
-        self.found.push(error);
+        let known = sources.iter().map(String::as_str);
+        self.found.push(Diagnostic::unknown("source", one, known));
         None
     }
 

@@ -116,10 +116,9 @@ impl Builder<'_> {
             (Some(density), _) => density.si(),
             (None, [only]) => *only,
             (None, _) => {
-                let error =
-                    Diagnostic::error("in_situ.density", "the materials have different densities");
                 let help = "specify the density for the stress: in_situ.gravity_k0.density = \"2400 kg/m3\"";
-                self.found.push(error.at(said.k0.span.clone()).help(help));
+                let message = "the materials have different densities";
+                self.error_at("in_situ.density", said.k0.span.clone(), message, help);
                 return None;
             }
         };

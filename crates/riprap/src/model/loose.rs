@@ -13,7 +13,6 @@ use riprap_geom::{Vec2, Vec3, polygon};
 
 use super::builder::Builder;
 use crate::plan::PhaseKind;
-use crate::scenario::Diagnostic;
 use crate::scenario::language::Geometry;
 use crate::scenario::read::with_unit;
 use crate::scenario::vectors::InSpace;
@@ -97,31 +96,25 @@ impl Builder<'_> {
                     "{names} {verb} nothing and {} nothing below; the static phase `{phase}` cannot reach equilibrium",
                     if lost.len() == 1 { "has" } else { "have" }
                 );
-                let note = Diagnostic::warning("model.falls", message).at(self.table_span(*first));
-                self.found.push(
-                    note.help("hold it by [[supports]], or place a block or terrain under it"),
-                );
+                let help = "hold it by [[supports]], or place a block or terrain under it";
+                self.warn_at("model.falls", self.table_span(*first), message, help);
             }
         }
-        let near: Vec<&&Around> = apart.iter().filter(|a| a.near.is_some()).collect();
-        if let Some(Around {
-            block,
-            near: Some((other, gap)),
-            ..
-        }) = near.first()
+        let near = apart.iter().filter_map(|a| Some((a.block, a.near?)));
+        let near: Vec<(u32, (u32, f64))> = near.collect();
+        if let Some((block, (other, gap))) = near.first()
             // Where most blocks are apart, that is what the scene means.
             && near.len() < touched
         {
-            let (names, verb) = self.named(&near.iter().map(|a| a.block).collect::<Vec<_>>());
+            let (names, verb) = self.named(&near.iter().map(|(b, _)| *b).collect::<Vec<_>>());
             let message = format!(
                 "{names} {verb} nothing at the start, and `{}` is {} away from `{}`",
                 self.directory.name(*block),
                 with_unit(*gap, "m"),
                 self.directory.name(*other)
             );
-            let note = Diagnostic::warning("model.gap", message).at(self.table_span(*block));
             let help = "if they should touch, move one of them";
-            self.found.push(note.help(help));
+            self.warn_at("model.gap", self.table_span(*block), message, help);
         }
         let far = apart.iter().filter(|a| a.near.is_none() && a.below);
         let far: Vec<u32> = far.map(|a| a.block).collect();
@@ -132,9 +125,8 @@ impl Builder<'_> {
             let (names, verb) = self.named(&far);
             let message =
                 format!("{names} {verb} nothing at the start of the static phase `{phase}`");
-            let note = Diagnostic::warning("model.gap", message).at(self.table_span(*first));
             let help = "it falls until it lands, in a phase whose time is not physical; if it should touch another block, move it";
-            self.found.push(note.help(help));
+            self.warn_at("model.gap", self.table_span(*first), message, help);
         }
     }
 

@@ -17,7 +17,7 @@ use crate::scenario::read::{Given, with_unit};
 use crate::scenario::time_function::{CsvFunction, OF_PLACE_AND_TIME, OF_TIME, RecordFunction};
 use crate::scenario::units::Dim;
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{self, Diagnostic, Name, Quantity, Span, target_span};
+use crate::scenario::{self, Name, Quantity, Span, target_span};
 
 /// A point of a load lies on a boundary if it is nearer than this, times the size of the block.
 const ON_BOUNDARY: f64 = 1e-6;
@@ -107,9 +107,8 @@ impl Builder<'_> {
     fn tell_turning_each(&mut self, on: &Target) {
         let message =
             "a prescribed angular acceleration rotates each of these blocks about its own centroid";
-        let error = Diagnostic::error("supports.turn", message).at(target_span(on));
         let help = "prescribe the spin by a `velocity`, which rotates them as one body, or write each = true";
-        self.found.push(error.help(help));
+        self.error_at("supports.turn", target_span(on), message, help);
     }
 
     /// Warns of blocks that a support before this one holds or drives: the last one alone acts on them, freedoms do not add up.
@@ -130,9 +129,8 @@ impl Builder<'_> {
                 format!("{n} blocks, first `{first}`, already have a support; this one replaces it")
             }
         };
-        let note = Diagnostic::warning("supports.twice", message).at(target_span(on));
         let help = "freedoms that the earlier support fixes or drives are released; give all conditions of a block in one support";
-        self.found.push(note.help(help));
+        self.warn_at("supports.twice", target_span(on), message, help);
     }
 
     pub(super) fn maybe<K: Kind>(
@@ -239,12 +237,8 @@ impl Builder<'_> {
                 table.lines[k],
                 table.lines[k + 1]
             );
-            self.error_at(
-                "file.csv",
-                &csv.time,
-                message,
-                "sort the lines by time and give each time once",
-            );
+            let help = "sort the lines by time and give each time once";
+            self.error_at("file.csv", &csv.time, message, help);
             return None;
         }
         let scale = csv.scale.si_or(1.0);
@@ -256,10 +250,9 @@ impl Builder<'_> {
                 "`scale` is {scale}, but the column `{}` has a unit and is already converted (1 becomes {})",
                 found.name, found.factor
             );
-            let error = Diagnostic::error("csv.scale", message).at(said.span.clone());
             let help =
                 "remove `scale`; or give `unit`, which overrides the unit in the column name";
-            self.found.push(error.help(help));
+            self.error_at("csv.scale", said.span.clone(), message, help);
             return None;
         }
         let scaled = values.iter().map(|v| v * scale).collect();
@@ -354,9 +347,8 @@ impl Builder<'_> {
             let inside = polygon::contains(&block.vertices, at);
             if !inside && polygon::distance_to_boundary(&block.vertices, at) > ON_BOUNDARY * size {
                 let message = format!("this point is outside block `{}`", block.name);
-                let note = Diagnostic::warning("load.outside", message).at(span.clone());
                 let help = "the force still acts there, as if on a rigid arm fixed to the block";
-                self.found.push(note.help(help));
+                self.warn_at("load.outside", span.clone(), message, help);
             }
         }
     }
@@ -365,8 +357,9 @@ impl Builder<'_> {
         let (from, to) = (self.point(&edge.from), self.point(&edge.to));
         let span = span_of(&edge.from).start..span_of(&edge.to).end;
         if from == to {
-            let error = Diagnostic::error("load.edge", "`from` and `to` coincide");
-            self.found.push(error.at(span).help("give two points of one edge of the block"));
+            let message = "`from` and `to` coincide";
+            let help = "give two points of one edge of the block";
+            self.error_at("load.edge", span, message, help);
             return None;
         }
         for &b in blocks {
@@ -377,7 +370,7 @@ impl Builder<'_> {
                 let message = format!("`from` and `to` do not lie on one edge of `{}`", block.name);
                 let help =
                     "give two points of the same straight edge, in its position at the start";
-                self.found.push(Diagnostic::error("load.edge", message).at(span).help(help));
+                self.error_at("load.edge", span, message, help);
                 return None;
             }
         }

@@ -13,7 +13,7 @@ use crate::plan::{IMPLICIT_STEP, Integration};
 use crate::planar::setup::ContactLaw;
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::read::{Given, Provenance, with_unit};
-use crate::scenario::{Diagnostic, Quantity, Span};
+use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::spatial::setup::JointLaw;
 use riprap_geom::Vec3;
 
@@ -67,48 +67,12 @@ impl Builder<'_> {
             stiffness: read.stiffness(),
             local: read.local(),
         };
-        let (mut contacts, mut joints) = (Vec::new(), Vec::new());
-        for (name, change) in said.interfaces.iter() {
-            let mut names = self.parsed.scenario.interfaces.names();
-            // Unknown interfaces are reported by the rules of the language.
-            let Some(row) = names.position(|one| one == name.as_str()) else {
-                continue;
-            };
-            if let Some(law) = laws.contacts.get_mut(row) {
-                change_contact(law, change);
-                contacts.push((row as u16, *law));
-            }
-            if let Some(law) = laws.joints.get_mut(row) {
-                change_joint(law, change);
-                joints.push((row as u16, *law));
-                if let Some(strength) = law.strength.filter(|s| s.dilation > s.dilating()) {
-                    let least = libm::atan(strength.dilating()).to_degrees();
-                    let message = format!(
-                        "phase `{}` lowers the friction of interfaces.{name} below its dilation angle: its dilation angle is limited to {least:.4} \
-                         deg from then on",
-                        said.name
-                    );
-                    let note = Diagnostic::warning("phase.dilation", message);
-                    let help = "sliding with more dilation than friction would create energy";
-                    self.found.push(note.at(name.span.clone()).help(help));
-                }
-            }
-        }
+        let (contacts, joints) = self.changed_laws(said, laws);
         let [remove, fix, release] = [&said.remove, &said.fix, &said.release].map(|names| {
             let blocks = self.directory.all(names);
             self.take(blocks).unwrap_or_default()
         });
-        for name in &said.release {
-            let blocks = self.directory.all(std::slice::from_ref(name));
-            let terrain = |b: &u32| {
-                let block = self.spatial.blocks.get(*b as usize);
-                block.is_some_and(|block| block.shape.is_terrain())
-            };
-            if blocks.is_ok_and(|blocks| blocks.iter().any(terrain)) {
-                let message = format!("`{name}` is terrain, which cannot move");
-                self.error_at("terrain.release", name, message, "leave it out");
-            }
-        }
+        self.refuse_released_terrain(&said.release);
         Phase {
             name: said.name.text.clone(),
             kind,
@@ -136,6 +100,56 @@ impl Builder<'_> {
             zero_displacements: said.reset.contains(&Reset::Displacements),
             deform: self.deforming(said),
             max_residual,
+        }
+    }
+
+    /// The laws that a phase changes, with their rows of the table.
+    fn changed_laws(
+        &mut self,
+        said: &language::Phase,
+        laws: &mut Laws,
+    ) -> (Vec<(u16, ContactLaw)>, Vec<(u16, JointLaw)>) {
+        let (mut contacts, mut joints) = (Vec::new(), Vec::new());
+        for (name, change) in said.interfaces.iter() {
+            let mut names = self.parsed.scenario.interfaces.names();
+            // Unknown interfaces are reported by the rules of the language.
+            let Some(row) = names.position(|one| one == name.as_str()) else {
+                continue;
+            };
+            if let Some(law) = laws.contacts.get_mut(row) {
+                change_contact(law, change);
+                contacts.push((row as u16, *law));
+            }
+            let Some(law) = laws.joints.get_mut(row) else {
+                continue;
+            };
+            change_joint(law, change);
+            joints.push((row as u16, *law));
+            if let Some(strength) = law.strength.filter(|s| s.dilation > s.dilating()) {
+                let least = libm::atan(strength.dilating()).to_degrees();
+                let message = format!(
+                    "phase `{}` lowers the friction of interfaces.{name} below its dilation angle: its dilation angle is limited to {least:.4} \
+                     deg from then on",
+                    said.name
+                );
+                let help = "sliding with more dilation than friction would create energy";
+                self.warn_at("phase.dilation", name.span.clone(), message, help);
+            }
+        }
+        (contacts, joints)
+    }
+
+    fn refuse_released_terrain(&mut self, release: &[Name]) {
+        for name in release {
+            let blocks = self.directory.all(std::slice::from_ref(name));
+            let terrain = |b: &u32| {
+                let block = self.spatial.blocks.get(*b as usize);
+                block.is_some_and(|block| block.shape.is_terrain())
+            };
+            if blocks.is_ok_and(|blocks| blocks.iter().any(terrain)) {
+                let message = format!("`{name}` is terrain, which cannot move");
+                self.error_at("terrain.release", name, message, "leave it out");
+            }
         }
     }
 
@@ -182,9 +196,8 @@ impl Builder<'_> {
                 "phase `{}` has no duration; the removed blocks cannot fade out",
                 said.name
             );
-            let error = Diagnostic::error("key.missing", message).at(ramp.span.clone());
             let help = "give `until.time`, as long as `removal_ramp`, and `load_steps`";
-            self.found.push(error.help(help));
+            self.error_at("key.missing", ramp.span.clone(), message, help);
         }
         Some(ramp.si())
     }
@@ -304,8 +317,8 @@ impl Builder<'_> {
         };
         if let Some(run) = run {
             let message = format!("{what}: `every` ({rhythm}) is longer than the run ({run})");
-            let note = Diagnostic::warning("output.rare", message).at(span.clone());
-            self.found.push(note.help("write every = \"phase\" if this is intended"));
+            let help = "write every = \"phase\" if this is intended";
+            self.warn_at("output.rare", span.clone(), message, help);
         }
     }
 

@@ -22,7 +22,7 @@ use crate::model::builder::Builder;
 use crate::plan::PhaseKind;
 use crate::scenario::language::{Fixed, Interface, Output, Phase, Target};
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{Diagnostic, Span, no_effect, target_span};
+use crate::scenario::{Name, Span, no_effect, target_span};
 
 /// A key, and whether it was given.
 type Given = (&'static str, bool);
@@ -41,14 +41,9 @@ impl Builder<'_> {
                 && said.gravity.is_none()
                 && let Some(ramp) = &said.gravity_ramp
             {
-                let keys = [("gravity_ramp", true)];
                 let of = format!("phase `{}`", said.name);
-                self.no_effect(
-                    &of,
-                    &keys,
-                    &ramp.span,
-                    "gravity does not change in this phase; give `gravity`",
-                );
+                let help = "gravity does not change in this phase; give `gravity`";
+                self.no_effect(&of, &[("gravity_ramp", true)], &ramp.span, help);
             }
         }
     }
@@ -201,48 +196,12 @@ impl Builder<'_> {
             let of = format!("interfaces.{name}");
             if of_bonds {
                 self.refuse_behaviour(&of, said);
-            }
-            // Found contacts of deformable blocks read the dashpots of joints; the rest too where there is no bond.
-            let found = self.spatial.found_contacts;
-            let slides = found && said.brittle_bond.as_ref().is_some_and(|bond| bond.elastic);
-            let unread = |given: &Given| match given.0 {
-                "damping_ratio" => !found,
-                // What is elastic slides once it meets anew.
-                "friction_angle" | "friction_coefficient" => !slides,
-                _ => true,
-            };
-            if of_bonds && !of_rigid && !(found && said.brittle_bond.is_none()) {
-                let help = "this interface joins no two rigid blocks of which one is free; `brittle_bond` describes the bonds of deformable blocks \
-                            and their new contacts";
-                let keys: Vec<Given> = said.read_by("joints").into_iter().filter(unread).collect();
-                self.no_effect(&of, &keys, &name.span, help);
-                for phase in &self.parsed.scenario.phases {
-                    if let Some(change) = phase.interfaces.get(name.as_str()) {
-                        let of = format!("phases.{}.{of}", phase.name);
-                        let keys: Vec<Given> =
-                            change.read_by("joints").into_iter().filter(unread).collect();
-                        self.no_effect(&of, &keys, &phase.name.span, help);
-                    }
+                if !of_rigid {
+                    self.unused_without_joints(&of, name, said);
                 }
             }
             if !self.spatial.found_contacts {
-                let help = "it applies to contacts: set space.spatial.found_contacts = true";
-                if let Some(wanted) = &said.restitution {
-                    self.no_effect(&of, &[("restitution", true)], &wanted.span, help);
-                }
-                // A joint that is elastic does not slide; a contact under its law does.
-                let given = [
-                    ("friction_angle", said.elastic && said.friction_angle.is_some()),
-                    ("friction_coefficient", said.elastic && said.friction_coefficient.is_some()),
-                ];
-                self.no_effect(&of, &given, &name.span, help);
-                for phase in &self.parsed.scenario.phases {
-                    let change = phase.interfaces.get(name.as_str());
-                    if let Some(wanted) = change.and_then(|change| change.restitution.as_ref()) {
-                        let of = format!("phases.{}.{of}", phase.name);
-                        self.no_effect(&of, &[("restitution", true)], &wanted.span, help);
-                    }
-                }
+                self.unused_without_contacts(&of, name, said);
             }
             if let Some(bond) = said.brittle_bond.as_ref().filter(|_| of_rigid && !of_bonds) {
                 let help = "this interface has only joints of rigid blocks, which read from `brittle_bond` only the strengths that the interface \
@@ -250,6 +209,55 @@ impl Builder<'_> {
                 let of = format!("{of}.brittle_bond");
                 let span = bond.thickness.as_ref().map_or(&name.span, |thickness| &thickness.span);
                 self.no_effect(&of, &bond.read_by("bonds"), span, help);
+            }
+        }
+    }
+
+    /// Keys of joints where an interface has bonds alone.
+    fn unused_without_joints(&mut self, of: &str, name: &Name, said: &Interface) {
+        // Found contacts of deformable blocks read the dashpots of joints; the rest too where there is no bond.
+        let found = self.spatial.found_contacts;
+        if found && said.brittle_bond.is_none() {
+            return;
+        }
+        let slides = found && said.brittle_bond.as_ref().is_some_and(|bond| bond.elastic);
+        let unread = |keys: Vec<Given>| -> Vec<Given> {
+            let unread = |given: &Given| match given.0 {
+                "damping_ratio" => !found,
+                // What is elastic slides once it meets anew.
+                "friction_angle" | "friction_coefficient" => !slides,
+                _ => true,
+            };
+            keys.into_iter().filter(unread).collect()
+        };
+        let help = "this interface joins no two rigid blocks of which one is free; `brittle_bond` describes the bonds of deformable blocks \
+                    and their new contacts";
+        self.no_effect(of, &unread(said.read_by("joints")), &name.span, help);
+        for phase in &self.parsed.scenario.phases {
+            if let Some(change) = phase.interfaces.get(name.as_str()) {
+                let of = format!("phases.{}.{of}", phase.name);
+                self.no_effect(&of, &unread(change.read_by("joints")), &phase.name.span, help);
+            }
+        }
+    }
+
+    /// Keys of contacts where none are detected.
+    fn unused_without_contacts(&mut self, of: &str, name: &Name, said: &Interface) {
+        let help = "it applies to contacts: set space.spatial.found_contacts = true";
+        if let Some(wanted) = &said.restitution {
+            self.no_effect(of, &[("restitution", true)], &wanted.span, help);
+        }
+        // A joint that is elastic does not slide; a contact under its law does.
+        let given = [
+            ("friction_angle", said.elastic && said.friction_angle.is_some()),
+            ("friction_coefficient", said.elastic && said.friction_coefficient.is_some()),
+        ];
+        self.no_effect(of, &given, &name.span, help);
+        for phase in &self.parsed.scenario.phases {
+            let change = phase.interfaces.get(name.as_str());
+            if let Some(wanted) = change.and_then(|change| change.restitution.as_ref()) {
+                let of = format!("phases.{}.{of}", phase.name);
+                self.no_effect(&of, &[("restitution", true)], &wanted.span, help);
             }
         }
     }
@@ -270,8 +278,7 @@ impl Builder<'_> {
             let message = format!("`{key}` in {of} applies to joints between rigid blocks only");
             let help = "a deformable block uses this interface; give its material a separate interface, or let the bonds soften \
                         (`brittle_bond.cohesive`)";
-            let error = Diagnostic::error("mechanics.deformable", message);
-            self.found.push(error.at(span.clone()).help(help));
+            self.error_at("mechanics.deformable", span.clone(), message, help);
         }
     }
 }

@@ -100,8 +100,7 @@ impl Builder<'_> {
         if short > room {
             let message = format!("the grid of water.{name} ends {short:.3} m inside the model");
             let help = "beyond the grid the table keeps the height at its rim; give a larger grid";
-            let note = Diagnostic::warning("water.extent", message);
-            self.found.push(note.at(file.span.clone()).help(help));
+            self.warn_at("water.extent", file.span.clone(), message, help);
         }
         Some(grid)
     }
@@ -115,9 +114,8 @@ impl Builder<'_> {
         };
         if (0..axes).any(|k| min[k] >= max[k]) {
             let message = format!("the box of water.{name} is empty");
-            let error = Diagnostic::error("value.range", message).at(said.min.span.clone());
             let help = "each coordinate of `min` must be below that of `max`";
-            self.found.push(error.help(help));
+            self.error_at("value.range", said.min.span.clone(), message, help);
         }
         let [low, high] = [min, max].map(|at| match self.space {
             InSpace::Planar => Vec3::new(at[0] - self.origin.x, 0.0, at[1] - self.origin.y),
@@ -234,10 +232,9 @@ impl Builder<'_> {
         let slanted = |g: &[f64; 3]| (0..3).any(|k| k != up && g[k] != 0.0);
         if all.iter().any(|g| slanted(g) || g[up] > 0.0) {
             let axis = ["y", "z"][up - 1];
-            let error =
-                Diagnostic::error("water.gravity", format!("water needs gravity along -{axis}"));
             let help = "leave out `tilt` and the other components of `gravity`, here and in phases, or the water";
-            self.found.push(error.at(span.clone()).help(help));
+            let message = format!("water needs gravity along -{axis}");
+            self.error_at("water.gravity", span.clone(), message, help);
         }
     }
 
@@ -292,8 +289,7 @@ impl Builder<'_> {
                         names[k]
                     );
                     let help = "give each table a box (`within`) that shares no face with the boxes of the others";
-                    let error = Diagnostic::error("water.claimed", message);
-                    self.found.push(error.at(names[k].span.clone()).help(help));
+                    self.error_at("water.claimed", names[k].span.clone(), message, help);
                     return None;
                 }
             }

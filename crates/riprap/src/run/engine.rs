@@ -315,18 +315,15 @@ impl Engine {
         }
     }
 
-    /// Splits blocks whose criterion is met, after [`Engine::evaluate`] with the same numbers.
+    /// Splits and cuts the blocks whose criterion is met, after [`Engine::evaluate`] with the same step, and re-evaluates.
     ///
     /// # Errors
     /// The edit is not exact, or makes too many blocks: what is wrong, in words.
-    pub fn refine(&mut self, damping: &Damping, dt: f64) -> Result<(), String> {
+    pub fn divide(&mut self, dt: f64) -> Result<(), String> {
         match self {
             Self::Planar(_) => Ok(()),
-            Self::Spatial(e) => {
-                spatial::topology::refine_running(&mut e.world, &mut e.scratch, damping, dt)
-                    .map(|_| ())
-                    .map_err(|error| error.to_string())
-            }
+            Self::Spatial(e) => spatial::topology::divide(&mut e.world, &mut e.scratch, dt)
+                .map_err(|error| error.to_string()),
         }
     }
 
@@ -386,19 +383,6 @@ impl Engine {
             Self::Planar(_) => Ok(0),
             Self::Spatial(e) => spatial::topology::fracture::step(&mut e.world, &mut e.scratch, dt)
                 .map_err(|e| e.block),
-        }
-    }
-
-    /// Cuts the deformable blocks whose criterion is met, after [`Engine::evaluate`] with the same step, and re-evaluates;
-    /// returns how many.
-    ///
-    /// # Errors
-    /// Why it failed, in words.
-    pub fn cut(&mut self, dt: f64) -> Result<usize, String> {
-        match self {
-            Self::Planar(_) => Ok(0),
-            Self::Spatial(e) => spatial::topology::cut::step(&mut e.world, &mut e.scratch, dt)
-                .map_err(|error| error.to_string()),
         }
     }
 

@@ -62,24 +62,10 @@ impl Simulation {
             // No phase before it has had a gravity that the ramp could begin from.
             engine.set_gravity([0.0; 3]);
         }
-        Ok(Self {
-            plan,
-            cursor,
-            engine,
-            stable: None,
-            dt: 0.0,
-            standing: false,
-            residual: None,
-            reason: None,
-            shorter: None,
-        })
+        Ok(Self::at(plan, cursor, engine))
     }
 
-    /// A run that goes on from a snapshot.
-    #[must_use]
-    pub fn resume(snapshot: Snapshot, exec: Exec) -> Self {
-        let Snapshot { plan, cursor, state } = snapshot;
-        let engine = Engine::resume(state, exec);
+    fn at(plan: Plan, cursor: Cursor, engine: Engine) -> Self {
         Self {
             // With the engine's present revision, so that it is not searched for again: joints that have failed
             // since then would make it longer than that of a run that was not stopped.
@@ -93,6 +79,13 @@ impl Simulation {
             reason: None,
             shorter: None,
         }
+    }
+
+    /// A run that goes on from a snapshot.
+    #[must_use]
+    pub fn resume(snapshot: Snapshot, exec: Exec) -> Self {
+        let Snapshot { plan, cursor, state } = snapshot;
+        Self::at(plan, cursor, Engine::resume(state, exec))
     }
 
     /// What a checkpoint holds. A run goes on from it with the same bits where it is taken between a step and the next
@@ -233,8 +226,7 @@ impl Simulation {
         };
         let revision = self.engine.revision();
         self.evaluate_step(&phase)?;
-        self.refine(&damping)?;
-        self.cut()?;
+        self.divide()?;
         let sudden = self.engine.contact_step_limit(phase.time_step) < SUDDEN * self.dt;
         if self.engine.revision() != revision || sudden {
             // New neighbours can shorten the step.
@@ -315,6 +307,11 @@ impl Simulation {
         self.engine.evaluate(damping, dt).map_err(|block| self.no_force(block))
     }
 
+    fn divide(&mut self) -> Result<(), RunError> {
+        let divided = self.engine.divide(self.dt);
+        divided.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })
+    }
+
     /// Finds the forces for the coming step, which is halved where an implicit one does not converge.
     fn evaluate_step(&mut self, phase: &Rules) -> Result<(), RunError> {
         for _ in 0..HALVINGS {
@@ -330,11 +327,6 @@ impl Simulation {
             }
         }
         self.evaluate(&phase.damping, self.dt)
-    }
-
-    fn refine(&mut self, damping: &Damping) -> Result<(), RunError> {
-        let refined = self.engine.refine(damping, self.dt);
-        refined.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })
     }
 
     /// Applies what the phase changes; the energy this adds is booked as an edit.
@@ -441,14 +433,6 @@ impl Simulation {
         let step = span / rules.load_steps.max(1) as f64;
         self.engine.load_step(step.min(span - self.elapsed()));
         true
-    }
-
-    fn cut(&mut self) -> Result<usize, RunError> {
-        self.engine.cut(self.dt).map_err(|reason| RunError::Edit {
-            reason,
-            step: self.steps(),
-            time: self.time(),
-        })
     }
 
     fn fracture(&mut self) -> Result<usize, RunError> {

@@ -180,9 +180,7 @@ fn shaken(kinematics: Kinematics) -> Setup {
 fn run_on(run: &mut Run, steps: usize, dt: f64) {
     for _ in 0..steps {
         run.evaluate(dt);
-        let damping = run.damping;
-        topology::refine_running(&mut run.world, &mut run.scratch, &damping, dt)
-            .expect("exact edits");
+        topology::refine_running(&mut run.world, &mut run.scratch, dt).expect("exact edits");
         advance(&mut run.world, &mut run.scratch, dt);
     }
     run.evaluate(dt);
@@ -265,7 +263,7 @@ fn charged() -> Setup {
         place: Place::Point { centre: middle },
         delay: 0.0,
         push: CavityPressure::Gas {
-            explosive: AMMONIUM,
+            explosive: AMMONIUM.into(),
             mass: 1.0,
             coupling: Coupling::Scaled { exponent: 0.667 },
             venting: Some(Venting::Heave { height: 1e-3 }),
@@ -334,10 +332,9 @@ fn leaning_blocks_split_with_the_books_of_bricks() {
             let stored = balance.contact_normal + balance.contact_shear;
             (view.momentum(), view.angular_momentum(), balance.residual(), stored)
         };
-        let damping = run.damping;
         let before = run.world.patches.len();
         // A block inside, its neighbour, a block at a corner, and a child of the first.
-        topology::split(&mut run.world, &mut run.scratch, &[17, 18, 0, 36 + 5], &damping, DT)
+        topology::split(&mut run.world, &mut run.scratch, &[17, 18, 0, 36 + 5], DT)
             .expect("the split is exact");
         assert!(run.world.patches.len() > before + 48);
         covered(&run, volume);
@@ -393,7 +390,6 @@ fn leaning_blocks_under_uniform_stress_split_in_equilibrium() {
     }
     let mut run = Run::new(setup);
     run.steps(3, DT);
-    let damping = run.damping;
     let moved = |run: &Run| {
         let view = run.view();
         let moved = view.living().map(|b| view.displacement(b).length());
@@ -401,7 +397,7 @@ fn leaning_blocks_under_uniform_stress_split_in_equilibrium() {
     };
     let before = moved(&run);
     // The middle one, a corner with three held faces, and a child.
-    topology::split(&mut run.world, &mut run.scratch, &[13, 0, 27 + 3], &damping, DT)
+    topology::split(&mut run.world, &mut run.scratch, &[13, 0, 27 + 3], DT)
         .expect("the split is exact");
     for b in run.view().living() {
         let force = run.scratch.net.force(b).length();

@@ -142,7 +142,7 @@ fn blasted() -> Setup {
         place: Place::Point { centre: Vec3::splat(6.0) },
         delay: 10.0 * DT,
         push: CavityPressure::Gas {
-            explosive: AMMONIUM,
+            explosive: AMMONIUM.into(),
             mass: 40.0,
             coupling: Coupling::Scaled { exponent: 0.5 },
             venting: None,
@@ -156,8 +156,7 @@ fn run_on(run: &mut Run, steps: u64) {
     for _ in 0..steps {
         let dt = DT.min(charge::step_limit(&run.world));
         run.evaluate(dt);
-        let damping = run.damping;
-        topology::refine_running(&mut run.world, &mut run.scratch, &damping, dt).expect("exact");
+        topology::refine_running(&mut run.world, &mut run.scratch, dt).expect("exact");
         advance(&mut run.world, &mut run.scratch, dt);
     }
     run.evaluate(DT);

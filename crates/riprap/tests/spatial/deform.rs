@@ -73,7 +73,7 @@ pub fn pull(traction: Vec3) -> BoundaryKind {
 
 /// Begins a phase.
 pub fn begin(run: &mut Run, rules: &Rules) {
-    phase::enter(&mut run.world, &[], Some(rules));
+    phase::enter(&mut run.world, Some(rules));
     run.scratch.invalidate(&mut run.world);
 }
 

@@ -15,8 +15,7 @@ use crate::spatial::rock::{CP, Draws, Run, elastic, lattice, rock, strength};
 const DT: f64 = 0.1 * 0.6325 * 0.25 / CP;
 
 fn split(run: &mut Run, blocks: &[u32], dt: f64) {
-    topology::split(&mut run.world, &mut run.scratch, blocks, &run.damping.clone(), dt)
-        .expect("the split is exact");
+    topology::split(&mut run.world, &mut run.scratch, blocks, dt).expect("the split is exact");
 }
 
 /// A free body with random motion after some steps.
@@ -216,8 +215,7 @@ fn blocks_above_a_limit_are_split_and_reported() {
         let mut count = 0;
         for _ in 0..60 {
             run.evaluate(DT);
-            let damping = run.damping;
-            count += topology::refine_running(&mut run.world, &mut run.scratch, &damping, DT)
+            count += topology::refine_running(&mut run.world, &mut run.scratch, DT)
                 .expect("an exact edit");
             advance(&mut run.world, &mut run.scratch, DT);
         }
@@ -250,8 +248,12 @@ fn a_removed_block_bares_the_faces_around_it() {
     let mut run = moving(elastic(), Kinematics::Small, 0.5, 40);
     let faces = run.world.faces.len();
     let residual = run.balance().residual();
-    let damping = run.damping;
-    topology::remove(&mut run.world, &mut run.scratch, &[17], &damping, DT).expect("finite forces");
+    topology::transact(&mut run.world, &mut run.scratch, DT, |world, scratch| {
+        topology::remove(world, &[17]);
+        scratch.invalidate(world);
+        Ok(())
+    })
+    .expect("finite forces");
     // A lattice of 4 x 3 x 3 whose block 17 = (1, 1, 1) has six neighbours.
     assert_eq!(run.world.faces.len(), faces + 6);
     assert_eq!(run.world.patches.len(), 3 * 36 - (9 + 12 + 12) - 6);

@@ -140,7 +140,7 @@ fn gas_in_a_spherical_cavity_comes_to_its_plateau() {
         place: Place::Blocks { blocks: vec![0] },
         delay: 0.0,
         push: CavityPressure::Gas {
-            explosive: AMMONIUM,
+            explosive: AMMONIUM.into(),
             mass: AMMONIUM.density * part,
             coupling: Coupling::Coupled,
             venting: None,

@@ -101,6 +101,26 @@ struct Place {
     top: f64,
 }
 
+impl Place {
+    /// Of node `n` where the highest head is `high`, m, and water comes to it or does not.
+    fn without_pipes(network: &Network, n: usize, reached: bool, high: f64) -> Self {
+        let z = network.heights[n];
+        let head = match network.edges[n] {
+            _ if !reached => Some(z),
+            Edge::Head(head) | Edge::Outlet(head) => Some(head),
+            Edge::Inside => None,
+        };
+        Self {
+            is_held: !reached || matches!(network.edges[n], Edge::Head(_)),
+            given: head.map_or(f64::INFINITY, |h| (h - z).max(0.0)),
+            can_dry: false,
+            height: 0.0,
+            conductance: 0.0,
+            top: (high - z).max(0.0),
+        }
+    }
+}
+
 /// The search; nodes are numbered from the highest to the lowest.
 pub(super) struct Search<'a> {
     network: &'a Network,
@@ -131,24 +151,8 @@ impl<'a> Search<'a> {
         let reached = network.reached();
         let falls = falls(network, &reached, &rank);
         let (range, high) = heads(network, &reached);
-        let mut places: Vec<Place> = order
-            .iter()
-            .map(|&n| {
-                let head = match network.edges[n] {
-                    _ if !reached[n] => Some(z[n]),
-                    Edge::Head(head) | Edge::Outlet(head) => Some(head),
-                    Edge::Inside => None,
-                };
-                Place {
-                    is_held: !reached[n] || matches!(network.edges[n], Edge::Head(_)),
-                    given: head.map_or(f64::INFINITY, |h| (h - z[n]).max(0.0)),
-                    can_dry: false,
-                    height: 0.0,
-                    conductance: 0.0,
-                    top: (high - z[n]).max(0.0),
-                }
-            })
-            .collect();
+        let place = |n: &usize| Place::without_pipes(network, *n, reached[*n], high);
+        let mut places: Vec<Place> = order.iter().map(place).collect();
         let mut first = vec![0; z.len() + 1];
         for f in &falls {
             let upper = &mut places[f.upper];

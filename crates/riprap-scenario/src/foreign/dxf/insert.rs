@@ -194,10 +194,8 @@ impl<'a> Work<'a> {
             return Err(wrong(text));
         }
         // The layer 0 in a block is that of the place where it stands.
-        let own = |of: &str| {
-            if of == "0" { layer.to_owned() } else { of.to_owned() }
-        };
-        let here = own(&insert.layer);
+        let own = |of: &str, place: &str| if of == "0" { place } else { of }.to_owned();
+        let here = own(&insert.layer, layer);
         inside.push(name);
         for row in 0..insert.copies[1] {
             for column in 0..insert.copies[0] {
@@ -205,26 +203,20 @@ impl<'a> Work<'a> {
                 let points: usize = block.content.lines.iter().map(|l| l.points.len()).sum();
                 let needed = points + block.content.inserts.len() + 1;
                 let room = self.room.checked_sub(needed);
-                self.room = room.ok_or_else(|| {
-                    wrong(format!(
-                        "block references expand to more than {} points",
-                        super::MAX_POINTS
-                    ))
-                })?;
-                for line in &block.content.lines {
-                    let layer = if line.layer == "0" { &here } else { &line.layer };
-                    self.drawing.lines.push(Polyline {
-                        layer: layer.clone(),
-                        points: line.points.iter().map(|p| frame.place(*p)).collect(),
-                        ..line.clone()
-                    });
-                }
+                let many = super::MAX_POINTS;
+                let text = || wrong(format!("block references expand to more than {many} points"));
+                self.room = room.ok_or_else(text)?;
+                let lines = block.content.lines.iter();
+                self.drawing.lines.extend(lines.map(|line| Polyline {
+                    layer: own(&line.layer, &here),
+                    points: line.points.iter().map(|p| frame.place(*p)).collect(),
+                    ..line.clone()
+                }));
                 for inner in &block.content.inserts {
                     self.insert(inner, &here, &frame, inside)?;
                 }
-                for ((kind, why), count) in &block.content.left_out {
-                    let what = (kind.clone(), *why);
-                    *self.drawing.left_out.entry(what).or_default() += count;
+                for (what, count) in &block.content.left_out {
+                    *self.drawing.left_out.entry(what.clone()).or_default() += count;
                 }
                 self.drawing.inserted += 1;
             }

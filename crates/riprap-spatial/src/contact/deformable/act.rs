@@ -6,10 +6,11 @@ use riprap_geom::{Mat3, Vec3};
 use crate::contact::deformable::law::{Asked, Sides, respond};
 use crate::contact::deformable::limit;
 use crate::contact::pose;
-use crate::kernel::cells::{Member, PairConstants, PairSlot, PairWorkspace, Spot, TetFan};
+use crate::kernel::cells::{
+    CellPatch, Member, PairConstants, PairSlot, PairWorkspace, Spot, TetFan,
+};
 use crate::kernel::grid::Box3;
 use crate::kernel::springs::stored;
-use crate::kernel::tetra::Piece;
 use crate::kernel::{Pose, Terrain};
 use crate::state::bodies::Bodies;
 use crate::state::deform::Deform;
@@ -174,8 +175,9 @@ impl Evaluation<'_> {
         } else {
             slot.touching = false;
         }
+        let surfaceless = slot.patches.iter().all(|patch| patch.surface.weight == 0.0);
         if !stars.iter().all(|star| star.sound)
-            || slot.touching && workspace.surface.weight == 0.0 && self.is_below(constants)
+            || slot.touching && surfaceless && self.is_below(constants)
         {
             // How deep they lie cannot be found: a stop, with their names.
             pair.depth = f64::INFINITY;
@@ -190,6 +192,7 @@ impl Evaluation<'_> {
             *pair =
                 DeformablePair { ends: pair.ends, known: true, depth, ..DeformablePair::default() };
             slot.spots.clear();
+            slot.patches.clear();
             return;
         }
         let mut law = constants.law;
@@ -198,15 +201,17 @@ impl Evaluation<'_> {
             law.damping_ratio = 0.0;
         }
         let stored = pair.stored;
-        let elastic = pair.force;
+        for patch in &slot.patches {
+            pair.contact(patch.key);
+        }
+        pair.contacts.retain(|c| slot.patches.iter().any(|patch| patch.key == c.key));
         let reply = respond(
             &law,
-            &Asked { surface: &workspace.surface, elastic, sides, dt: self.dt },
-            &mut slot.spots,
+            &Asked { sides, facets: constants.ground.is_some(), dt: self.dt },
+            slot,
             &mut workspace.shares,
-            &mut pair.memory,
+            &mut pair.contacts,
         );
-        slot.area = reply.area;
         pair.stored = reply.stored;
         // What the springs store of the work on them is not lost yet.
         workspace.friction += reply.friction - (reply.stored - stored);
@@ -248,7 +253,7 @@ fn press(
     workspace.shifted.extend(second);
     slot.forces.iter_mut().for_each(|list| list.fill(Vec3::ZERO));
     slot.spots.clear();
-    workspace.surface = Piece::default();
+    slot.patches.clear();
     slot.touching = false;
     pair.force = Vec3::ZERO;
     pair.depth = 0.0;
@@ -263,6 +268,11 @@ fn press(
                 continue;
             };
             slot.touching = true;
+            let keys = [stars[0].keys.get(i as usize), stars[1].keys.get(j as usize)];
+            let key = keys[0].or(keys[1]).copied().unwrap_or(0);
+            let patch = patch_of(&mut slot.patches, key);
+            let keyed = if keys[0].is_some() { first } else { second };
+            patch.plane = (keyed.slope, keyed.level);
             for (side, (cell, number)) in [(first, i), (second, j)].into_iter().enumerate() {
                 let half = &overlap.halves[side];
                 if half.volume == 0.0 {
@@ -279,21 +289,54 @@ fn press(
             }
             let surface = &overlap.surface;
             if surface.weight > 0.0 {
-                workspace.surface.add(surface);
+                patch.surface.add(surface);
+                let pressure = scale * surface.weight;
+                patch.elastic += pressure / surface.vector.length() * surface.vector;
                 let at = surface.weight_first / surface.weight;
                 slot.spots.push(Spot {
+                    key,
                     cells: [i, j],
                     weights: [first.weights(at), second.weights(at)],
                     arms: [at, at - shift],
-                    pressure: scale * surface.weight,
+                    pressure,
                     ..Spot::default()
                 });
                 let slopes = [first, second].map(|c| c.slope.length());
                 // A depth over its slope is a length, and the blocks lie in each other by both.
                 let deep = surface.depth * (1.0 / slopes[0] + 1.0 / slopes[1]);
+                patch.depth = patch.depth.max(deep);
                 pair.depth = pair.depth.max(deep);
             }
         }
+    }
+    if let [only] = slot.patches.as_mut_slice() {
+        // As exact as the nodal forces, which it has to agree with.
+        only.elastic = pair.force;
+    }
+    sort(slot);
+}
+
+/// The contact with this key, a new one where there is none.
+fn patch_of(patches: &mut Vec<CellPatch>, key: u32) -> &mut CellPatch {
+    let known = patches.iter().position(|patch| patch.key == key).unwrap_or_else(|| {
+        patches.push(CellPatch { key, ..CellPatch::default() });
+        patches.len() - 1
+    });
+    &mut patches[known]
+}
+
+/// Puts contacts in the order of their keys, and the spots of each together.
+fn sort(slot: &mut PairSlot) {
+    let PairSlot { patches, spots, .. } = slot;
+    if patches.len() > 1 {
+        patches.sort_by_key(|patch| patch.key);
+        spots.sort_by_key(|spot| spot.key);
+    }
+    let mut first = 0;
+    for patch in patches {
+        let end = first + spots[first..].iter().take_while(|s| s.key == patch.key).count();
+        patch.spots = first..end;
+        first = end;
     }
 }
 

@@ -13,14 +13,13 @@
 use riprap_geom::Vec3;
 
 use crate::kernel::ContactLaw;
-use crate::kernel::cells::{Member, Spot};
+use crate::kernel::cells::{CellPatch, Member, PairSlot, Spot};
 use crate::kernel::slip::{Rub, Rubs, Three, hold};
 use crate::kernel::springs::{shrunk, turned};
-use crate::kernel::tetra::Piece;
 use crate::laws::mohr_coulomb::shear_limit;
 use crate::state::bodies::Bodies;
 use crate::state::deform::Deform;
-use crate::state::deformable::DeformableMemory;
+use crate::state::deformable::{DeformableContact, DeformableMemory};
 use crate::state::workspace::Workspace;
 
 /// Mean radius of the pressure over its radius of gyration.
@@ -99,23 +98,19 @@ impl Sides<'_> {
     }
 }
 
-/// What a contact is asked.
+/// What a pair is asked.
 pub(super) struct Asked<'a> {
-    /// Integrals over the surface of equal depth, about the centre of the first block.
-    pub(super) surface: &'a Piece,
-    /// Force of the pressure on the second block, N.
-    pub(super) elastic: Vec3,
     pub(super) sides: Sides<'a>,
+    /// Whether its contacts are those with facets of terrain.
+    pub(super) facets: bool,
     /// Time since the last evaluation, s.
     pub(super) dt: f64,
 }
 
-/// The answer.
+/// The answer of all contacts of a pair.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct ContactOutput {
-    /// Area across the normal, m².
-    pub(super) area: f64,
-    /// Energy in the springs along the contact, J.
+    /// Energy in the springs along the contacts, J.
     pub(super) stored: f64,
     /// Work against these springs in the half step before, J.
     pub(super) friction: f64,
@@ -157,10 +152,10 @@ impl Contact {
     }
 
     /// `None` where the surface has no one normal.
-    fn new(asked: &Asked, spots: &[Spot]) -> Option<Self> {
-        let s = asked.surface;
+    fn new(sides: &Sides, patch: &CellPatch, spots: &[Spot]) -> Option<Self> {
+        let s = &patch.surface;
         let pressure: f64 = spots.iter().map(|spot| spot.pressure).sum();
-        let (length, area) = (asked.elastic.length(), s.vector.length());
+        let (length, area) = (patch.elastic.length(), s.vector.length());
         // Written so that a NaN is no contact either.
         if !(pressure > 0.0 && length > CANCELLED * pressure && area > 0.0)
             || s.depth < LOST * area.sqrt()
@@ -174,7 +169,7 @@ impl Contact {
             return None;
         }
         let mut contact = Self {
-            normal: asked.elastic / length,
+            normal: patch.elastic / length,
             pressure,
             point,
             area,
@@ -187,7 +182,7 @@ impl Contact {
         let (mut moment, mut spins) = (0.0, [0.0; 2]);
         for spot in spots {
             let lever = contact.lever(spot);
-            let two = [0, 1].map(|side| asked.sides.velocity(side, spot));
+            let two = [0, 1].map(|side| sides.velocity(side, spot));
             contact.velocity += spot.pressure / pressure * (two[1] - two[0]);
             moment += spot.pressure * lever.length_squared();
             for (spin, v) in spins.iter_mut().zip(two) {
@@ -201,64 +196,162 @@ impl Contact {
         }
         Some(contact)
     }
-
-    /// 1 over the mass that a force shared out over the spots moves at once, 1/kg.
-    fn ease(&self, asked: &Asked, spots: &[Spot], shares: &mut [Vec<f64>; 2]) -> f64 {
-        let sides = &asked.sides;
-        let mut sum = 0.0;
-        for (side, shares) in shares.iter_mut().enumerate() {
-            let member = sides.members[side];
-            let Some(body) = member.body else {
-                sum += member.ease;
-                continue;
-            };
-            let own = &sides.deform.bodies[body as usize];
-            shares.clear();
-            shares.resize(own.count as usize, 0.0);
-            for spot in spots {
-                sides.share(body, spot.cells[side], &spot.weights[side], |node, weight| {
-                    shares[node as usize] += weight * spot.pressure / self.pressure;
-                });
-            }
-            let masses = sides.work.class(own).masses();
-            let parts = shares.iter().zip(masses).map(|(w, m)| w * w / m);
-            sum += parts.sum::<f64>();
-        }
-        sum
-    }
 }
 
-/// Finds what springs and dashpots of a contact do at its spots; takes the memory on by the time asked for.
-pub(super) fn respond(
-    law: &ContactLaw,
-    asked: &Asked,
-    spots: &mut [Spot],
-    shares: &mut [Vec<f64>; 2],
-    memory: &mut DeformableMemory,
-) -> ContactOutput {
-    let Some(c) = Contact::new(asked, spots) else {
-        memory.forget();
-        return ContactOutput::default();
-    };
-    let mut reply = ContactOutput { area: c.area, ..ContactOutput::default() };
-    let damped = law.damping_ratio > 0.0;
-    let mass = if damped { 1.0 / c.ease(asked, spots, shares) } else { 0.0 };
-    let dashpot = |k: f64| {
-        // Between blocks that nothing can move there is no mass to tune to.
-        if damped && mass.is_finite() {
-            2.0 * law.damping_ratio * (k * c.area * mass).sqrt()
+/// 1 over the mass that a force shared out over the spots of a pair moves at once, 1/kg.
+fn ease(sides: &Sides, spots: &[Spot], shares: &mut [Vec<f64>; 2]) -> f64 {
+    let pressure: f64 = spots.iter().map(|spot| spot.pressure).sum();
+    let mut sum = 0.0;
+    for (side, shares) in shares.iter_mut().enumerate() {
+        let member = sides.members[side];
+        let Some(body) = member.body else {
+            sum += member.ease;
+            continue;
+        };
+        let own = &sides.deform.bodies[body as usize];
+        shares.clear();
+        shares.resize(own.count as usize, 0.0);
+        for spot in spots {
+            sides.share(body, spot.cells[side], &spot.weights[side], |node, weight| {
+                shares[node as usize] += weight * spot.pressure / pressure;
+            });
+        }
+        let masses = sides.work.class(own).masses();
+        let parts = shares.iter().zip(masses).map(|(w, m)| w * w / m);
+        sum += parts.sum::<f64>();
+    }
+    sum
+}
+
+/// Dashpots of a pair.
+struct Dashpots {
+    ratio: f64,
+    /// The mass that they are tuned to, kg; not finite between blocks that nothing can move.
+    mass: f64,
+    /// Area across the normals of all contacts, m².
+    whole: f64,
+}
+
+impl Dashpots {
+    /// Dashpot of an area (m²) along a stiffness (Pa/m), N s/m: those of all contacts together are that of one contact of the whole, spread
+    /// evenly over it.
+    fn of(&self, stiffness: f64, area: f64) -> f64 {
+        if self.ratio > 0.0 && self.mass.is_finite() {
+            let ratio = self.ratio * (area / self.whole).sqrt();
+            2.0 * ratio * (stiffness * area * self.mass).sqrt()
         } else {
             0.0
         }
+    }
+
+    /// Normal of the dashpots across a contact, with those that it shares them with, and their rate over the pressure, s/m.
+    fn across(
+        &self,
+        law: &ContactLaw,
+        patches: &[CellPatch],
+        spots: &[Spot],
+        ridge: usize,
+    ) -> (Vec3, f64) {
+        let (mut elastic, mut vector, mut pressure) = (Vec3::ZERO, Vec3::ZERO, 0.0);
+        for patch in patches.iter().filter(|patch| patch.ridge == ridge) {
+            elastic += patch.elastic;
+            vector += patch.surface.vector;
+            pressure += spots[patch.spots.clone()].iter().map(|s| s.pressure).sum::<f64>();
+        }
+        let length = elastic.length();
+        if length > CANCELLED * pressure {
+            (elastic / length, self.of(law.normal_stiffness, vector.length()) / pressure)
+        } else {
+            (Vec3::ZERO, 0.0)
+        }
+    }
+}
+
+/// Finds which facets of terrain share their dashpots across, as `kernel::ridges` does for rigid blocks: those between which the ground is convex.
+fn find_ridges(patches: &mut [CellPatch], facets: bool) {
+    for (k, patch) in patches.iter_mut().enumerate() {
+        patch.ridge = k;
+    }
+    if !facets {
+        return;
+    }
+    for k in 1..patches.len() {
+        for other in 0..k {
+            let two = [k, other].map(|k| &patches[k]);
+            let ridges = two.map(|patch| patch.ridge);
+            if ridges[0] != ridges[1] && is_ridge(two) {
+                let [from, to] = [ridges[0].max(ridges[1]), ridges[0].min(ridges[1])];
+                patches.iter_mut().filter(|p| p.ridge == from).for_each(|p| p.ridge = to);
+            }
+        }
+    }
+}
+
+/// Whether the plane of either facet lies above the ground where the block presses on the other one.
+fn is_ridge([a, b]: [&CellPatch; 2]) -> bool {
+    let above = |plane: &CellPatch, place: &CellPatch| {
+        let at = place.surface.weight_first / place.surface.weight;
+        let depth = |patch: &CellPatch| patch.plane.0.dot(at) + patch.plane.1;
+        depth(plane) >= depth(place)
     };
+    above(a, b) && above(b, a)
+}
+
+/// Finds what springs and dashpots of the contacts of a pair do at their spots; takes their memories on by the time asked for.
+pub(super) fn respond(
+    law: &ContactLaw,
+    asked: &Asked,
+    slot: &mut PairSlot,
+    shares: &mut [Vec<f64>; 2],
+    contacts: &mut [DeformableContact],
+) -> ContactOutput {
+    let PairSlot { spots, patches, .. } = slot;
+    find_ridges(patches, asked.facets);
+    let ratio = law.damping_ratio;
+    let dashpots = Dashpots {
+        ratio,
+        mass: if ratio > 0.0 { 1.0 / ease(&asked.sides, spots, shares) } else { 0.0 },
+        whole: patches.iter().map(|patch| patch.surface.vector.length()).sum(),
+    };
+    let mut reply = ContactOutput::default();
+    for (k, DeformableContact { memory, .. }) in contacts.iter_mut().enumerate() {
+        let across = dashpots.across(law, patches, spots, patches[k].ridge);
+        let patch = &mut patches[k];
+        let own = &mut spots[patch.spots.clone()];
+        patch.area = 0.0;
+        patch.force = patch.elastic;
+        let Some(c) = Contact::new(&asked.sides, patch, own) else {
+            memory.forget();
+            continue;
+        };
+        patch.area = c.area;
+        rub(law, asked, (&c, &dashpots, across), own, memory);
+        reply.stored += memory.stored(law.shear_stiffness);
+        for spot in own {
+            let velocity = asked.sides.relative_velocity(spot);
+            patch.force += spot.spring;
+            reply.friction -= 0.5 * asked.dt * spot.spring.dot(velocity);
+            reply.damping -= 0.5 * asked.dt * spot.drag.dot(velocity);
+        }
+    }
+    reply
+}
+
+/// Finds what springs and dashpots of one contact do at its spots; `across`: see [`Dashpots::across`].
+fn rub(
+    law: &ContactLaw,
+    asked: &Asked,
+    (c, dashpots, across): (&Contact, &Dashpots, (Vec3, f64)),
+    spots: &mut [Spot],
+    memory: &mut DeformableMemory,
+) {
     // Across the contact: never tension.
-    let across = dashpot(law.normal_stiffness) / c.pressure;
     let mut normal = 0.0;
     for spot in spots.iter_mut() {
-        let opening = asked.sides.relative_velocity(spot).dot(c.normal);
-        let drag = (-across * spot.pressure * opening).max(-spot.pressure);
+        let opening = asked.sides.relative_velocity(spot).dot(across.0);
+        let drag = (-across.1 * spot.pressure * opening).max(-spot.pressure);
         normal += spot.pressure + drag;
-        spot.drag = drag * c.normal;
+        spot.drag = drag * across.0;
     }
     let along = c.velocity - c.velocity.dot(c.normal) * c.normal;
     // Infinite times no pressure would be no number.
@@ -271,28 +364,23 @@ pub(super) fn respond(
     // Asked again at the same instant, springs are what they are to the last bit.
     let same = memory.normal == c.normal && memory.area == c.area && memory.polar == c.polar;
     if asked.dt > 0.0 || !same {
-        take_on(law, &c, along, asked.dt, memory);
+        take_on(law, c, along, asked.dt, memory);
         let DeformableMemory { shear, torsion, .. } = memory;
-        memory.sliding = limit(&c, spots, largest, motion, shear, torsion);
+        memory.sliding = limit(c, spots, largest, motion, shear, torsion);
     }
-    reply.stored = memory.stored(law.shear_stiffness);
-    let viscous = dashpot(law.shear_stiffness);
+    let viscous = dashpots.of(law.shear_stiffness, c.area);
     let mut sticking = (-viscous * along, -viscous * c.polar / c.area * c.twist[0]);
     if c.moment == 0.0 {
         sticking.1 = 0.0;
     }
     let (mut shear, mut torsion) = (memory.shear + sticking.0, memory.torsion + sticking.1);
-    if memory.sliding || limit(&c, spots, largest, motion, &mut shear, &mut torsion) {
+    if memory.sliding || limit(c, spots, largest, motion, &mut shear, &mut torsion) {
         sticking = (Vec3::ZERO, 0.0);
     }
     for spot in spots {
         spot.spring = c.share(spot, memory.shear, memory.torsion);
         spot.drag += c.share(spot, sticking.0, sticking.1);
-        let velocity = asked.sides.relative_velocity(spot);
-        reply.friction -= 0.5 * asked.dt * spot.spring.dot(velocity);
-        reply.damping -= 0.5 * asked.dt * spot.drag.dot(velocity);
     }
-    reply
 }
 
 /// Lets a shear force and a torsion go down to what friction of this largest force (N) holds, by the rate of slip if nothing sticks (m/s,

@@ -20,15 +20,15 @@ pub(crate) use act::{act, depart};
 pub(crate) use part::part;
 pub(crate) use search::refresh;
 
+use crate::contact::CHECK_INTERVAL;
 use crate::joint::classes::stiffness;
 use crate::kernel::ContactLaw;
+use crate::ledger::Works;
 use crate::setup::error::BuildError;
 use crate::setup::{InterfaceLaw, Setup};
+use crate::state::deformable::DeformablePair;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
-
-/// Steps between two looks at bonds that have failed since.
-const CHECK_INTERVAL: u64 = 16;
 
 /// The law between two blocks: that of the bonds of their interface, or of its joints where it has none. `depths` are the
 /// distances of their centres from the surface, m; `rigid` says which are rigid.
@@ -95,11 +95,16 @@ pub(crate) fn check(world: &World) -> Result<(), BuildError> {
     Ok(())
 }
 
-/// Ends all of these contacts: what their springs still hold is friction.
+/// Books what a pair still holds that is no longer looked at: friction what its springs, an edit what its pressure.
+fn drop_pair(works: &mut Works, pair: &DeformablePair) {
+    works.friction += pair.stored;
+    works.edit_defect -= pair.energy;
+}
+
+/// Ends all of these contacts.
 fn leave(world: &mut World, scratch: &mut Scratch) {
     for pair in std::mem::take(&mut world.found.deformable.pairs) {
-        world.works.friction += pair.stored;
-        world.works.edit_defect -= pair.energy;
+        drop_pair(&mut world.works, &pair);
     }
     world.found.deformable.search = Default::default();
     scratch.deformable = Default::default();

@@ -15,7 +15,7 @@ use crate::contact::deformable::CHECK_INTERVAL;
 use crate::deform::bonds;
 use crate::laws::bond;
 use crate::state::deform::{Deform, Facet};
-use crate::state::deformable::{DeformableMemory, DeformablePair};
+use crate::state::deformable::{DeformableContact, DeformableMemory, DeformablePair};
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
 
@@ -156,17 +156,18 @@ fn hand_over(world: &mut World, facet: &Facet) {
         pairs.insert(at, fresh);
     }
     let pair = &mut pairs[at];
-    let memory = DeformableMemory {
-        shear: pair.memory.shear + forward * shear,
-        torsion: pair.memory.torsion + torsion,
+    // Both blocks are convex: their pair has one contact.
+    let DeformableContact { memory, .. } = pair.contact(0);
+    *memory = DeformableMemory {
+        shear: memory.shear + forward * shear,
+        torsion: memory.torsion + torsion,
         normal: forward * n,
-        area: pair.memory.area + facet.area,
-        polar: pair.memory.polar + polar,
+        area: memory.area + facet.area,
+        polar: memory.polar + polar,
         sliding: true,
     };
     let stored = memory.stored(facet.stiffness[1]);
     let change = stored - pair.stored;
-    pair.memory = memory;
     pair.stored = stored;
     world.works.edit_defect += change - energy;
 }

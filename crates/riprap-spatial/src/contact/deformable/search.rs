@@ -10,30 +10,25 @@ use riprap_core::sets::Sets;
 use riprap_geom::polyhedron::{DepthCells, Tetrahedra};
 use riprap_geom::{Mat3, Vec3};
 
-use crate::broad::search::path_bound;
+use crate::broad::search::{Search, any_leaves, carry};
+use crate::contact::LOOKAHEAD;
 use crate::deform::relax;
-use crate::exec::{CHUNK, Exec, piece};
+use crate::exec::Exec;
 use crate::faces::deformable::centred;
 use crate::kernel::Terrain;
 use crate::kernel::cells::{
     Member, PairConstants, PairSlot, PairWorkspace, TetContactScratch, TetFan,
 };
 use crate::kernel::grid::{Box3, Role};
-use crate::state::contact_scratch::TerrainDesk;
+use crate::state::contact_scratch::Grounds;
 use crate::state::deform::Deform;
-use crate::state::deformable::{DeformablePair, DeformableSearch};
+use crate::state::deformable::{DeformableContacts, DeformablePair, DeformableSearch};
 use crate::state::event::EditKind;
 use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
 use crate::state::workspace::{BlockClass, Workspace};
 use crate::state::world::World;
 
-/// Margin of a block over its size (the smaller of its radius and twice the median radius).
-const MARGIN: f64 = 0.04;
-/// Margin of the fastest blocks over their size.
-const FAST_MARGIN: f64 = 0.4;
-/// Way in steps of the present length that margins are made for.
-const LOOKAHEAD: f64 = 50.0;
 /// Largest sum of magnitudes in a row of a spring that is as stiff in all directions, or across only: between 1 and root 3.
 const ROWS: f64 = 1.7321;
 
@@ -121,37 +116,27 @@ fn roles(world: &World) -> Vec<Role> {
 
 /// Whether a point of a block will have left the margin of its block by the end of the coming step.
 fn outdated(world: &World, outside: &mut Vec<bool>, dt: f64, exec: &Exec) -> bool {
-    let (deformable, count) = (&world.found.deformable, world.alive.len());
     let Some(deform) = world.deform.as_deref() else {
         return false;
     };
-    let search = &deformable.search;
-    if search.margins.len() != count || search.displacement.len() != deform.nodes.len() {
+    let DeformableContacts { search: DeformableSearch { displacement, blocks }, roles, .. } =
+        &world.found.deformable;
+    if blocks.margin.len() != roles.len() || displacement.len() != deform.nodes.len() {
         return true;
     }
-    let leaves = |b: usize| {
-        let margin = search.margins[b];
-        let beyond = |way: f64| way > margin || way.is_nan();
-        match deform.body(b) {
-            Some(body) => body.nodes().any(|n| {
-                let now = Vec3::from_array(deform.nodes.displacement[n]);
-                let velocity = Vec3::from_array(deform.nodes.velocity[n]);
-                let then = Vec3::from_array(search.displacement[n]);
-                beyond((now - then).length() + dt * velocity.length())
-            }),
-            None => {
-                let radius = world.solid_of(b).radius;
-                let way = path_bound(&search.poses[b], &world.pose(b), radius);
-                beyond(way + dt * speed(world, b))
-            }
+    let leaves = |b: usize| match deform.body(b) {
+        Some(body) => body.nodes().any(|n| {
+            let now = Vec3::from_array(deform.nodes.displacement[n]);
+            let velocity = Vec3::from_array(deform.nodes.velocity[n]);
+            let then = Vec3::from_array(displacement[n]);
+            blocks.is_beyond(b, (now - then).length() + dt * velocity.length())
+        }),
+        None => {
+            let radius = world.solid_of(b).radius;
+            blocks.leaves(b, radius, &world.pose(b), dt * speed(world, b))
         }
     };
-    outside.clear();
-    outside.resize(count.div_ceil(CHUNK), false);
-    exec.ranges(count, outside, |mut range, outside| {
-        *outside = range.any(|b| deformable.roles[b] != Role::Absent && leaves(b));
-    });
-    outside.contains(&true)
+    any_leaves(roles, outside, leaves, exec)
 }
 
 /// Bound of the speed of the points of a rigid block, m/s.
@@ -175,27 +160,16 @@ fn take_over(world: &mut World) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
-    let roles = &world.found.deformable.roles;
-    let there = |b: &usize| roles[*b] != Role::Absent;
-    let count = world.alive.len();
-    let mut radii: Vec<f64> = (0..count).filter(there).map(|b| world.solid_of(b).radius).collect();
-    let middle = radii.len() / 2;
-    let median = if radii.is_empty() {
-        0.0
-    } else {
-        *radii.select_nth_unstable_by(middle, f64::total_cmp).1
-    };
     let lookahead = LOOKAHEAD * world.last_dt;
-    let margin = |b: usize| {
-        let size = world.solid_of(b).radius.min(2.0 * median);
-        (fastest(world, deform, b) * lookahead).min(FAST_MARGIN * size).max(MARGIN * size)
-    };
-    let search = DeformableSearch {
-        displacement: deform.nodes.displacement.clone(),
-        poses: (0..count).map(|b| world.pose(b)).collect(),
-        margins: (0..count).map(margin).collect(),
-    };
-    world.found.deformable.search = search;
+    let mut blocks = Search::default();
+    blocks.take(
+        &world.found.deformable.roles,
+        |b| world.solid_of(b).radius,
+        |b| world.pose(b),
+        |b| fastest(world, deform, b) * lookahead,
+    );
+    let displacement = deform.nodes.displacement.clone();
+    world.found.deformable.search = DeformableSearch { displacement, blocks };
 }
 
 /// Box of a block at the last look, grown by its margin.
@@ -213,7 +187,7 @@ fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
             }
         }
         None => {
-            let pose = &search.poses[b];
+            let pose = &search.blocks.pose[b];
             let turn = Mat3::from_quat(pose.rotation);
             let half = world.solid_of(b).half;
             let reach = turn.x_axis.abs() * half.x
@@ -223,7 +197,7 @@ fn grown_box(world: &World, deform: &Deform, b: usize) -> Box3 {
             add(pose.position + reach);
         }
     }
-    let margin = Vec3::splat(search.margins[b]);
+    let margin = Vec3::splat(search.blocks.margin[b]);
     Box3 { low: around.low - margin, high: around.high + margin }
 }
 
@@ -232,7 +206,7 @@ fn note_left(world: &mut World, grounds: &[Terrain]) {
     if grounds.is_empty() {
         return;
     }
-    for b in 0..world.found.terrain.len() {
+    for b in 0..world.found.left_terrain.len() {
         let Some(deform) = world.deform.as_deref() else {
             return;
         };
@@ -241,9 +215,8 @@ fn note_left(world: &mut World, grounds: &[Terrain]) {
         };
         let centre = (body.first + body.count - 1) as usize;
         let at = deform.nodes.place[centre] + Vec3::from_array(deform.nodes.displacement[centre]);
-        let state = &mut world.found.terrain[b];
-        if !state.left && grounds.iter().all(|ground| ground.depth(at).is_none()) {
-            state.left = true;
+        if !world.found.left_terrain[b] && grounds.iter().all(|ground| ground.depth(at).is_none()) {
+            world.found.left_terrain[b] = true;
             let event = world.event(EditKind::LeftTerrain, b as u32);
             world.events.push(event);
         }
@@ -287,27 +260,21 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
         let over = bodies.filter(|b| roles[*b] != Role::Absent && surface.meets(&desk.boxes[*b]));
         close.extend(over.map(|b| [ground.min(b as u32), ground.max(b as u32)]));
     }
-    // Pairs of before are carried over by one walk through two lists in one order.
     if !terrain.blocks.is_empty() {
         close.sort_unstable();
     }
-    let mut old = std::mem::take(&mut world.found.deformable.pairs).into_iter().peekable();
-    let mut pairs = Vec::with_capacity(close.len());
+    let old = std::mem::take(&mut world.found.deformable.pairs).into_iter();
     let works = &mut world.works;
-    let mut lost = |pair: DeformablePair| {
-        works.friction += pair.stored;
-        works.edit_defect -= pair.energy;
-    };
-    for ends in close {
-        while let Some(gone) = old.next_if(|pair| pair.ends < ends) {
-            lost(gone);
-        }
-        let fresh = DeformablePair { ends, ..DeformablePair::default() };
-        pairs.push(old.next_if(|pair| pair.ends == ends).unwrap_or(fresh));
-    }
-    old.for_each(lost);
-    world.found.deformable.pairs = pairs;
+    world.found.deformable.pairs = carry(
+        &close,
+        |ends| *ends,
+        old.map(|pair| (pair.ends, pair)),
+        |ends| DeformablePair { ends: *ends, ..DeformablePair::default() },
+        |_, pair| super::drop_pair(works, &pair),
+    );
     lay_out(world, work, desk, terrain);
+    let count = world.found.deformable.pairs.len();
+    desk.workspaces.resize_with(scratch.exec.workspaces(count), PairWorkspace::default);
     if deform.relax.is_some() {
         let masses = relax::masses(deform, &work.classes);
         let before = std::mem::replace(&mut work.fictitious, masses);
@@ -328,7 +295,7 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, renewed: bool) {
 }
 
 /// What follows from the list of pairs.
-fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrain: &TerrainDesk) {
+fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrain: &Grounds) {
     let Some(deform) = world.deform.as_deref() else {
         return;
     };
@@ -390,7 +357,6 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrai
         };
         PairSlot { forces: c.members.map(room), ..PairSlot::default() }
     }));
-    desk.workspaces.resize_with(pairs.len().div_ceil(piece(pairs.len())), PairWorkspace::default);
 }
 
 /// Terrain under a block: it has no far side, and counts as deep as the block.

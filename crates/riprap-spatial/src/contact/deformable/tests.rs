@@ -1,5 +1,7 @@
 //! Deformable blocks that meet: energy, momenta, rest, sliding, parting; threads and restart.
 
+use std::f64::consts::PI;
+
 use riprap_geom::height_field::HeightField;
 use riprap_geom::polyhedron::{Polyhedron, hull};
 use riprap_geom::{Quat, Vec3};
@@ -394,6 +396,51 @@ fn a_flat_terrain_is_a_floor() {
     let terrain = run(ground(|_, _| 0.0));
     let [v, w] = [&floor, &terrain].map(|run| run.view().velocity(1));
     assert!((v - w).length() < 1e-8 && v.z > 0.0, "{v} {w}");
+}
+
+/// In a notch both flanks resist, each with its own pressure: with a half angle of 45 degrees a cube that slides along it is stopped by sqrt 2
+/// times the friction of a floor.
+#[test]
+fn both_flanks_of_a_notch_resist_a_deformable_cube() {
+    let height = 0.5_f64.sqrt();
+    let mut block = cube(Vec3::new(0.0, -0.7, height), Quat::from_rotation_y(0.25 * PI));
+    block.velocity = Vec3::new(0.0, 2.0, 0.0);
+    let mut setup = model(vec![ground(|x, _| x.abs()), block], &[1], 0.5, 0.3);
+    setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+    let mut run = Run::new(setup, 1, 1e-4);
+    let weight = 2500.0 * 9.81;
+    let (mut sum, mut count) = ([0.0; 2], 0.0);
+    run.watch(0.5, |run| {
+        let contacts: Vec<f64> = run.view().contacts().map(|c| c.force.dot(c.normal)).collect();
+        if run.world.time > 0.1 {
+            assert_eq!(contacts.len(), 2);
+            sum = [0, 1].map(|k| sum[k] + contacts[k] / weight);
+            count += 1.0;
+        }
+    });
+    for pressure in sum.map(|sum| sum / count) {
+        assert!((pressure / height - 1.0).abs() < 0.01, "{pressure}");
+    }
+    let way = run.view().displacement(1).y;
+    let wanted = 4.0 / (2.0 * 0.5 * 2.0_f64.sqrt() * 9.81);
+    assert!((way / wanted - 1.0).abs() < 0.03, "{way} {wanted}");
+    assert!(run.residual().abs() < 2e-3, "{:e}", run.residual());
+}
+
+/// Triangles in one plane are one facet: a cube on a slope across many of them has one contact, and slides as on an inclined plane.
+#[test]
+fn a_slope_of_many_triangles_is_one_facet() {
+    let turn = Quat::from_rotation_y(libm::atan(0.5));
+    let block = cube(turn * Vec3::new(0.1, 0.15, 0.5), turn);
+    let mut setup = model(vec![ground(|x, _| -0.5 * x), block], &[1], 0.25, 0.3);
+    setup.gravity = Vec3::new(0.0, 0.0, -9.81);
+    let mut run = Run::new(setup, 1, 1e-4);
+    run.watch(0.4, |run| assert!(run.view().contacts().count() <= 1));
+    let moved = run.view().displacement(1);
+    let along = moved.dot(turn * Vec3::X);
+    let wanted = 0.5 * 0.16 * 9.81 * (0.5 - 0.25) / 1.25_f64.sqrt();
+    assert!((along / wanted - 1.0).abs() < 0.01, "{along} {wanted}");
+    assert!(run.residual().abs() < 2e-3, "{:e}", run.residual());
 }
 
 fn on_hills(friction: f64, damping: f64) -> Setup {

@@ -53,8 +53,8 @@ fn a_flat_terrain_is_a_floor() {
     assert!((a.works.friction / b.works.friction - 1.0).abs() < 1e-8);
     assert!(b.residual_relative().abs() < 1e-4, "{:e}", b.residual_relative());
     let force = floor.world.found.pairs.iter().find(|p| p.ends == [0, 2]);
-    let force = force.map_or(Vec3::ZERO, |p| p.force);
-    let facet = &ground.world.found.terrain[2].facets[0];
+    let force = force.map_or(Vec3::ZERO, |p| p.force());
+    let facet = &ground.patches([0, 2])[0];
     assert!((facet.force - force).length() < 1e-9 * force.length());
 }
 
@@ -135,7 +135,7 @@ fn both_flanks_of_a_notch_resist() {
         run.until(0.3);
         let half = run.place(1).x;
         run.until(0.4);
-        assert!(run.world.found.terrain[1].facets.len() >= 2);
+        assert!(run.patches([0, 1]).len() >= 2);
         run.place(1).x - half < 1e-6
     };
     assert!(stays(0.5 * 2.0_f64.sqrt() - 0.02));
@@ -167,7 +167,7 @@ fn threads_and_restart_change_no_bit_on_terrain() {
     one.until(0.2);
     let world = one.world.clone();
     one.until(0.26);
-    let touching = one.world.found.terrain.iter().filter(|on| !on.facets.is_empty());
+    let touching = one.world.found.pairs.iter().filter(|p| p.ends[0] == 0 && !p.patches.is_empty());
     assert!(touching.count() > 30);
     let mut two = Run::new(setup(), 2, 2e-4);
     two.until(0.26);
@@ -207,7 +207,7 @@ fn a_plate_slides_over_ridges_with_dashpots() {
         run.until(0.1);
         let before = run.world.bodies.velocity(1);
         run.until(0.5);
-        let facets = run.world.found.terrain[1].facets.len();
+        let facets = run.patches([0, 1]).len();
         assert!(facets >= 4, "{facets} facets");
         (run.world.bodies.velocity(1) - before).x / 0.4
     };

@@ -6,8 +6,9 @@ use crate::kernel::frame::Frame;
 use crate::kernel::friction::{Contact, ContactInput};
 use crate::kernel::lever::{FAR, Lever, for_points, lever};
 use crate::kernel::piece::Polygon;
-use crate::kernel::slip::{Rub, Rubs, Three, hold};
+use crate::kernel::slip::{Rub, Rubbing, Rubs, Three, hold};
 use crate::kernel::sums::integrate;
+use crate::lanes::{Lanes, Width};
 
 /// No pressure that is linear on a convex face has, about the centre that suits it best, a mean radius below this, times its radius of
 /// gyration: 0.79 on a triangle pressed towards its tip, 0.866 on a strip, 0.937 on a square.
@@ -130,6 +131,8 @@ struct Face<'a> {
     share: [f64; 2],
     /// Largest distance of a corner from the centre, radii.
     reach: f64,
+    /// Instructions that may be used; no bit of a result depends on them.
+    width: Width,
 }
 
 impl<'a> Face<'a> {
@@ -175,6 +178,7 @@ impl<'a> Face<'a> {
             centre,
             share,
             reach: reach.sqrt() / radius,
+            width: Width::detect(),
         })
     }
 
@@ -205,10 +209,25 @@ impl Rubs for Face<'_> {
             let arm = self.centre - frame.foot;
             let at = frame.axes.map(|axis| arm.dot(axis));
             let turned = self.own.map(|e| frame.axes.map(|axis| e.dot(axis)));
-            for_points(polygon, ratio, at, self.share, |share, [x, y]| {
-                let [p, q] = turned.map(|e| (e[0] * x + e[1] * y) / self.radius);
-                sum.add(share, [s, t, turn], [-q, p], 0.0);
-            });
+            let [[ps, pt], [qs, qt]] = turned.map(|e| e.map(|x| Lanes::all(x / self.radius)));
+            let mut rubbing = Rubbing::default();
+            self.width.run(
+                #[inline(always)]
+                || {
+                    for_points(
+                        polygon,
+                        ratio,
+                        at,
+                        self.share,
+                        #[inline(always)]
+                        |share, [x, y]| {
+                            let (p, q) = (ps * x + pt * y, qs * x + qt * y);
+                            rubbing.add(share, [s, t, turn], [-q, p]);
+                        },
+                    );
+                },
+            );
+            rubbing.give(&mut sum);
         });
         sum
     }

@@ -44,6 +44,7 @@ impl Terrain {
                 let places = corners.map(|corner| corner + star.origin);
                 let depth = tetra::Cell::with_depth(corners, -cell.slope, cell.slope.dot(a));
                 star.push(places, depth);
+                star.keys.push(cell.facet);
             }
         }
         star

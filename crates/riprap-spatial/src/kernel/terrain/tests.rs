@@ -4,11 +4,12 @@ use riprap_geom::height_field::HeightField;
 use riprap_geom::{Mat3, Quat, Vec3};
 
 use super::*;
+use crate::kernel::friction::Pieces;
 use crate::kernel::kit::{Chance, KINDS, Placed, block};
 use crate::kernel::lever::lever;
 use crate::kernel::sums::integrate;
 use crate::kernel::surface::Walker;
-use crate::kernel::{Pieces, Pose, Shape};
+use crate::kernel::{Pose, Shape};
 
 /// A grid over a square about the origin.
 fn ground(half: f64, cells: usize, height: impl Fn(f64, f64) -> f64) -> Terrain {

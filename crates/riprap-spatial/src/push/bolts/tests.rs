@@ -15,6 +15,7 @@ use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use crate::step::{Damping, advance, evaluate};
 use crate::topology::bolts::follow;
+use crate::topology::take_out_gradually;
 
 const AXIAL: f64 = 98.174_770e6;
 
@@ -227,6 +228,29 @@ fn a_block_that_is_taken_out_leaves_a_free_length() {
     let n = world.bolts[0].chain.force[39];
     let closed = 1e-4 / (2.0 / AXIAL + 2.0 / pull_out_stiffness(1e9, AXIAL, 2.0));
     assert!((n / closed - 1.0).abs() < 0.01, "{n} {closed}");
+}
+
+/// What a bolt carried across the boundary of blocks that are taken out gradually fades with the rest: at first nothing changes.
+#[test]
+fn the_force_of_a_bolt_fades_with_the_blocks_that_are_taken_out() {
+    let (mut world, mut scratch) =
+        world(stack(2, &[(0.1, design())], Kinematics::Small), Exec::serial());
+    world.bodies.set_displacement(1, 1e-4 * Vec3::Z, Vec3::ZERO);
+    let damping = Damping::default();
+    evaluate(&mut world, &mut scratch, &damping, 0.0).unwrap();
+    let before = scratch.net.force(0);
+    assert!(before.z > 1e3, "{before}");
+    take_out_gradually(&mut world, &mut scratch, &[1], 1.0, &damping).unwrap();
+    follow(&mut world);
+    scratch.invalidate(&mut world);
+    evaluate(&mut world, &mut scratch, &damping, 0.0).unwrap();
+    assert!(world.bolts.iter().all(|bolt| bolt.pins.iter().all(|pin| pin.block == 0)));
+    let after = scratch.net.force(0);
+    assert!((after - before).length() < 1e-9 * before.length(), "{before} {after}");
+    // Forces after the span are those without block and load.
+    world.time = 2.0;
+    evaluate(&mut world, &mut scratch, &damping, 0.0).unwrap();
+    assert!(scratch.net.force(0).length() < 1e-6 * before.length());
 }
 
 /// Bars as pictures and `bolts.csv` show them: every one between two nodes, at its place now, with its force and what has given way.

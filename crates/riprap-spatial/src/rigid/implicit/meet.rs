@@ -9,12 +9,13 @@ use crate::implicit::memory::{Implicit, sprung};
 use crate::implicit::pair::{Pair, Reply};
 use crate::implicit::patch::Twist;
 use crate::implicit::solve::Solver;
+use crate::kernel::friction::Wrench;
 use crate::kernel::surface::Walker;
-use crate::kernel::{Body, Memory, Role, Wrench, turn};
+use crate::kernel::{Body, Memory, Role, turn};
 use crate::state::contact_scratch::{
     Acting, ContactScratch, Deepest, Exerted, PairGroup, Pressed, Slot,
 };
-use crate::state::found::FoundPair;
+use crate::state::found::{ContactPatch, FoundPair};
 use crate::state::scratch::{ImplicitDesk, Scratch};
 use crate::state::world::World;
 
@@ -237,8 +238,8 @@ pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch, span: f64) {
         }
         let near = near.next_if(|((at, _), _)| **at as usize == k);
         let Some(((_, of), reply)) = near.filter(|((_, of), _)| of.pressure.force > 0.0) else {
-            (pair.force, pair.depth, pair.stored) = (Vec3::ZERO, 0.0, 0.0);
-            pair.memory = Memory::default();
+            pair.depth = 0.0;
+            pair.patches.clear();
             continue;
         };
         let exerted = Exerted {
@@ -246,10 +247,17 @@ pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch, span: f64) {
             spring: about_centroids(&reply.spring, of),
             drag: Wrench::default(),
         };
-        pair.force = exerted.elastic.force + exerted.spring.force;
         pair.depth = reply.depth;
-        pair.stored = sprung(&of.law, of);
-        pair.memory = told(of, reply);
+        pair.patches.clear();
+        pair.patches.push(ContactPatch {
+            key: [0; 2],
+            memory: told(of, reply),
+            stored: sprung(&of.law, of),
+            force: exerted.elastic.force + exerted.spring.force,
+            pressed: exerted.elastic.force.length(),
+            depth: reply.depth,
+            area: of.pressure.area,
+        });
         slot.at = group.push(exerted);
         slot.touching = true;
         slot.area = of.pressure.area;

@@ -1,93 +1,59 @@
-//! New blocks in the lists of the world, their nodes, and the end of the parents.
+//! New blocks in the lists of the world, and their nodes.
 
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::cut::Part;
 
-use crate::setup::BlockSpec;
 use crate::state::bodies::SolidClass;
 use crate::state::deform::{Body, Deform, Start};
-use crate::state::lineage::Origin;
 use crate::state::world::World;
-use crate::topology::cut::plan::{Cut, Family};
+use crate::topology::cut::transfer::Cut;
+use crate::topology::family::{self, Family, Moving};
 
 /// Appends the parts of all families to the lists of the world, their nodes to those of `deform`.
-pub(super) fn append(world: &mut World, deform: &mut Deform, families: &[Family]) {
-    for family in families {
-        let handed = &family.cut.handed;
-        let mut first = 0;
-        deform.start.resize(deform.bodies.len(), Start::default());
-        for (k, part) in family.cut.parts.iter().enumerate() {
-            block(world, family.cut, k);
-            body(world, deform, family, part);
-            let nodes = first..first + part.mesh.nodes.len();
-            let (displacement, velocity) =
-                (&handed.displacement[nodes.clone()], &handed.velocity[nodes.clone()]);
-            deform.nodes.displacement.extend_from_slice(displacement);
-            deform.nodes.velocity.extend_from_slice(velocity);
-            deform.start.push(handed.starts[k].clone());
-            first = nodes.end;
+pub(super) fn append(world: &mut World, deform: &mut Deform, families: &[Family], cuts: &[Cut]) {
+    deform.start.resize(deform.bodies.len(), Start::default());
+    for (family, cut) in families.iter().zip(cuts) {
+        let parts = cut.parts.iter().zip(&cut.shapes);
+        for (octant, (part, shape)) in (0..).zip(parts) {
+            let spec = &world.setup.blocks[family.parent as usize];
+            let velocity = spec.velocity;
+            let (setup, lineage) = (&mut world.setup, &mut world.lineage);
+            family::describe(setup, lineage, (family.parent, octant), (shape.clone(), velocity));
+            block(world, family.parent as usize, part);
+            body(world, deform, family.parent, part);
         }
+        let handed = &cut.handed;
+        deform.nodes.displacement.extend_from_slice(&handed.displacement);
+        deform.nodes.velocity.extend_from_slice(&handed.velocity);
+        deform.start.extend_from_slice(&handed.starts);
         for set in &mut world.setup.deform.sets {
-            if set.blocks.binary_search(&family.cut.block).is_ok() {
+            if set.blocks.binary_search(&family.parent).is_ok() {
                 set.blocks.extend(family.children());
             }
         }
     }
 }
 
-fn block(world: &mut World, cut: &Cut, number: usize) {
-    let (parent, part) = (cut.block as usize, &cut.parts[number]);
-    let centre = world.reference[parent];
-    let spec = &world.setup.blocks[parent];
-    let spec = BlockSpec {
-        shape: cut.shapes[number].clone(),
-        name: spec.name,
-        material: spec.material,
-        velocity: spec.velocity,
-        spin: spec.spin,
-    };
-    let density = world.setup.materials[usize::from(spec.material)].density;
-    let moments = part.solid.moments();
-    let (mut half, mut radius) = (Vec3::ZERO, 0.0_f64);
-    for corner in &part.solid.vertices {
-        let arm = *corner - moments.centroid;
-        half = half.max(arm.abs());
-        radius = radius.max(arm.length());
-    }
+fn block(world: &mut World, parent: usize, part: &Part) {
+    let density = world.setup.materials[usize::from(world.setup.blocks[parent].material)].density;
     // Of crooked faces the tetrahedra decide: they carry the mass, and together have the volume of the block.
-    let volume = part.mesh.volume();
-    let inertia = density * volume / moments.volume * moments.inertia;
-    world.solids.push(SolidClass {
-        mass: density * volume,
-        volume,
-        inertia,
-        inverse: inertia.inverse(),
-        half,
-        radius,
-        diagonal: false,
-    });
-    world.solid.push(world.solids.len() as u32 - 1);
-    world.setup.blocks.push(spec);
-    let level = world.lineage[parent].level + 1;
-    world.lineage.push(Origin { parent: parent as u32, octant: number as u8, level });
-    world.reference.push(centre + moments.centroid);
-    world.turned.push(None);
-    world.alive.push(true);
-    world.motion.push(world.motion[parent].clone());
-    world.peak_speed_squared.push(world.peak_speed_squared[parent]);
-    let child = world.bodies.push(
-        [world.bodies.displacement(parent), world.bodies.rotation(parent)],
-        [world.bodies.velocity(parent), world.bodies.spin(parent)],
-    );
-    if !world.datum.is_empty() {
-        let datum = world.datum(parent);
-        world.datum.resize(child, [Vec3::ZERO; 2]);
-        world.datum.push(datum);
-    }
+    let (centroid, solid) = SolidClass::bounded_by(&part.solid, density, Some(part.mesh.volume()));
+    world.solids.push(solid);
+    let bodies = &world.bodies;
+    let part = Moving {
+        solid: world.solids.len() - 1,
+        lever: Vec3::ZERO,
+        centre: world.reference[parent] + centroid,
+        displacement: [bodies.displacement(parent), bodies.rotation(parent)],
+        velocity: [bodies.velocity(parent), bodies.spin(parent)],
+        turned: None,
+    };
+    family::append(world, parent, part);
 }
 
-fn body(world: &World, deform: &mut Deform, family: &Family, part: &Part) {
+fn body(world: &World, deform: &mut Deform, parent: u32, part: &Part) {
     let block = deform.slot.len() as u32;
+    let whole = deform.bodies[deform.slot[parent as usize] as usize];
     deform.slot.push(deform.bodies.len() as u32);
     deform.classes.push(block);
     deform.bodies.push(Body {
@@ -96,19 +62,8 @@ fn body(world: &World, deform: &mut Deform, family: &Family, part: &Part) {
         first: deform.nodes.len() as u32,
         count: part.mesh.nodes.len() as u32,
         alive: true,
-        ..deform.bodies[family.slot as usize]
+        ..whole
     });
-    let centre = world.reference[family.cut.block as usize];
-    for node in &part.mesh.nodes {
-        deform.nodes.place.push(*node + centre);
-    }
-}
-
-/// Ends the life of a parent; its facets and surfaces are gone already.
-pub(super) fn retire(world: &mut World, deform: &mut Deform, family: &Family) {
-    world.alive[family.cut.block as usize] = false;
-    let body = &mut deform.bodies[family.slot as usize];
-    body.alive = false;
-    let nodes = body.nodes();
-    deform.nodes.velocity[nodes].fill([0.0; 3]);
+    let centre = world.reference[parent as usize];
+    deform.nodes.place.extend(part.mesh.nodes.iter().map(|node| *node + centre));
 }

@@ -5,22 +5,22 @@ use std::collections::BTreeMap;
 use riprap_geom::Vec3;
 use riprap_geom::face_overlay::{self, Fan, JointPoint};
 use riprap_geom::polyhedron::cut::FaceOrigin;
-use riprap_geom::polyhedron::{Tetrahedra, frame};
+use riprap_geom::polyhedron::frame;
 
-use crate::deform::build::{place, stiffness};
-use crate::deform::in_situ::levers;
+use crate::deform::build::{bond, place, stiffness, uncovered};
+use crate::deform::overlay::{self, moved};
+use crate::deform::turn::{rotation, turned};
 use crate::exec::Exec;
-use crate::faces::deformable::{centred, face_with};
-use crate::setup::error::BuildError;
 use crate::state::anchor::Anchor;
 use crate::state::deform::{Body, Deform, Facet, Memory, Point, Surface};
 use crate::state::interface::Origin;
 use crate::state::workspace::Workspace;
 use crate::state::world::World;
-use crate::topology::cut::plan::Family;
+use crate::topology::audit::unchanged;
 use crate::topology::cut::pressed::Pressed;
 use crate::topology::cut::stretch::Stretch;
 use crate::topology::error::EditError;
+use crate::topology::family::Family;
 use crate::topology::fracture::CHECK_INTERVAL;
 
 /// Share of a face below which faces share nothing.
@@ -31,7 +31,7 @@ const AREA: f64 = 1e-3;
 /// A face of a block now, with its nodes in the lists of the model (numbers of its own for rigid blocks).
 struct Piece {
     block: u32,
-    /// Number of the face of a part.
+    /// Number of the face of a deformable one.
     face: usize,
     fan: Fan,
 }
@@ -64,8 +64,9 @@ pub(super) fn rebuild(
     exec: &Exec,
 ) -> Result<(Vec<[u32; 2]>, usize), EditError> {
     let mut of = vec![WHOLE; world.alive.len()];
-    for (k, family) in families.iter().enumerate() {
-        of[family.cut.block as usize] = k as u32;
+    for (k, family) in (0..).zip(families) {
+        of[family.parent as usize] = k;
+        of[family.first as usize..family.children().end as usize].fill(k);
     }
     let mut conditioned = vec![false; families.len()];
     for surface in &deform.surfaces {
@@ -77,76 +78,46 @@ pub(super) fn rebuild(
     let is_open = |facet: &Facet| facet.blocks.iter().any(|b| of[*b as usize] != WHOLE);
     let facets = deform.facets.iter().enumerate();
     let open: Vec<usize> = facets.filter(|(_, f)| is_open(f)).map(|(k, _)| k).collect();
-    let maker = Maker { world, deform, work, families, of: &of, conditioned: &conditioned };
     let mut counts = vec![[0; 2]; families.len()];
-    let mut lists = Lists::default();
-    // Runs come back in their order, so that the lists are the same on any number of threads.
-    let between = exec.map(&open, RUN, |some| made_of(some, |lists, k| maker.anew(lists, *k)));
-    let mut olds = open.iter();
-    for made in between {
-        let (new, made) = made?;
-        for (made, k) in made.into_iter().zip(&mut olds) {
-            for b in deform.facets[*k].blocks {
-                if let Some(counts) = counts.get_mut(of[b as usize] as usize) {
-                    counts[0] += 1;
-                    counts[1] += made;
-                }
+    let mut count = |when: usize, blocks: &[u32]| {
+        for b in blocks {
+            if let Some(counts) = counts.get_mut(of[*b as usize] as usize) {
+                counts[when] += 1;
             }
         }
-        lists.append(new);
+    };
+    open.iter().for_each(|k| count(0, &deform.facets[*k].blocks));
+    let maker = Maker { world, deform, work, families, of: &of, conditioned: &conditioned };
+    let mut lists = Lists::default();
+    // Runs come back in their order, so that the lists are the same on any number of threads.
+    for some in exec.map(&open, RUN, |some| made_of(some, |lists, k| maker.anew(lists, *k))) {
+        lists.append(some?);
     }
-    let inside =
-        exec.map(families, RUN, |some| made_of(some, |lists, family| maker.inside(lists, family)));
-    let mut own = counts.iter_mut();
-    for made in inside {
-        let (new, made) = made?;
-        for (made, counts) in made.into_iter().zip(&mut own) {
-            counts[1] += made;
-        }
-        lists.append(new);
+    lists.facets.iter().for_each(|facet| count(1, &facet.blocks));
+    let between = lists.facets.len();
+    for some in exec.map(families, RUN, |some| made_of(some, |lists, f| maker.inside(lists, f))) {
+        lists.append(some?);
     }
+    lists.facets[between..].iter().for_each(|facet| count(1, &facet.blocks[..1]));
     let surfaces = maker.surfaces(&lists);
     let bodies = &deform.bodies;
     let stays = |s: &Surface| of[bodies[s.body as usize].block as usize] == WHOLE;
     deform.surfaces.retain(stays);
     deform.surfaces.extend(surfaces);
-    drop_facets(deform, &open);
+    deform.drop_facets(is_open);
     let made = lists.facets.len();
     lists.hand_over(deform);
     Ok((counts, made))
 }
 
-/// The facets that `make` makes of some items, and how many of each.
+/// The facets that `make` makes of some items.
 fn made_of<T>(
     some: &[T],
-    make: impl Fn(&mut Lists, &T) -> Result<u32, EditError>,
-) -> Result<(Lists, Vec<u32>), EditError> {
+    make: impl Fn(&mut Lists, &T) -> Result<(), EditError>,
+) -> Result<Lists, EditError> {
     let mut lists = Lists::default();
-    let made: Result<Vec<u32>, _> = some.iter().map(|item| make(&mut lists, item)).collect();
-    Ok((lists, made?))
-}
-
-/// Takes facets (ascending numbers) with their points out of the lists; the others close up.
-fn drop_facets(deform: &mut Deform, gone: &[usize]) {
-    let Some(&first) = gone.first() else { return };
-    let (mut to, mut point) = (first, deform.facets[first].first as usize);
-    let mut gone = gone.iter().peekable();
-    for k in first..deform.facets.len() {
-        if gone.next_if_eq(&&k).is_some() {
-            continue;
-        }
-        let facet = deform.facets[k];
-        deform.facets[to] = Facet { first: point as u32, ..facet };
-        deform.has_history[to] = deform.has_history[k];
-        deform.points.copy_within(facet.points(), point);
-        deform.memory.copy_within(facet.points(), point);
-        to += 1;
-        point += facet.count as usize;
-    }
-    deform.facets.truncate(to);
-    deform.has_history.truncate(to);
-    deform.points.truncate(point);
-    deform.memory.truncate(point);
+    some.iter().try_for_each(|item| make(&mut lists, item))?;
+    Ok(lists)
 }
 
 impl Lists {
@@ -198,8 +169,8 @@ impl Maker<'_> {
         (k != WHOLE).then_some(k as usize)
     }
 
-    /// The facets that take the place of facet `k`; their number.
-    fn anew(&self, lists: &mut Lists, k: usize) -> Result<u32, EditError> {
+    /// The facets that take the place of facet `k`.
+    fn anew(&self, lists: &mut Lists, k: usize) -> Result<(), EditError> {
         let old = &self.deform.facets[k];
         let n = old.frame[0];
         let shift = self.shift(old);
@@ -216,7 +187,7 @@ impl Maker<'_> {
         let areas = sides.each_ref().map(|pieces| areas(pieces));
         let cut = old.blocks.map(|b| self.family(b));
         let conditioned = cut.map(|k| k.is_some_and(|k| self.conditioned[k]));
-        let (mut made, mut area) = (0, 0.0);
+        let mut area = 0.0;
         for (a, area_a) in sides[0].iter().zip(&areas[0]) {
             for (b, area_b) in sides[1].iter().zip(&areas[1]) {
                 let smallest = SLIVER * area_a.min(*area_b);
@@ -239,19 +210,10 @@ impl Maker<'_> {
                 }
                 lists.points.extend(points);
                 area += facet.area;
-                made += 1;
             }
         }
-        if (area - old.area).abs() > AREA * old.area {
-            let cut = old.blocks.iter().find(|b| self.family(**b).is_some());
-            return Err(EditError::Audit {
-                what: "the area of a facet",
-                block: self.world.name(cut.map_or(0, |b| *b as usize)),
-                before: old.area,
-                after: area,
-            });
-        }
-        Ok(made)
+        let cut = old.blocks.into_iter().find(|b| self.family(*b).is_some()).unwrap_or(0);
+        unchanged(self.world, cut, "the area of a facet", [old.area, area], AREA * old.area)
     }
 
     /// Appends a facet; its points are returned and must be appended with their memory.
@@ -262,20 +224,7 @@ impl Maker<'_> {
         joints: &[JointPoint],
         shift: Vec3,
     ) -> (Facet, Vec<Point>) {
-        let anchor = |joint: &JointPoint, side: usize| {
-            if facet.rigid[side] {
-                let back = if side == 0 { Vec3::ZERO } else { shift };
-                // The point lies on the side of A: on B it is where the block is itself, not its image.
-                let arm = joint.at - back - self.world.reference[facet.blocks[side] as usize];
-                let block = facet.blocks[side];
-                return Anchor::Block { block, arm };
-            }
-            Anchor::Nodes { nodes: joint.sides[side].nodes, weights: joint.sides[side].weights }
-        };
-        let points: Vec<Point> = joints
-            .iter()
-            .map(|j| Point { anchors: [anchor(j, 0), anchor(j, 1)], area: j.area })
-            .collect();
+        let points = overlay::hang(self.world, (facet.blocks, facet.rigid), shift, joints);
         let area: f64 = joints.iter().map(|j| j.area).sum();
         let first: Vec3 = joints.iter().map(|j| j.area * j.at).sum();
         let intact_until_step = match self.deform.relax {
@@ -298,18 +247,14 @@ impl Maker<'_> {
     fn pieces(&self, facet: &Facet, side: usize) -> Vec<Piece> {
         let block = facet.blocks[side];
         if facet.rigid[side] {
-            let (solid, centre) = centred(&self.world.setup.blocks[block as usize].shape);
-            let Ok(mesh) = Tetrahedra::new(&solid) else {
-                return Vec::new();
-            };
             let n = facet.frame[0];
             let (outward, at) = match side {
                 0 => (n, facet.centre),
                 _ => (-n, facet.centre - self.shift(facet)),
             };
-            let face = face_with(&mesh, solid.faces.len(), outward, at - centre);
-            let fan = moved(mesh.face_fan(face), centre, 0);
-            return vec![Piece { block, face, fan }];
+            let arm = at - self.world.reference[block as usize];
+            let fan = overlay::rigid_fan(self.world, block as usize, outward, arm);
+            return fan.map(|fan| Piece { block, face: 0, fan }).into_iter().collect();
         }
         let Some(body) = self.deform.body(block as usize) else {
             return Vec::new();
@@ -347,17 +292,16 @@ impl Maker<'_> {
         let Some(k) = self.family(body.block) else {
             let fan = self.work.class(body).mesh.face_fan(face);
             let fan = moved(fan, centre, body.first);
-            let block = body.block;
-            return vec![Piece { block, face, fan }];
+            return vec![Piece { block: body.block, face, fan }];
         };
         self.made_by(&self.families[k], FaceOrigin::Parent(face as u32))
     }
 
     /// Faces of the parts of a family that come from `origin`.
     fn made_by(&self, family: &Family, origin: FaceOrigin) -> Vec<Piece> {
-        let centre = self.world.reference[family.cut.block as usize];
+        let centre = self.world.reference[family.parent as usize];
         let mut found = Vec::new();
-        for (part, block) in family.cut.parts.iter().zip(family.children()) {
+        for (part, block) in family.parts.iter().zip(family.children()) {
             let Some(body) = self.deform.body(block as usize) else {
                 continue;
             };
@@ -380,25 +324,20 @@ impl Maker<'_> {
         if self.world.setup.periodic == [None; 3] { Vec3::ZERO } else { shift }
     }
 
-    /// Facets between the parts of a block, under the traction of its stress; their number.
-    fn inside(&self, lists: &mut Lists, family: &Family) -> Result<u32, EditError> {
-        let parent = &self.deform.bodies[family.slot as usize];
-        let m = self.world.setup.blocks[parent.block as usize].material;
-        let materials = [usize::from(m); 2];
-        let row = materials[0] * self.world.setup.materials.len() + materials[0];
-        let row = self.world.setup.pair_table[row];
-        let Some(law) = &self.world.setup.interfaces[usize::from(row)].bond else {
-            return Err(EditError::Build(BuildError::NoBond {
-                interface: self.world.setup.interfaces[usize::from(row)].name.clone(),
-                blocks: [family.first, family.first + 1].map(|b| self.world.name(b as usize)),
-            }));
+    /// Facets between the parts of a block, under the traction of its stress.
+    fn inside(&self, lists: &mut Lists, family: &Family) -> Result<(), EditError> {
+        let setup = &self.world.setup;
+        let Some(parent) = self.deform.body(family.parent as usize) else {
+            return Ok(());
         };
-        let springs = stiffness(&self.world.setup, law, materials, [false; 2], [0.0; 2])?;
+        let materials = [usize::from(setup.blocks[parent.block as usize].material); 2];
+        let row = setup.row_of(materials);
+        let law = bond(self.world, row, [family.first, family.first + 1])?;
+        let springs = stiffness(setup, law, materials, [false; 2], [0.0; 2])?;
         let centre = self.world.reference[parent.block as usize];
         let stress = Pressed::new(self.deform, self.work, parent);
-        let turn = crate::deform::turn::rotation(self.deform, self.work, parent);
-        let mut made = 0;
-        for plane in 0..family.cut.parts.len() as u32 - 1 {
+        let turn = rotation(self.deform, self.work, parent);
+        for plane in 0..family.parts.len() as u32 - 1 {
             let sides = self.made_by(family, FaceOrigin::Plane(plane));
             // Planes are parallel: each has one part on either side.
             let [a, b] = &sides[..] else { continue };
@@ -409,19 +348,9 @@ impl Maker<'_> {
                 continue;
             }
             let facet = Facet {
-                blocks: [a.block, b.block],
-                frame: frame(n),
-                now: crate::deform::turn::turned(frame(n), &[turn]),
-                centre: Vec3::ZERO,
-                area: 0.0,
-                first: 0,
-                count: 0,
-                stiffness: springs,
-                row,
-                rigid: [false; 2],
+                now: turned(frame(n), &[turn]),
                 origin: Origin::Cut,
-                intact_until_step: 0,
-                parted: false,
+                ..Facet::new([a.block, b.block], frame(n), (row, springs), [false; 2])
             };
             let (facet, points) = self.place(lists, facet, &joints, Vec3::ZERO);
             let freedoms = self.world.freedoms_with(self.deform);
@@ -438,9 +367,8 @@ impl Maker<'_> {
                 lists.memory.push(Memory { start, ..Memory::default() });
             }
             lists.points.extend(points);
-            made += 1;
         }
-        Ok(made)
+        Ok(())
     }
 
     /// Free parts of the faces of parts that have a condition.
@@ -461,32 +389,18 @@ impl Maker<'_> {
             for piece in self.now(body, face) {
                 let slot = self.deform.slot[piece.block as usize];
                 let first = self.deform.bodies[slot as usize].first;
-                let part =
-                    &self.families[k].cut.parts[(piece.block - self.families[k].first) as usize];
-                let shares = part.mesh.tributary(piece.face);
-                let whole: f64 = shares.iter().map(|s| s.1).sum();
-                let levers = levers(&part.mesh, piece.face);
+                let family = &self.families[k];
+                let mesh = &family.parts[(piece.block - family.first) as usize].mesh;
                 let centre = self.world.reference[body.block as usize].z;
-                let (mut nodes, mut heights) = (Vec::new(), Vec::new());
-                for (node, area) in shares {
-                    let key = (piece.block, piece.face, first + node);
-                    let left = area - covered.get(&key).copied().unwrap_or(0.0);
-                    if left > SLIVER * whole {
-                        nodes.push((first + node, left));
-                        heights.push(centre + levers[&node].z);
-                    }
-                }
+                let (nodes, heights) = uncovered(mesh, piece.face, (first, centre), |node| {
+                    covered.get(&(piece.block, piece.face, node)).copied()
+                });
                 if !nodes.is_empty() {
-                    made.push(Surface { body: slot, nodes, heights, ..surface.clone() });
+                    let (acts, normal) = (surface.acts, surface.normal);
+                    made.push(Surface { body: slot, acts, normal, nodes, heights });
                 }
             }
         }
         made
     }
-}
-
-fn moved(mut fan: Fan, by: Vec3, first: u32) -> Fan {
-    fan.at.iter_mut().for_each(|at| *at += by);
-    fan.nodes.iter_mut().for_each(|n| *n += first);
-    fan
 }

@@ -4,7 +4,7 @@ use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::{Mat3, Vec3};
 
 use crate::laws::tetrahedron::{Strain, tensor};
-use crate::laws::transfer::WELL_INSIDE;
+use crate::laws::transfer::{WELL_INSIDE, weights};
 use crate::state::deform::{Body, Deform};
 use crate::state::workspace::Workspace;
 
@@ -51,10 +51,8 @@ impl<'a> Pressed<'a> {
 fn holders(mesh: &Tetrahedra, at: Vec3) -> Vec<usize> {
     let mut inside = Vec::new();
     let mut nearest = (0, f64::NEG_INFINITY);
-    for (tet, (nodes, g)) in mesh.tets.iter().zip(&mesh.gradients).enumerate() {
-        let r = at - mesh.nodes[nodes[0] as usize];
-        let [b, c, d] = g.map(|g| g.dot(r));
-        let least = (1.0 - b - c - d).min(b).min(c).min(d);
+    for tet in 0..mesh.tets.len() {
+        let (_, least) = weights(mesh, tet, at);
         if least > WELL_INSIDE {
             return vec![tet];
         }

@@ -15,10 +15,9 @@ use crate::state::deform::{Body, Deform};
 use crate::state::event::Note;
 use crate::state::workspace::{BODIES, BlockClass, Workspace};
 use crate::state::world::World;
-use crate::topology::cut::plan::Cut;
 use crate::topology::cut::tip;
 use crate::topology::cut::tip::Tip;
-use crate::topology::cut::transfer;
+use crate::topology::cut::transfer::{self, Cut};
 
 /// The parts together must have the volume of the block up to this share.
 const SAME_VOLUME: f64 = 1e-11;
@@ -78,7 +77,9 @@ impl<'a> Planner<'a> {
     fn divided(&self, body: &Body) -> Option<(Note, Result<Vec<Part>, Uncut>)> {
         let (world, deform, work, rules) = (self.world, self.deform, self.work, self.rules);
         let block = body.block;
-        if generation(world, deform, block) >= rules.generations {
+        // Of deformable blocks, which are never split, the number of cuts.
+        let generation = world.lineage[block as usize].level;
+        if generation >= rules.generations {
             return None;
         }
         let rock = rock(world, block)?;
@@ -94,8 +95,7 @@ impl<'a> Planner<'a> {
         }
         let normal = fracture::cut_normal(&rock, verdict.mode, &principal, &gradient, None);
         // A part gets the plane that was missing, not a full set.
-        let planes =
-            if tip.is_some() && generation(world, deform, block) > 0 { 1 } else { rules.planes };
+        let planes = if tip.is_some() && generation > 0 { 1 } else { rules.planes };
         let at = tip.map(|t| t.at);
         let limits = (rules.snap, rules.smallest);
         let volume = work.class(body).mesh.volume();
@@ -159,8 +159,7 @@ fn too_slow(world: &World, parent: &BlockClass, cut: &Cut, rules: &Rules) -> boo
         return false;
     }
     let m = usize::from(world.setup.blocks[cut.block as usize].material);
-    let row = world.setup.pair_table[m * world.setup.materials.len() + m];
-    let Some(bond) = &world.setup.interfaces[usize::from(row)].bond else {
+    let Some(bond) = &world.setup.interfaces[usize::from(world.setup.row_of([m; 2]))].bond else {
         return false;
     };
     let Ok([across, along]) = stiffness(&world.setup, bond, [m; 2], [false; 2], [0.0; 2]) else {
@@ -181,22 +180,10 @@ fn too_slow(world: &World, parent: &BlockClass, cut: &Cut, rules: &Rules) -> boo
     rules.step_floor * rules.step_floor * most > bound(parent)
 }
 
-/// Number of cuts that a block comes from.
-fn generation(world: &World, deform: &Deform, block: u32) -> u8 {
-    let given = deform.given.unwrap_or(u32::MAX);
-    let (mut b, mut count) = (block, 0);
-    while b >= given {
-        b = world.lineage[b as usize].parent;
-        count += 1;
-    }
-    count
-}
-
 /// Strength of a block: that of bonds within its material.
 fn rock(world: &World, block: u32) -> Option<Rock> {
     let m = usize::from(world.setup.blocks[block as usize].material);
-    let row = world.setup.pair_table[m * world.setup.materials.len() + m];
-    let law = &world.setup.interfaces[usize::from(row)];
+    let law = &world.setup.interfaces[usize::from(world.setup.row_of([m; 2]))];
     let strength = law.bond.as_ref()?.strength?;
     Some(Rock {
         tension: strength.tension,

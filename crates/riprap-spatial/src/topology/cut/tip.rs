@@ -9,6 +9,7 @@ use crate::deform::area::Area;
 use crate::faces::deformable::{centred, outline};
 use crate::setup::deform::CutAnchor as Anchor;
 use crate::state::deform::Deform;
+use crate::state::lineage::ancestor;
 use crate::state::world::World;
 
 /// Distance below which a point is on a face, over the edge of a cube of the mean volume: above what snapping moves a plane by.
@@ -104,12 +105,7 @@ impl Front {
 
 /// The given block that a part comes from.
 fn root(world: &World, deform: &Deform, block: u32) -> u32 {
-    let given = deform.given.unwrap_or(u32::MAX);
-    let mut b = block;
-    while b >= given {
-        b = world.lineage[b as usize].parent;
-    }
-    b
+    ancestor(&world.lineage, block, deform.given.unwrap_or(u32::MAX))
 }
 
 /// Length below which points are the same, m.

@@ -7,8 +7,24 @@ use riprap_geom::polyhedron::cut::Part;
 use crate::laws::tetrahedron::{Elastic, Groups, StartStress, Symmetric};
 use crate::laws::transfer;
 use crate::laws::transfer::{LinearStress, Motion, PointLocation};
+use crate::setup::Shape;
 use crate::state::deform::{Body, Deform, Start};
+use crate::state::event::Note;
 use crate::state::workspace::{BlockClass, Workspace};
+
+/// A block to be cut.
+pub(super) struct Cut {
+    pub(super) block: u32,
+    pub(super) note: Note,
+    /// Parts, about the centroid of the block.
+    pub(super) parts: Vec<Part>,
+    /// Their shapes in the frame of the model.
+    pub(super) shapes: Vec<Shape>,
+    /// Their classes.
+    pub(super) classes: Vec<BlockClass>,
+    /// What they take over.
+    pub(super) handed: Handed,
+}
 
 /// What the parts of a block take over from it.
 pub(super) struct Handed {

@@ -3,8 +3,8 @@
 use super::*;
 use crate::dynamics::TimeFunction;
 use crate::setup::{
-    BlockName, Boundary, BoundaryKind, CavityPressure, FaceSet, Group, Load, LoadKind, Place,
-    Shape, Solid, Source,
+    BlockName, BlockSpec, Boundary, BoundaryKind, CavityPressure, FaceSet, Group, Load, LoadKind,
+    Place, Shape, Solid, Source,
 };
 
 /// A lattice of unit cubes (times `edge`) from the origin.

@@ -7,7 +7,6 @@ use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
 use crate::model::solid::boundary_name;
 use crate::planar::setup::{Load, LoadKind};
-use crate::scenario::Diagnostic;
 use crate::scenario::language::Side;
 use crate::scenario::words::WordOr;
 
@@ -54,8 +53,7 @@ impl Builder<'_> {
             "give it [interfaces.{name}.bond], with tension = \"0 Pa\" for jointed rock; or leave out [in_situ] and bring the model to equilibrium \
              in a first phase with kind = \"static\""
         );
-        let error = Diagnostic::error("in_situ.joints", message);
-        self.found.push(error.at(super::place(said)).help(help));
+        self.error_at("in_situ.joints", super::place(said), message, help);
     }
 
     /// Sides on which the stress acts from outside, with the number and the name of their boundary.

@@ -5,9 +5,9 @@ use riprap_geom::{Mat3, Vec3};
 use super::shapes::solid;
 use super::turn::Turn;
 use crate::model::builder::Builder;
+use crate::scenario::Quantity;
 use crate::scenario::language::Block;
 use crate::scenario::read::{Provenance, with_unit};
-use crate::scenario::{Diagnostic, Quantity};
 use crate::spatial::read::fields::principal;
 use crate::spatial::setup::GivenBody;
 
@@ -79,7 +79,7 @@ impl Builder<'_> {
         let help = "all three must be positive, and none may exceed the sum of the other two; the order is [xx, yy, zz, yz, zx, xy], and yz is minus \
                     the sum of m y z";
         let span = block.inertia.as_ref().map_or(block.name.span.clone(), |i| i.span.clone());
-        self.found.push(Diagnostic::error("value.inertia", message).at(span).help(help));
+        self.error_at("value.inertia", span, message, help);
         false
     }
 }

@@ -7,7 +7,6 @@ use super::shapes::{bounds, solid};
 use crate::accounts::Holder;
 use crate::dynamics::TimeFunction;
 use crate::model::builder::Builder;
-use crate::scenario::diagnostic::suggest;
 use crate::scenario::language::{self, Faces, Side};
 use crate::scenario::read::Provenance;
 use crate::scenario::vectors::unit;
@@ -92,10 +91,10 @@ impl Builder<'_> {
     /// The faces of a physical surface of a mesh.
     fn mesh_surface(&mut self, name: &Name) -> Option<FaceSet> {
         let Some(faces) = self.surfaces.get(name.as_str()) else {
-            let message = format!("there is no surface `{name}`");
-            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
-            error.help = suggest(name.as_str(), self.surfaces.keys().map(String::as_str))
-                .or_else(|| Some("valid names are the physical surfaces of `mesh.msh`".to_owned()));
+            let known = self.surfaces.keys().map(String::as_str);
+            let mut error = Diagnostic::unknown("surface", name, known);
+            let help = || "valid names are the physical surfaces of `mesh.msh`".to_owned();
+            error.help.get_or_insert_with(help);
             self.found.push(error);
             return None;
         };
@@ -121,9 +120,8 @@ impl Builder<'_> {
                     let message = format!(
                         "`{text}` cannot have a boundary condition: the model is periodic there"
                     );
-                    let error = Diagnostic::error("boundary.periodic", message);
                     let help = "remove the boundary, or the period";
-                    self.found.push(error.at(span.clone()).help(help));
+                    self.error_at("boundary.periodic", span.clone(), message, help);
                     return None;
                 }
                 let (min, max) = self.model_bounds();
@@ -140,9 +138,9 @@ impl Builder<'_> {
         };
         let lies = self.spatial.blocks.iter().any(|block| has_face(&block.shape, normal, offset));
         if !lies {
-            let error = Diagnostic::error("boundary.no_face", "no block face lies on this plane");
             let help = "give a point on the faces and their outward normal";
-            self.found.push(error.at(plane.span().clone()).help(help));
+            let message = "no block face lies on this plane";
+            self.error_at("boundary.no_face", plane.span().clone(), message, help);
             return None;
         }
         Some(FaceSet::Plane { normal, offset })

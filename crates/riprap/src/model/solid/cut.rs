@@ -13,12 +13,11 @@ use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
 use crate::scenario::csv_columns::Column;
-use crate::scenario::diagnostic::suggest;
 use crate::scenario::foreign::dfn::{Network, Shape, parse_fab};
 use crate::scenario::foreign::dfnworks::read_dfnworks;
 use crate::scenario::foreign::itasca::parse_itasca;
-use crate::scenario::language::{Block, Cut, JointPlanes};
-use crate::scenario::read::Provenance;
+use crate::scenario::language::{Block, Cut, JointPlanes, JointSet};
+use crate::scenario::read::{Provenance, Read};
 use crate::scenario::units::Dim;
 use crate::scenario::{Diagnostic, Name};
 use crate::spatial::setup::{Bridges, Ended};
@@ -53,6 +52,47 @@ const fn angle(names: &'static [&'static str]) -> Column<'static> {
     Column::optional(names, Dim::ANGLE, "deg")
 }
 
+fn joint_set(mut read: Read<'_, JointSet>, set: &JointSet, shift: Vec3) -> PlaneSet {
+    let direction = read.dip_direction().unwrap_or(0.0);
+    let normal = normal_of_dip(read.dip(), direction);
+    let at = set.origin.as_ref().map_or(Vec3::ZERO, global) + shift;
+    PlaneSet {
+        normal,
+        at: at + read.offset() * normal,
+        spacing: read.spacing(),
+        spacing_scatter: read.spacing_scatter(),
+        angle_scatter: read.angle_scatter(),
+        persistence: read.persistence(),
+    }
+}
+
+/// Dips and dip directions (rad) by the columns dip, dip direction, strike, and trend and plunge of the pole.
+fn attitudes(columns: [Option<&Vec<f64>>; 5]) -> Option<(Vec<f64>, Vec<f64>)> {
+    let shifted = |angles: &[f64], by: f64| angles.iter().map(|a| a + by).collect();
+    // Strike has the dip to its right; the pole points down.
+    match columns {
+        [Some(dip), Some(direction), ..] => Some((dip.clone(), direction.clone())),
+        [Some(dip), _, Some(strike), ..] => Some((dip.clone(), shifted(strike, FRAC_PI_2))),
+        [.., Some(trend), Some(plunge)] => {
+            let dips = plunge.iter().map(|p| FRAC_PI_2 - p).collect();
+            Some((dips, shifted(trend, PI)))
+        }
+        _ => None,
+    }
+}
+
+/// What is wrong with the radius (m) or dip (rad) of a joint, and the remedy.
+fn wrong_joint(radius: f64, dip: f64) -> Option<(&'static str, &'static str)> {
+    if radius < 0.0 {
+        Some(("has a negative radius", "a radius of 0, or none, means an unbounded plane"))
+    } else if !(0.0..=FRAC_PI_2).contains(&dip) {
+        let help = "dip ranges from 0 deg (horizontal) to 90 deg (vertical)";
+        Some(("has a dip out of range", help))
+    } else {
+        None
+    }
+}
+
 impl Builder<'_> {
     /// What joints make of the blocks of a table. `shift` brings coordinates of the file to the blocks. `None` after an
     /// error.
@@ -67,23 +107,10 @@ impl Builder<'_> {
         let mut read = self.reading(key.as_str(), cut);
         let seed = read.seed();
         let thinnest = read.smallest_edge_or(0.0, Provenance::Default, "");
-        let sets: Vec<PlaneSet> = (0..)
-            .zip(&cut.joint_sets)
-            .map(|(number, set)| {
-                let mut read = read.within(&format!("joint_sets.{number}"), set);
-                let direction = read.dip_direction().unwrap_or(0.0);
-                let normal = normal_of_dip(read.dip(), direction);
-                let at = set.origin.as_ref().map_or(Vec3::ZERO, global) + shift;
-                PlaneSet {
-                    normal,
-                    at: at + read.offset() * normal,
-                    spacing: read.spacing(),
-                    spacing_scatter: read.spacing_scatter(),
-                    angle_scatter: read.angle_scatter(),
-                    persistence: read.persistence(),
-                }
-            })
-            .collect();
+        let sets = (0..).zip(&cut.joint_sets).map(|(number, set)| {
+            joint_set(read.within(&format!("joint_sets.{number}"), set), set, shift)
+        });
+        let sets: Vec<PlaneSet> = sets.collect();
         let mut joints = match &cut.joints {
             Some(said) => self.joints_of_file(&key, said, shift)?,
             None => Vec::new(),
@@ -129,11 +156,8 @@ impl Builder<'_> {
     fn bridge(&mut self, name: &Name, joints: &[Joint]) {
         let table = &self.parsed.scenario.interfaces;
         let Some(row) = table.names().position(|one| one == name.as_str()) else {
-            let message = format!("there is no interface `{name}`");
-            let mut error = Diagnostic::error("name.unknown", message).at(name.span.clone());
             let known: Vec<&str> = table.names().collect();
-            error.help = suggest(name.as_str(), known);
-            self.found.push(error);
+            self.found.push(Diagnostic::unknown("interface", name, known));
             return;
         };
         let ended = joints.iter().filter_map(|joint| {
@@ -242,23 +266,12 @@ impl Builder<'_> {
         {
             return self.polygonal_joints(file, polygon, places);
         }
-        let shifted = |angles: &[f64], by: f64| angles.iter().map(|a| a + by).collect();
-        // Strike has the dip to its right; the pole points down.
-        let (dips, directions): (Vec<f64>, Vec<f64>) = match [dip, direction, strike, trend, plunge]
-        {
-            [Some(dip), Some(direction), ..] => (dip.clone(), direction.clone()),
-            [Some(dip), _, Some(strike), ..] => (dip.clone(), shifted(strike, FRAC_PI_2)),
-            [.., Some(trend), Some(plunge)] => {
-                let dips = plunge.iter().map(|p| FRAC_PI_2 - p).collect();
-                (dips, shifted(trend, PI))
-            }
-            _ => {
-                let message = format!("`{file}` has no columns with the orientation of the joints");
-                let help = "give columns dip_deg and dip_direction_deg; or dip_deg and strike_deg (the dip is to its right); or \
-                            trend_deg and plunge_deg of the pole; or fracture, its number, with a corner of a polygon in each row";
-                self.error_at("file.csv", file, message, help);
-                return None;
-            }
+        let Some((dips, directions)) = attitudes([dip, direction, strike, trend, plunge]) else {
+            let message = format!("`{file}` has no columns with the orientation of the joints");
+            let help = "give columns dip_deg and dip_direction_deg; or dip_deg and strike_deg (the dip is to its right); or \
+                        trend_deg and plunge_deg of the pole; or fracture, its number, with a corner of a polygon in each row";
+            self.error_at("file.csv", file, message, help);
+            return None;
         };
         let Some(places) = places else {
             let message = format!("`{file}` has no columns with the position of the joints");
@@ -277,20 +290,9 @@ impl Builder<'_> {
                 (None, None) => 0.0,
             };
             let (dip, direction) = (dips[row], directions[row]);
-            let wrong = match (given < 0.0, (0.0..=FRAC_PI_2).contains(&dip)) {
-                (true, _) => Some((
-                    "has a negative radius",
-                    "a radius of 0, or none, means an unbounded plane",
-                )),
-                (_, false) => Some((
-                    "has a dip out of range",
-                    "dip ranges from 0 deg (horizontal) to 90 deg (vertical)",
-                )),
-                _ => None,
-            };
-            if let Some((what, help)) = wrong {
-                let message =
-                    format!("`{file}`, line {}: joint {} {what}", table.lines[row], row + 1);
+            if let Some((what, help)) = wrong_joint(given, dip) {
+                let line = table.lines[row];
+                let message = format!("`{file}`, line {line}: joint {} {what}", row + 1);
                 self.error_at("file.csv", file, message, help);
                 return None;
             }

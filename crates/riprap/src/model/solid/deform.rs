@@ -107,9 +107,8 @@ impl Builder<'_> {
         };
         if self.spatial.deform.sets.is_empty() {
             let message = "no block is deformable, so there are no nodes";
-            let error = Diagnostic::error("target.empty", message);
             let help = "write mechanics.deformable = {} for blocks, or name the blocks to hold";
-            self.found.push(error.at(nodes.min.span.clone()).help(help));
+            self.error_at("target.empty", nodes.min.span.clone(), message, help);
             return true;
         }
         let names: Vec<Name> = nodes.block.iter().chain(&nodes.group).cloned().collect();
@@ -128,9 +127,8 @@ impl Builder<'_> {
             (None, Some(language::Motion::Velocity(m))) => self.point_velocity(m),
             (None, Some(language::Motion::Acceleration(_))) => {
                 let message = "nodes can only be driven by a velocity";
-                let error = Diagnostic::error("key.forbidden", message);
                 let help = "write motion.velocity = { x = ... }";
-                self.found.push(error.at(nodes.min.span.clone()).help(help));
+                self.error_at("key.forbidden", nodes.min.span.clone(), message, help);
                 return true;
             }
             // Reported by the rules of the language.

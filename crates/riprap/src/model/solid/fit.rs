@@ -67,7 +67,10 @@ impl Builder<'_> {
             let (Some(mass), Some(explosive)) = (&gas.mass, self.explosive(gas)) else {
                 continue; // reported by the rules of the language
             };
-            let volume = mass.si() / explosive.density.si();
+            let Some(density) = explosive.charge_density() else {
+                continue; // likewise
+            };
+            let volume = mass.si() / density;
             let Some(levels) = self.levels_around(name) else {
                 let message =
                     format!("no cells can be fitted to `{name}`: no cells are refined around it");

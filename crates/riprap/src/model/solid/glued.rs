@@ -6,7 +6,6 @@ use riprap_geom::polyhedron::{GluedError, Polyhedron, glued};
 use super::mesh::{Made, shape_of};
 use super::shapes::{brick, solid};
 use crate::model::builder::Builder;
-use crate::scenario::Diagnostic;
 use crate::scenario::language::{self, Block};
 use crate::spatial::setup::{Shape, Solid};
 
@@ -46,10 +45,8 @@ impl Builder<'_> {
                     members.len(),
                     block.name
                 );
-                let note = Diagnostic::warning("geometry.parts", message);
-                let note = note.at(block.name.span.clone());
                 let help = "select only its cells with `mesh.volume`, or do not use the group";
-                self.found.push(note.help(help));
+                self.warn_at("geometry.parts", block.name.span.clone(), message, help);
             }
         }
         let groups = made.groups.into_iter().map(|(name, _)| (name, vec![0]));

@@ -4,9 +4,9 @@ use riprap_geom::Vec3;
 
 use super::{global, triple};
 use crate::model::builder::Builder;
+use crate::scenario::Quantity;
 use crate::scenario::language::{Block, Geometry, Grid, GridBox};
 use crate::scenario::read::{Provenance, with_unit};
-use crate::scenario::{Diagnostic, Quantity};
 
 /// Most bricks that a grid may have.
 const MOST: f64 = 2e7;
@@ -119,8 +119,7 @@ impl Builder<'_> {
             } else {
                 format!("the size must be a multiple of the cell size: {} would fit", fits(1.0))
             };
-            let error = Diagnostic::error("grid.cells", message).at(grid.size[k].span.clone());
-            self.found.push(error.help(help));
+            self.error_at("grid.cells", grid.size[k].span.clone(), message, help);
         }
         sound.then(|| Lattice { corner: said_corner(block, grid), cell: cell.into(), count })
     }

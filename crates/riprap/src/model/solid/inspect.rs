@@ -129,13 +129,12 @@ impl Builder<'_> {
                 triple(overlap.at + self.spatial.origin, "m")
             );
             let span = self.table_span(overlap.blocks[1]);
-            let error = Diagnostic::error("geometry.overlap", message).at(span);
             let help = format!(
                 "move one of them; or accept the overlap with allow_overlap = \"{}\" in [space.spatial] and let a first phase with kind = \"static\" \
                  separate them; if it ejects them, use a smaller `normal_stiffness`",
                 with_unit(1.05 * deepest, "m")
             );
-            self.found.push(error.help(help));
+            self.error_at("geometry.overlap", span, message, help);
         }
         if bad.len() > NAMED {
             let least = if bad.len() == MOST_BAD { "at least " } else { "" };
@@ -223,9 +222,8 @@ impl Builder<'_> {
             let message = format!(
                 "cohesion and tension do not act between `{name}` and `{other}`, which touch at the start: blocks of glued parts have no joints"
             );
-            let note = Diagnostic::warning("geometry.parts", message).at(self.table_span(block));
             let help = "they interact by contact with the residual strength of their interface";
-            self.found.push(note.help(help));
+            self.warn_at("geometry.parts", self.table_span(block), message, help);
         }
     }
 

@@ -199,12 +199,8 @@ impl Builder<'_> {
         let count = (max - min).element_product() / (cell * cell * cell);
         if count.is_nan() || count > MOST_CELLS {
             let message = format!("`{}` would have about {count:.0} cells", block.name);
-            let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());
-            self.found.push(
-                error.help(
-                    "at most 1 million cells are allowed; use a larger `cell`, or `grid.box`",
-                ),
-            );
+            let help = "at most 1 million cells are allowed; use a larger `cell`, or `grid.box`";
+            self.error_at("geometry.count", said.cell.span.clone(), message, help);
             return None;
         }
         if !self.has_memory(block, count, &said.cell.span) {
@@ -215,8 +211,8 @@ impl Builder<'_> {
         let square = extent.truncate().length_squared() * extent.z.max(cell) / (cell * cell * cell);
         if lattice && (square.is_nan() || square > 16.0 * MOST_CELLS) {
             let message = format!("`{}` is too slender for a rotated lattice", block.name);
-            let error = Diagnostic::error("geometry.count", message).at(said.cell.span.clone());
-            self.found.push(error.help("use a larger `cell`, or `grid.box`"));
+            let help = "use a larger `cell`, or `grid.box`";
+            self.error_at("geometry.count", said.cell.span.clone(), message, help);
             return None;
         }
         let (sites, relax, smallest) = if lattice {
@@ -234,19 +230,12 @@ impl Builder<'_> {
             None => Ok(Polyhedron::brick(0.5 * (min + max), 0.5 * extent)),
             Some(sides) => regular_prism(min, max, sides as u32),
         };
+        let shifted = |mut solid: Polyhedron| {
+            solid.vertices.iter_mut().for_each(|v| *v += shift);
+            Shape::Polyhedron(Box::new(Solid { vertices: solid.vertices, faces: solid.faces }))
+        };
         match whole.and_then(|whole| cells_within(&whole, &sites, relax, smallest)) {
-            Ok(cells) => Some(
-                cells
-                    .into_iter()
-                    .map(|mut solid| {
-                        solid.vertices.iter_mut().for_each(|v| *v += shift);
-                        Shape::Polyhedron(Box::new(Solid {
-                            vertices: solid.vertices,
-                            faces: solid.faces,
-                        }))
-                    })
-                    .collect(),
-            ),
+            Ok(cells) => Some(cells.into_iter().map(shifted).collect()),
             Err(error) => {
                 let message = format!("the cells of `{}`: {error}", block.name);
                 let (code, help) = if matches!(error, GeomError::ShortEdges { .. }) {
@@ -358,8 +347,7 @@ impl Builder<'_> {
 
     fn solid_error(&mut self, block: &Block, error: &SolidError, span: Span, help: &str) {
         let message = format!("block `{}`: {error}", block.name);
-        let error = Diagnostic::error("polyhedron", message).at(span);
-        self.found.push(error.help(help));
+        self.error_at("polyhedron", span, message, help);
     }
 
     /// What an OBJ file holds; `None` after an error.

@@ -5,13 +5,15 @@ use riprap_geom::Vec3;
 use super::global;
 use super::pattern::Hole;
 use super::places::region_of;
-use crate::laws::explosive::{Explosive, ExplosiveError};
+use crate::laws::explosive::{Explosive, ExplosiveError, Products};
+use crate::laws::jwl::{self, Jwl};
 use crate::model::builder::Builder;
 use crate::model::memory;
 use crate::model::summary::Charge;
 use crate::plan::Every;
 use crate::scenario::language::{
-    self, Around, CouplingWord, GasCavity, Point3, PressureCavity, Refine, Segment, span_of,
+    self, Around, CouplingWord, GasCavity, JwlConstants, JwlSet, Point3, PressureCavity, Refine,
+    Segment, span_of,
 };
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::vectors::unit;
@@ -43,7 +45,7 @@ impl Builder<'_> {
     }
 
     fn gas(&mut self, name: &Name, gas: &GasCavity) {
-        let Some(explosive) = self.adiabat(name, gas) else {
+        let Some(explosive) = self.products(name, gas) else {
             return;
         };
         let path = format!("sources.{name}.gas_cavity");
@@ -59,7 +61,7 @@ impl Builder<'_> {
         };
         let push = |mass: f64| CavityPressure::Gas { explosive, mass, coupling, venting };
         if let Some(pattern) = &gas.pattern {
-            let Some(holes) = self.holes(pattern, explosive.density) else {
+            let Some(holes) = self.holes(pattern, explosive.density()) else {
                 return;
             };
             for (number, hole) in (1..).zip(holes) {
@@ -98,7 +100,7 @@ impl Builder<'_> {
     }
 
     /// The explosive in numbers, if they make sense.
-    fn adiabat(&mut self, name: &Name, gas: &GasCavity) -> Option<Explosive> {
+    fn products(&mut self, name: &Name, gas: &GasCavity) -> Option<Products> {
         let (said, path) = match &gas.explosive {
             WordOr::Word(of, _) => {
                 let named = self.parsed.scenario.explosives.get(of.as_str())?;
@@ -106,33 +108,94 @@ impl Builder<'_> {
             }
             WordOr::Table(said, _) => (said, format!("sources.{name}.gas_cavity.explosive")),
         };
-        let mut read = self.reading(path, said);
-        let explosive = Explosive {
-            density: read.density(),
-            detonation_velocity: read.detonation_velocity(),
-            heat: read.heat_of_explosion(),
-            gamma: read.gamma(),
-            gamma_low: read.gamma_low_or(4.0 / 3.0, Provenance::Default, "4/3"),
+        let products = match &said.jwl {
+            Some(jwl) => Products::Jwl(self.jwl(name, said, jwl, &path)?),
+            None => {
+                let mut read = self.reading(path, said);
+                // What is missing is reported by the rules of the language.
+                Products::TwoStage(Explosive {
+                    density: read.density()?,
+                    detonation_velocity: read.detonation_velocity()?,
+                    heat: read.heat_of_explosion()?,
+                    gamma: read.gamma(),
+                    gamma_low: read.gamma_low_or(4.0 / 3.0, Provenance::Default, "4/3"),
+                })
+            }
         };
-        let Err(error) = explosive.validate() else {
-            return Some(explosive);
+        let Err(error) = products.validate() else {
+            return Some(products);
         };
         let span = match &error {
             ExplosiveError::Exponents { .. } => {
                 let gamma = said.gamma.as_ref().or(said.gamma_low.as_ref());
-                gamma.map_or(&name.span, |gamma| &gamma.span)
+                gamma.map(|gamma| &gamma.span)
             }
-            ExplosiveError::Heat { .. } => &said.heat_of_explosion.span,
-            ExplosiveError::NotPositive { .. } => &name.span,
+            ExplosiveError::Heat { .. } => said.heat_of_explosion.as_ref().map(|heat| &heat.span),
+            ExplosiveError::NotPositive { .. } => None,
+            ExplosiveError::Jwl => said.jwl.as_ref().map(WordOr::span),
         };
-        let message = format!("`{name}`: {error}");
-        let help = "check density, detonation_velocity and heat_of_explosion and their units";
-        let error = Diagnostic::error("explosive", message).at(span.clone());
-        // Several charges of one explosive say it once.
-        if !self.found.contains(&error.clone().help(help)) {
-            self.found.push(error.help(help));
-        }
+        let help = match &error {
+            ExplosiveError::Jwl => {
+                "check that a, b, r1, r2, omega and energy are of one set, and their units"
+            }
+            _ => "check density, detonation_velocity and heat_of_explosion and their units",
+        };
+        self.explosive_error(span.unwrap_or(&name.span), format!("`{name}`: {error}"), help);
         None
+    }
+
+    /// Constants of the equation of state of Jones, Wilkins and Lee.
+    fn jwl(
+        &mut self,
+        name: &Name,
+        said: &language::Explosive,
+        constants: &WordOr<JwlSet, JwlConstants>,
+        path: &str,
+    ) -> Option<Jwl> {
+        let constants = match (constants, &said.density) {
+            (WordOr::Word(set, _), None) => set.constants(),
+            (WordOr::Word(set, _), Some(density)) => {
+                let own = set.constants().density;
+                let message = format!("`{name}`: the published constants are of {own} kg/m3");
+                let help = "leave `density` out, or give the constants of your explosive: jwl = { a = \"49.5 GPa\", ... }";
+                self.explosive_error(&density.span, message, help);
+                return None;
+            }
+            (WordOr::Table(given, span), density) => {
+                let Some(density) = density else {
+                    let message = format!("`{name}`: the constants of `jwl` have no density");
+                    let help =
+                        "give the density that they belong to, for example density = \"931 kg/m3\"";
+                    self.explosive_error(span, message, help);
+                    return None;
+                };
+                let density = density.si();
+                let mut read = self.reading(format!("{path}.jwl"), given);
+                let [a, b, energy] = [read.a(), read.b(), read.energy()];
+                Jwl { density, a, b, r1: read.r1(), r2: read.r2(), omega: read.omega(), energy }
+            }
+        };
+        if let Some(given) = said.detonation_velocity.as_ref().filter(|_| constants.is_sound()) {
+            let own = constants.chapman_jouguet().velocity;
+            if (given.si() / own - 1.0).abs() > jwl::AGREES {
+                let message = format!(
+                    "`{name}`: the detonation velocity is {}, but the constants of `jwl` detonate at {own:.0} m/s",
+                    with_unit(given.si(), "m/s")
+                );
+                let help = "leave `detonation_velocity` out, or check that the constants are of this explosive";
+                self.explosive_error(&given.span, message, help);
+                return None;
+            }
+        }
+        Some(constants)
+    }
+
+    /// Several charges of one explosive report it once.
+    fn explosive_error(&mut self, span: &Span, message: String, help: &str) {
+        let error = Diagnostic::error("explosive", message).at(span.clone()).help(help);
+        if !self.found.contains(&error) {
+            self.found.push(error);
+        }
     }
 
     fn coupling(&mut self, name: &Name, gas: &GasCavity) -> Coupling {
@@ -204,17 +267,15 @@ impl Builder<'_> {
         };
         if touched.is_empty() {
             let message = format!("`{name}` lies outside all blocks");
-            let error = Diagnostic::error("source.outside", message).at(span.clone());
             let help = "check its coordinates; a source removes the blocks that it touches";
-            self.found.push(error.help(help));
+            self.error_at("source.outside", span.clone(), message, help);
             return false;
         }
         if let Some(&block) = touched.iter().find(|&&block| self.held(block)) {
             let held = self.directory.name(block);
             let message = format!("`{name}` touches block `{held}`, which is fixed");
-            let error = Diagnostic::error("source.fixed", message).at(span.clone());
             let help = "move the source, or hold the model at its boundaries";
-            self.found.push(error.help(help));
+            self.error_at("source.fixed", span.clone(), message, help);
             return false;
         }
         true
@@ -323,9 +384,8 @@ impl Builder<'_> {
             let which = "only rigid blocks with six faces in three parallel pairs can be split, in any orientation: bricks, also with `rotate`, and \
                          blocks bounded by three joint sets";
             if !during || whole.len() == touched.len() {
-                let error = Diagnostic::error("refine.shape", message).at(span.clone());
                 let help = format!("{which}; choose a region that touches only such blocks");
-                self.found.push(error.help(&help));
+                self.error_at("refine.shape", span.clone(), message, help);
                 return false;
             }
             let message = format!(
@@ -333,13 +393,11 @@ impl Builder<'_> {
                 whole.len(),
                 touched.len()
             );
-            let note = Diagnostic::warning("refine.shape", message).at(span.clone());
-            self.found.push(note.help(which));
+            self.warn_at("refine.shape", span.clone(), message, which);
         }
         if touched.is_empty() {
-            let error = Diagnostic::error("refine.nothing", "no block lies in this region");
             let help = "check its coordinates and their units";
-            self.found.push(error.at(span.clone()).help(help));
+            self.error_at("refine.nothing", span.clone(), "no block lies in this region", help);
         }
         !touched.is_empty()
     }
@@ -365,9 +423,8 @@ impl Builder<'_> {
             if exact { "about" } else { "more than" },
             if exact { format!("{count:.1e}") } else { format!("{most:.1e}") },
         );
-        let error = Diagnostic::error("refine.many", message).at(span.clone());
         let help = "give fewer `levels` (each level splits a block into eight) or a smaller region";
-        self.found.push(error.help(help));
+        self.error_at("refine.many", span.clone(), message, help);
         false
     }
 
@@ -395,7 +452,7 @@ impl Builder<'_> {
             let (mass, volume, scaled) = match &source.push {
                 CavityPressure::Gas { explosive, mass, coupling, .. } => {
                     let scaled = matches!(coupling, Coupling::Scaled { .. });
-                    (Some(*mass), Some(mass / explosive.density), scaled)
+                    (Some(*mass), Some(mass / explosive.density()), scaled)
                 }
                 CavityPressure::Pressure { .. } => (None, None, false),
             };
@@ -417,8 +474,7 @@ impl Builder<'_> {
                     .map(|(said, _)| said)
                     .find(|said| name == said.text || name.starts_with(&format!("{said}.")))
                     .map_or(0..0, |said| said.span.clone());
-                let note = Diagnostic::warning("source.volume", message).at(span);
-                self.found.push(note.help(help));
+                self.warn_at("source.volume", span, message, help);
             }
             self.summary.charges.push(Charge { name, mass, volume, blocks: cells, cavity, ratio });
         }

@@ -224,11 +224,25 @@ impl Builder<'_> {
         };
         if !self.spatial.found_contacts {
             let message = "terrain needs contact detection, which is switched off";
-            let error = Diagnostic::error("terrain.contacts", message);
-            let error = error.at(self.table_span(*first));
             let help = "remove `found_contacts = false` from [space.spatial]";
-            self.found.push(error.help(help));
+            self.error_at("terrain.contacts", self.table_span(*first), message, help);
         }
+        let wrong = self.wrong_starts(&grounds);
+        let count = wrong.len();
+        for (b, message) in wrong.into_iter().take(NAMED) {
+            let help = "move it above the surface, hold it by [[supports]], or accept the depth with \
+                        allow_overlap = \"...\" in [space.spatial]";
+            self.error_at("terrain.start", self.table_span(b), message, help);
+        }
+        if count > NAMED {
+            let message =
+                format!("{} more blocks start in the terrain or outside its rim", count - NAMED);
+            self.found.push(Diagnostic::error("terrain.start", message));
+        }
+    }
+
+    /// Blocks that start below the surface or beyond the rim of terrain, and what to say of each.
+    fn wrong_starts(&self, grounds: &[(u32, HeightField, Bins)]) -> Vec<(u32, String)> {
         let accepted = match &self.parsed.scenario.space {
             Space::Spatial(space) => space.allow_overlap.as_ref().map_or(0.0, Quantity::si),
             Space::Planar(_) => 0.0,
@@ -259,18 +273,7 @@ impl Builder<'_> {
             };
             wrong.push((b, message));
         }
-        let count = wrong.len();
-        for (b, message) in wrong.into_iter().take(NAMED) {
-            let error = Diagnostic::error("terrain.start", message).at(self.table_span(b));
-            let help = "move it above the surface, hold it by [[supports]], or accept the depth with \
-                        allow_overlap = \"...\" in [space.spatial]";
-            self.found.push(error.help(help));
-        }
-        if count > NAMED {
-            let message =
-                format!("{} more blocks start in the terrain or outside its rim", count - NAMED);
-            self.found.push(Diagnostic::error("terrain.start", message));
-        }
+        wrong
     }
 }
 

@@ -1,10 +1,11 @@
 //! Models in space: `[space.spatial]` through `build`.
 
 use super::*;
+use crate::laws::jwl::Jwl;
 use crate::record::field::{FieldInfo, Shape as FieldShape, Site};
 use crate::spatial::setup::{
     BoundaryKind, CavityPressure, Coupling, Criterion, Dashpots, FaceSet, Kinematics, Motion,
-    Place, Points, Region, Setup, Shape, Stiffness, StiffnessRule,
+    Place, Points, Products, Region, Setup, Shape, Stiffness, StiffnessRule,
 };
 use riprap_geom::Vec3;
 
@@ -256,6 +257,40 @@ fn grids_are_fitted_to_a_charge() {
     assert!((model.summary.charges[0].ratio.unwrap() - 1.0).abs() < 1e-12);
     let (centre, half) = brick(&setup.blocks[0].shape);
     assert!((centre - half).x.abs() < 1e-12);
+}
+
+/// A charge with these lines in place of the constants of its explosive.
+fn with_explosive(lines: &str) -> String {
+    let constants = "density = \"1000 kg/m3\"\ndetonation_velocity = \"4000 m/s\"\nheat_of_explosion = \"4180 kJ/kg\"";
+    assert!(CHARGE.contains(constants));
+    format!("{GRID}{}coupling = \"coupled\"\n", CHARGE.replace(constants, lines))
+}
+
+#[test]
+fn explosives_have_one_equation_of_state() {
+    let (setup, model) = solid(&with_explosive("jwl = \"anfo\""));
+    let CavityPressure::Gas { explosive, .. } = &setup.sources[0].push else { panic!("no gas") };
+    assert_eq!(*explosive, Products::Jwl(Jwl::ANFO));
+    // 16 kg in eight cells of 1 m3.
+    assert!((model.summary.charges[0].ratio.unwrap() - 8.0 * 931.0 / 16.0).abs() < 1e-9);
+    let own = "jwl = { a = \"49.46 GPa\", b = \"1.891 GPa\", r1 = 3.907, r2 = 1.118, omega = 0.33333, energy = \"2.484 GPa\" }";
+    let (setup, _) = solid(&with_explosive(&format!("density = \"931 kg/m3\"\n{own}")));
+    let CavityPressure::Gas { explosive, .. } = &setup.sources[0].push else { panic!("no gas") };
+    assert_eq!(*explosive, Products::Jwl(Jwl::ANFO));
+    for (lines, said) in [
+        ("jwl = \"anfo\"\ngamma = 3", "belong to the two-stage adiabat"),
+        ("jwl = \"anfo\"\ndensity = \"900 kg/m3\"", "published constants are of 931 kg/m3"),
+        ("jwl = \"anfo\"\ndetonation_velocity = \"5000 m/s\"", "detonate at 4159 m/s"),
+        (own, "no density"),
+        ("density = \"1000 kg/m3\"", "detonation_velocity"),
+        ("jwl = \"dynamite\"", "emulsion"),
+    ] {
+        let text = refused(&with_explosive(lines));
+        assert!(text.contains(said), "{lines}: {text}");
+    }
+    let weak = own.replace("49.46 GPa", "49.46 kPa").replace("1.891 GPa", "1 Pa");
+    let text = refused(&with_explosive(&format!("density = \"931 kg/m3\"\n{weak}")));
+    assert!(text.contains("no state of Chapman and Jouguet"), "{text}");
 }
 
 #[test]

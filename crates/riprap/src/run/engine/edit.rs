@@ -62,7 +62,7 @@ pub(super) fn spatial(
             }
         });
     }
-    spatial::topology::take_out(world, &phase.remove);
+    spatial::topology::remove(world, &phase.remove);
     for &b in &phase.fix {
         world.motion[b as usize] =
             Some(Box::new(Motion::Fixed { translation: [true; 3], rotation: [true; 3] }));
@@ -89,12 +89,11 @@ pub(super) fn spatial(
         breaking: d.breaking,
         strain: d.strain,
     });
-    spatial::deform::phase::enter(world, &phase.remove, rules.as_ref());
+    spatial::deform::phase::enter(world, rules.as_ref());
     if let Some(relax) = phase.deform.and_then(|d| d.relax) {
         spatial::deform::phase::relax_by(world, relax.relaxation);
     }
     let cut = phase.deform.and_then(|d| d.cut);
     spatial::topology::cut::allow(world, cut.as_ref());
-    spatial::topology::bolts::follow(world);
     spatial::bolts::install::install(world, &phase.install)
 }

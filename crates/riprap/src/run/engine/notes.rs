@@ -77,25 +77,21 @@ pub(super) fn spatial_event(
         let cavity = &v.world.cavities[event.subject as usize];
         &v.world.setup.sources[cavity.source as usize].name
     };
+    let children =
+        || -> Vec<String> { event.children.iter().map(|&b| v.name(b as usize)).collect() };
     match event.kind {
-        EditKind::Split => {
-            let children: Vec<String> =
-                event.children.iter().map(|&b| v.name(b as usize)).collect();
-            serde_json::json!({
-                "event": "block_split", "step": step, "time": time,
-                "block": v.name(event.subject as usize),
-                "children": children,
-                "patches_before": event.patches[0], "patches_after": event.patches[1],
-            })
-        }
+        EditKind::Split => serde_json::json!({
+            "event": "block_split", "step": step, "time": time,
+            "block": v.name(event.subject as usize),
+            "children": children(),
+            "patches_before": event.patches[0], "patches_after": event.patches[1],
+        }),
         EditKind::Cut => {
-            let children: Vec<String> =
-                event.children.iter().map(|&b| v.name(b as usize)).collect();
             let note = event.cut.as_ref();
             serde_json::json!({
                 "event": "block_cut", "step": step, "time": time,
                 "block": v.name(event.subject as usize),
-                "children": children,
+                "children": children(),
                 "normal": note.map(|n| n.normal.to_array()),
                 "mode": note.map(|n| n.mode),
                 "excess": note.map(|n| n.excess),

@@ -305,9 +305,7 @@ fn a_deformable_block_that_is_taken_out_leaves_a_free_length() {
     let setup = soft(stack(3, &[(0.1, design())], Kinematics::Small), &[0, 1, 2]);
     let (mut world, mut scratch) = world(setup, Exec::serial());
     let nodes = world.bolts[0].pins.len();
-    crate::topology::take_out(&mut world, &[1]);
-    crate::deform::phase::enter(&mut world, &[1], None);
-    crate::topology::bolts::follow(&mut world);
+    crate::topology::remove(&mut world, &[1]);
     scratch.invalidate(&mut world);
     let bolt = &world.bolts[0];
     assert!(bolt.pins.iter().all(|p| p.block != 1));
