@@ -1,7 +1,7 @@
 //! What all pairs exert in a step, and the sums on each block.
 //!
 //! One machine for all kinds of bodies: the narrow phase finds the patches that a pair shares, each finds its memory by its key and answers by one
-//! law ([`respond`]), and what all of them exert is added to the group of the pair. Each block adds that of its pairs in their order: the same bits for
+//! law ([`contact_force`]), and what all of them exert is added to the group of the pair. Each block adds that of its pairs in their order: the same bits for
 //! any number of threads.
 
 use riprap_core::sums::tree;
@@ -15,7 +15,7 @@ use crate::exec::{CHUNK, Exec};
 use crate::kernel::glued::{Glued, Placed};
 use crate::kernel::{
     Body, ContactInput, ContactLaw, Memory, Motion, Pair, Pose, Reached, Shape, Sums, Terrain,
-    part, respond, turn,
+    contact_force, part, turn,
 };
 use crate::state::contact_scratch::{
     Acting, Constants, ContactScratch, Deepest, Exerted, PairGroup, PairKind, PairSums, Pressed,
@@ -397,7 +397,7 @@ impl InPair<'_> {
         let handed_over = self.pair.offset.as_ref().is_some_and(|o| o.joint.is_some());
         let before = left(self.pair) + patch.stored;
         let input = self.input(found);
-        let output = respond(&law, &input, &mut patch.memory, &mut self.pair.offset);
+        let output = contact_force(&law, &input, &mut patch.memory, &mut self.pair.offset);
         self.sums.unlabelled += found.unlabelled;
         self.sums.friction += output.friction;
         self.sums.booked += output.booked;

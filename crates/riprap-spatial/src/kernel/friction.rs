@@ -260,12 +260,21 @@ struct Relative {
     rock: Vec3,
 }
 
+/// What goes on of a joint's load beside the pressure.
+struct Inherited {
+    wrench: Wrench,
+    /// Normal force with that of the pressure, N.
+    pressed: f64,
+    /// See [`ContactOutput::booked`], J.
+    booked: f64,
+}
+
 /// Forces of a contact; `memory` goes on to this instant.
 ///
 /// The friction of a step is the work on the shear springs less the change of what they store; springs that a shrinking
-/// contact loses take their share with them, which is friction too. `offset` is what a joint has left, if one has let go; it is
-/// taken away where nothing is left of it.
-pub(crate) fn respond(
+/// contact loses take their share with them, which is friction too. `offset` is what remains of a joint that has been released; it is
+/// removed where nothing remains of it.
+pub(crate) fn contact_force(
     law: &ContactLaw,
     q: &ContactInput,
     memory: &mut Memory,
@@ -289,38 +298,9 @@ pub(crate) fn respond(
             ..ContactOutput::default()
         };
     };
+    let inherited = inherited_force(law, q, &meeting, &elastic, memory, offset);
     let Meeting { contact: c, at, arms, velocity: v, mass } = meeting;
-    let [a, b] = q.motion;
-
-    let mut booked = 0.0;
-    let mut offset_wrench = Wrench::default();
-    let mut pressed = c.elastic;
-    if let Some(offset) = offset {
-        offset.pass(&q.motion, memory.arms, q.dt);
-        if let Some(joint) = offset.joint {
-            // The shear of the joint acted at its own point.
-            memory.torsion += (joint.at - at).cross(memory.shear).dot(c.normal);
-        }
-        let here = offset::Here {
-            normal: c.normal,
-            elastic: c.elastic,
-            pressure: [elastic.force, elastic.moment_b - arms[1].cross(elastic.force)],
-            energy: energy(law, q.sums, &c),
-            overlap: q.sums.force.length(),
-            point: at,
-            area: c.area,
-            sliding: v.along.length(),
-            turning: c.normal.cross(b.spin - a.spin).length(),
-            before: memory.normal,
-        };
-        booked = offset.advance(&here, q.dt);
-        offset.pass(&q.motion, arms, q.dt);
-        offset_wrench = about(arms, offset.force, offset.couple);
-        pressed += offset.force.dot(c.normal);
-    }
-    if let Some(gone) = offset.take_if(|offset| offset.is_gone(c.area)) {
-        booked += energy(law, q.sums, &c) - gone.stored;
-    }
+    let pressed = inherited.pressed;
     let across = law.dashpot(law.normal_stiffness, c.area, mass, q.last_dt);
     let (normal, rocking) = if let Some(ratio) = q.shared {
         (pressed * (1.0 + ratio), Vec3::ZERO)
@@ -338,6 +318,7 @@ pub(crate) fn respond(
     let before = memory.stored(law.shear_stiffness);
     // Found for the first time without a move (at the start, after an edit), it still has to learn where it is.
     if q.dt > 0.0 || memory.normal == Vec3::ZERO {
+        let [a, b] = q.motion;
         let turning = 0.5 * (a.spin + b.spin).dot(c.normal) * q.dt;
         memory.arms = arms;
         advance(law, memory, &v, [q.dt, turning], &limit);
@@ -353,17 +334,14 @@ pub(crate) fn respond(
     }
     let stored = memory.stored(law.shear_stiffness);
     let spring = about(arms, memory.shear, memory.torsion * c.normal);
-    let drag = about(
-        arms,
-        (normal - pressed) * c.normal + (shear - memory.shear),
-        rocking + (torsion - memory.torsion) * c.normal,
-    );
+    let (damped, held) = (shear - memory.shear, torsion - memory.torsion);
+    let drag = about(arms, (normal - pressed) * c.normal + damped, rocking + held * c.normal);
     ContactOutput {
-        wrench: elastic.plus(&spring).plus(&offset_wrench).plus(&drag),
+        wrench: elastic.plus(&spring).plus(&inherited.wrench).plus(&drag),
         elastic,
         spring,
-        offset: offset_wrench,
-        booked,
+        offset: inherited.wrench,
+        booked: inherited.booked,
         sprung: before,
         drag,
         normal,
@@ -372,12 +350,53 @@ pub(crate) fn respond(
         stored: stored - before,
         damping: (normal - pressed) * v.normal
             + rocking.dot(v.rock)
-            + (shear - memory.shear).dot(v.along)
-            + (torsion - memory.torsion) * v.twist,
+            + damped.dot(v.along)
+            + held * v.twist,
         point: at,
         area: c.area,
         polar: c.polar,
     }
+}
+
+/// Takes what remains of a joint to this instant; the shear of one that has just been released moves to the point of the contact.
+fn inherited_force(
+    law: &ContactLaw,
+    q: &ContactInput,
+    meeting: &Meeting,
+    elastic: &Wrench,
+    memory: &mut Memory,
+    offset: &mut Option<Box<Offset>>,
+) -> Inherited {
+    let Meeting { contact: c, at, arms, velocity, .. } = meeting;
+    let [a, b] = q.motion;
+    let mut found = Inherited { wrench: Wrench::default(), pressed: c.elastic, booked: 0.0 };
+    if let Some(offset) = offset {
+        offset.pass(&q.motion, memory.arms, q.dt);
+        if let Some(joint) = offset.joint {
+            // The shear of the joint acted at its own point.
+            memory.torsion += (joint.at - *at).cross(memory.shear).dot(c.normal);
+        }
+        let here = offset::Here {
+            normal: c.normal,
+            elastic: c.elastic,
+            pressure: [elastic.force, elastic.moment_b - arms[1].cross(elastic.force)],
+            energy: energy(law, q.sums, c),
+            overlap: q.sums.force.length(),
+            point: *at,
+            area: c.area,
+            sliding: velocity.along.length(),
+            turning: c.normal.cross(b.spin - a.spin).length(),
+            before: memory.normal,
+        };
+        found.booked = offset.advance(&here, q.dt);
+        offset.pass(&q.motion, *arms, q.dt);
+        found.wrench = about(*arms, offset.force, offset.couple);
+        found.pressed += offset.force.dot(c.normal);
+    }
+    if let Some(gone) = offset.take_if(|offset| offset.is_gone(c.area)) {
+        found.booked += energy(law, q.sums, c) - gone.stored;
+    }
+    found
 }
 
 /// Couple of dashpots `across` (N s/m) spread evenly over the area. Half its polar moment for both axes would be many times too much about

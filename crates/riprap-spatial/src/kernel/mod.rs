@@ -37,7 +37,7 @@ pub(crate) mod terrain;
 pub(crate) mod tetra;
 
 pub(crate) use friction::part;
-pub(crate) use friction::{ContactInput, ContactLaw, Memory, Motion, respond};
+pub(crate) use friction::{ContactInput, ContactLaw, Memory, Motion, contact_force};
 pub(crate) use grid::Role;
 pub(crate) use peak::{Peak, peak};
 pub(crate) use planes::Planes;
@@ -47,8 +47,10 @@ pub(crate) use surface::{Found, Pair};
 pub(crate) use terrain::{Reached, Terrain};
 
 #[cfg(test)]
+#[path = "tests/impacts.rs"]
 mod impacts;
 #[cfg(test)]
+#[path = "tests/kit.rs"]
 pub(crate) mod kit;
 #[cfg(test)]
 mod tests;

@@ -7,7 +7,9 @@ use crate::kernel::friction::ContactOutput;
 use crate::kernel::kit::{Chance, KINDS, Kind, Placed, block};
 use crate::kernel::offset::{Carried, Offset};
 use crate::kernel::surface::Walker;
-use crate::kernel::{ContactInput, ContactLaw, Found, Memory, Motion, Pose, Shape, part, respond};
+use crate::kernel::{
+    ContactInput, ContactLaw, Found, Memory, Motion, Pose, Shape, contact_force, part,
+};
 
 mod frictionless;
 
@@ -147,7 +149,7 @@ impl Two {
             shared: None,
             falls,
         };
-        let reply = respond(&self.law, &question, &mut self.memory, &mut self.offset);
+        let reply = contact_force(&self.law, &question, &mut self.memory, &mut self.offset);
         self.booked += reply.booked;
         self.lost += reply.friction - reply.damping * dt;
         Some(reply)
