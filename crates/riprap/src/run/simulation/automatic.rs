@@ -20,8 +20,8 @@ impl Simulation {
                 // Who can meet whom is known after a look.
                 self.evaluate(&damping, 0.0)?;
                 let (implicit, words) = match self.against_implicit(phase, &damping) {
-                    Some(why) => (false, format!("explicit: {why}")),
-                    None => (true, "implicit".to_owned()),
+                    Some(why) => (false, format!("explicitly: {why}")),
+                    None => (true, "implicitly".to_owned()),
                 };
                 self.cursor.chosen.push(format!("phase `{}` was stepped {words}", phase.name));
                 implicit
@@ -47,6 +47,6 @@ impl Simulation {
             TimeStep::Auto { .. } => IMPLICIT_STEP,
         };
         (long < WORTH * shortest)
-            .then(|| format!("steps of {shortest:.1e} s are long enough once blocks touch"))
+            .then(|| format!("explicit steps are {shortest:.1e} s once blocks touch, and an implicit one costs as much as 20 of them"))
     }
 }
