@@ -73,7 +73,7 @@ impl GasCavity {
     }
 }
 
-/// An explosive by the equation of state of its gas: a two-stage adiabat, or `jwl`.
+/// An explosive by the equation of state of its gas.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 #[keys(excludes(
@@ -87,7 +87,7 @@ pub struct Explosive {
     /// Density of the charge, kg/m3. A published set of `jwl` has its own.
     #[key(required("!jwl"))]
     pub density: Option<Quantity<Density>>,
-    /// Velocity of detonation, m/s. With `jwl` it follows from the constants, and one that is given is compared with it.
+    /// Velocity of detonation, m/s. With `jwl` it is compared with that of the constants.
     #[key(required("!jwl"))]
     pub detonation_velocity: Option<Quantity<Speed>>,
     /// Heat of explosion, J/kg.
@@ -98,7 +98,7 @@ pub struct Explosive {
     pub gamma: Option<Quantity<PositivePlain>>,
     /// Exponent below the transition pressure. Default 4/3.
     pub gamma_low: Option<Quantity<PositivePlain>>,
-    /// Equation of state of Jones, Wilkins and Lee: a published set, or its constants.
+    /// Equation of state of Jones, Wilkins and Lee instead of the two-stage adiabat: a published set, or constants.
     pub jwl: Option<WordOr<JwlSet, JwlConstants>>,
 }
 
@@ -116,11 +116,11 @@ impl Explosive {
 /// Published constants of the equation of state of Jones, Wilkins and Lee.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Words)]
 pub enum JwlSet {
-    /// TNT of 1630 kg/m3 and 6930 m/s (Dobratz and Crawford 1985).
+    /// TNT, 1630 kg/m3.
     Tnt,
-    /// ANFO of 931 kg/m3 and 4160 m/s (Penn and others 1975).
+    /// ANFO, 931 kg/m3.
     Anfo,
-    /// Gassed emulsion of 1310 kg/m3 and 5500 m/s.
+    /// Gassed emulsion, 1310 kg/m3.
     Emulsion,
 }
 
@@ -149,7 +149,7 @@ pub struct JwlConstants {
     pub r2: Quantity<PositivePlain>,
     /// Omega.
     pub omega: Quantity<PositivePlain>,
-    /// Energy of detonation per volume of the charge, J/m3 (a pressure: 1 kJ/cm3 is 1 GPa).
+    /// Energy of detonation per volume, J/m3 (1 kJ/cm3 is 1 GPa).
     pub energy: Quantity<Modulus>,
 }
 
