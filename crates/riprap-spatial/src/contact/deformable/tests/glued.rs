@@ -139,18 +139,19 @@ fn a_bounce_in_a_u_keeps_energy_and_momenta() {
         let mut run = Run::new(model(blocks, &[1], 0.0, 0.0), 1, dt);
         run.evaluate();
         let start = run.view().kinetic_energy();
-        let before = (run.view().momentum(), run.view().angular_momentum());
-        let (mut worst, mut pressed, mut drift) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let before = [run.view().momentum(), run.view().angular_momentum()];
+        let (mut worst, mut pressed) = (0.0_f64, 0.0_f64);
         run.watch(0.12, |run| {
             let balance = run.view().balance();
             worst = worst.max((balance.residual() / start).abs());
             pressed = pressed.max(balance.contact_normal / start);
-            let changes =
-                [run.view().momentum() - before.0, run.view().angular_momentum() - before.1];
-            drift = changes.into_iter().map(|c| c.length() / 1e4).fold(drift, f64::max);
         });
         assert!(pressed > 0.01, "{pressed}");
-        assert!(drift < 1e-12, "{drift:e}");
+        // Apart again: while they press, velocities of blocks and nodes belong to instants half a step apart.
+        let after = [run.view().momentum(), run.view().angular_momentum()];
+        for (now, then) in after.iter().zip(before) {
+            assert!((*now - then).length() < 1e-12 * then.length(), "{now} {then}");
+        }
         worst
     };
     let [coarse, fine] = [4e-5, 2e-5].map(collision);
