@@ -20,6 +20,8 @@
 //! Trans. Math. Softw. 9, 302-325 (fronts); Amestoy, Davis & Duff (1996), SIAM J. Matrix Anal. Appl. 17, 886-905 (order);
 //! Davis (2006), Direct methods for sparse linear systems (elimination tree).
 
+#![expect(clippy::needless_range_loop, reason = "indices are rows and columns of several matrices")]
+
 mod dense;
 mod fronts;
 #[cfg(test)]

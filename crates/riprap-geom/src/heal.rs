@@ -115,11 +115,14 @@ pub(crate) fn collapse(parts: &mut Subdivision, corners: usize, smallest: f64) -
     count
 }
 
-/// Sides below `smallest`, the shortest first: length, ends, and whether it lies on the outline; and which points lie there.
-fn short_sides(parts: &Subdivision, smallest: f64) -> (Vec<(f64, u32, u32, bool)>, Vec<bool>) {
+/// A side: length, ends, and whether it lies on the outline.
+type Side = (f64, u32, u32, bool);
+
+/// Sides below `smallest`, the shortest first; and which points lie on the outline.
+fn short_sides(parts: &Subdivision, smallest: f64) -> (Vec<Side>, Vec<bool>) {
     let directed: BTreeSet<(u32, u32)> = parts.faces.iter().flat_map(|face| sides(face)).collect();
     let mut outline = vec![false; parts.points.len()];
-    let mut short: Vec<(f64, u32, u32, bool)> = Vec::new();
+    let mut short: Vec<Side> = Vec::new();
     for &(a, b) in &directed {
         // An inner side is run through once in either direction.
         let at_outline = !directed.contains(&(b, a));

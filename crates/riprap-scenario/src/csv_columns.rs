@@ -11,10 +11,9 @@
 
 use std::path::Path;
 
-use super::diagnostic::suggest;
+use super::diagnostic::{short, suggest};
 use super::plain_file;
 use super::units::Dim;
-use super::values::short;
 
 mod head;
 #[cfg(test)]

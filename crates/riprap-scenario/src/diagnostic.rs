@@ -269,6 +269,15 @@ pub fn one_of(words: &[&str]) -> String {
     if words.len() == 1 { list(words) } else { format!("one of {}", list(words)) }
 }
 
+/// The beginning of a long word, without control characters.
+pub(crate) fn short(word: &str) -> String {
+    let mut text: String = word.chars().filter(|c| !c.is_control()).take(40).collect();
+    if word.chars().nth(40).is_some() {
+        text.push_str("...");
+    }
+    text
+}
+
 /// `a`, `b`, `c`
 pub fn list(words: &[&str]) -> String {
     words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")

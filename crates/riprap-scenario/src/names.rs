@@ -7,9 +7,8 @@ use std::marker::PhantomData;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, Visitor};
 
-use super::diagnostic::{Diagnostic, suggest};
+use super::diagnostic::{Diagnostic, short, suggest};
 use super::quantity::Span;
-use super::values::short;
 
 /// A word that refers to something (material, block, group, field, file), with its place.
 #[derive(Debug, Clone)]

@@ -4,11 +4,10 @@
 use toml::de::DeTable;
 use toml_edit::{DocumentMut, Item, Value};
 
-use super::diagnostic::{Diagnostic, Diagnostics, Source};
+use super::diagnostic::{Diagnostic, Diagnostics, Source, short};
 use super::language::Scenario;
 use super::load::syntax_error;
 use super::path::{resolve, split};
-use super::values::short;
 
 /// Most cases that one scenario may expand to.
 pub(crate) const MAX_CASES: usize = 1000;

@@ -4,9 +4,8 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::diagnostic::suggest;
+use super::diagnostic::{short, suggest};
 use super::schema::Node;
-use super::values::short;
 
 /// Longest key accepted, bytes.
 const MAX_LENGTH: usize = 500;

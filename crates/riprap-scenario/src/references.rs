@@ -4,11 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use toml::de::DeTable;
 
-use super::diagnostic::Diagnostic;
+use super::diagnostic::{Diagnostic, short};
 use super::language::{Around, Output, Scenario, Source, Target};
 use super::load::key_si;
 use super::quantity::{Name, Names, Raw, Span};
-use super::values::short;
 use super::words::WordOr;
 
 /// The word of a phase in which no water stands.

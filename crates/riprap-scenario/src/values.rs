@@ -1,6 +1,6 @@
 //! One value against what its key expects: unit, dimension, range, and what to write instead.
 
-use super::diagnostic::Diagnostic;
+use super::diagnostic::{Diagnostic, short};
 use super::quantity::{KindInfo, Raw, Span};
 use super::units::{self, Dim};
 
@@ -159,13 +159,4 @@ pub(super) fn assignment(key: &str, example: &str) -> String {
     } else {
         format!("{key} = \"{example}\"")
     }
-}
-
-/// The beginning of a long word, without control characters.
-pub(super) fn short(word: &str) -> String {
-    let mut text: String = word.chars().filter(|c| !c.is_control()).take(40).collect();
-    if word.chars().nth(40).is_some() {
-        text.push_str("...");
-    }
-    text
 }

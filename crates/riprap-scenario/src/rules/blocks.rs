@@ -3,11 +3,11 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Rules;
+use crate::diagnostic::short;
 use crate::language::{
     Block, BoxRegion, Cut, Geometry, Grid, Group, MAX_BLOCKS, Polygon, Polyhedron, Rotate,
 };
 use crate::quantity::{Length, Span, Vector};
-use crate::values::short;
 use crate::vectors::InSpace;
 
 impl Rules {

@@ -1,10 +1,9 @@
 //! Rules of checks and of the search for a limit.
 
 use super::Rules;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, short};
 use crate::language::{Check, Criterion, Moment, Reduce};
 use crate::quantity::When;
-use crate::values::short;
 
 impl Rules {
     pub(super) fn criterion(&mut self, criterion: &Criterion) {

@@ -1,10 +1,10 @@
 //! Rules of supports, loads and phases.
 
 use super::{Rules, above, target_span};
+use crate::diagnostic::short;
 use crate::language::{Load, Motion, MotionComponents, Phase, Support, Target};
 use crate::quantity::{Kind, NotNegativeTime, Quantity, Span};
 use crate::time_function::{OF_PLACE_AND_TIME, OF_TIME, TimeFunction};
-use crate::values::short;
 
 impl Rules {
     pub(super) fn support(&mut self, support: &Support) {

@@ -4,10 +4,9 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::Walk;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, short};
 use crate::quantity::KindInfo;
 use crate::schema::{Node, instead, only_space};
-use crate::values::short;
 use crate::vectors::{Accepts, FormInfo, InSpace};
 use serde_json::Value;
 

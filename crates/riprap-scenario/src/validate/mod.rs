@@ -10,14 +10,14 @@ use serde_json::Value;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-use super::diagnostic::{Diagnostic, closest, list, one_of, suggest};
+use super::diagnostic::{Diagnostic, closest, list, one_of, short, suggest};
 use super::moments::{read_interval, read_period};
 use super::path::resolve;
 use super::quantity::{KindInfo, Raw, Span, When};
 use super::rule::Checked;
 use super::schema::{Node, description, example, takes};
 use super::units;
-use super::values::{assignment, check_quantity, short};
+use super::values::{assignment, check_quantity};
 use super::vectors::{FormInfo, InSpace};
 
 /// More remarks than this help nobody.

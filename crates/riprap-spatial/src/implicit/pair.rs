@@ -1,5 +1,7 @@
 //! A pair of blocks as a term of the implicit step: the pressure of its pieces, and friction with memory.
 
+#![expect(clippy::needless_range_loop, reason = "indices are rows and columns of several matrices")]
+
 use riprap_geom::Vec3;
 
 use crate::implicit::patch::{Piece, Pressed, Stepping, Twist, dot};

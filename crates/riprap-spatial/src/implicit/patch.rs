@@ -15,6 +15,8 @@
 //!
 //! Source: own derivation (the family of convex steps for contact of Castro et al., 2020 and 2022); pieces as in [`crate::kernel::surface`].
 
+#![expect(clippy::needless_range_loop, reason = "indices are rows and columns of several matrices")]
+
 use std::ops::Range;
 
 use riprap_geom::Vec3;

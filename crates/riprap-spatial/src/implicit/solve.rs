@@ -11,6 +11,8 @@
 //! takes its normal force from the solution before (lagged), and the step is solved again until forces have settled.
 //! Where the rounds do not settle, pairs are softened and hardened again by factors of ten: the start of a whole wall at first touch.
 
+#![expect(clippy::needless_range_loop, reason = "indices are rows and columns of several matrices")]
+
 use riprap_core::sparse::{Block, Matrix};
 use riprap_geom::{Mat3, Vec3};
 

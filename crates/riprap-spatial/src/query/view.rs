@@ -13,6 +13,7 @@ use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
 use crate::push::boundary;
 use crate::state::deform::Body;
+use crate::state::found::FoundPair;
 use crate::state::hold::Hold;
 use crate::state::patches::PatchClass;
 use crate::state::scratch::Scratch;
@@ -360,7 +361,7 @@ impl View<'_> {
         // Work that has gone in and is not stored, or the other way round, steps have lost or made.
         out.works.law_defect += pressed - self.world.works.contact_path;
         let found = self.world.found.pairs.iter();
-        out.contact_shear += found.map(|pair| pair.stored()).sum::<f64>();
+        out.contact_shear += found.map(FoundPair::stored).sum::<f64>();
         for pair in &self.world.found.deformable.pairs {
             out.contact_normal += pair.energy;
             out.contact_shear += pair.stored;

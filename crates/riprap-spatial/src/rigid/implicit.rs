@@ -72,7 +72,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     }
     let dt = match scratch.coming_dt {
         // An end of a motion: its last kick is that of a step that is not made.
-        dt if dt == 0.0 => world.last_dt,
+        0.0 => world.last_dt,
         dt => dt,
     };
     let step = Stepping { span: 0.5 * (world.last_dt + scratch.coming_dt), dt };

@@ -20,6 +20,9 @@ use riprap_geom::Vec3;
 /// Ratio of net to external forces at which a relaxing phase without `until.unbalanced` is converged.
 const RELAXED: f64 = 1e-6;
 
+/// Laws by their rows of the table.
+type Rows<T> = Vec<(u16, T)>;
+
 impl Builder<'_> {
     pub(super) fn phases(&mut self) {
         // Changes stay until a later phase makes others.
@@ -108,7 +111,7 @@ impl Builder<'_> {
         &mut self,
         said: &language::Phase,
         laws: &mut Laws,
-    ) -> (Vec<(u16, ContactLaw)>, Vec<(u16, JointLaw)>) {
+    ) -> (Rows<ContactLaw>, Rows<JointLaw>) {
         let (mut contacts, mut joints) = (Vec::new(), Vec::new());
         for (name, change) in said.interfaces.iter() {
             let mut names = self.parsed.scenario.interfaces.names();

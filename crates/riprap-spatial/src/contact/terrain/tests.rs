@@ -6,6 +6,7 @@ use riprap_geom::{Quat, Vec3};
 use crate::contact::tests::{Run, above_floor, brick, turned};
 use crate::exec::Exec;
 use crate::setup::{BlockSpec, Setup, Shape, Surface};
+use crate::state::found::FoundPair;
 use crate::state::scratch::Scratch;
 
 /// Instead of the floor a grid over a square of 8 m.
@@ -53,7 +54,7 @@ fn a_flat_terrain_is_a_floor() {
     assert!((a.works.friction / b.works.friction - 1.0).abs() < 1e-8);
     assert!(b.residual_relative().abs() < 1e-4, "{:e}", b.residual_relative());
     let force = floor.world.found.pairs.iter().find(|p| p.ends == [0, 2]);
-    let force = force.map_or(Vec3::ZERO, |p| p.force());
+    let force = force.map_or(Vec3::ZERO, FoundPair::force);
     let facet = &ground.patches([0, 2])[0];
     assert!((facet.force - force).length() < 1e-9 * force.length());
 }
