@@ -76,13 +76,6 @@ impl GasCavity {
 /// An explosive by the equation of state of its gas.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
-#[keys(excludes(
-    "jwl",
-    "heat_of_explosion",
-    "gamma",
-    "gamma_low",
-    help = "these belong to the two-stage adiabat; `jwl` has constants of its own"
-))]
 pub struct Explosive {
     /// Density of the charge, kg/m3. A published set of `jwl` has its own.
     #[key(required("!jwl"))]
@@ -91,12 +84,24 @@ pub struct Explosive {
     #[key(required("!jwl"))]
     pub detonation_velocity: Option<Quantity<Speed>>,
     /// Heat of explosion, J/kg.
+    #[key(excludes(
+        "jwl",
+        help = "it belongs to the two-stage adiabat; `jwl` has constants of its own"
+    ))]
     #[key(required("!jwl"))]
     pub heat_of_explosion: Option<Quantity<SpecificEnergy>>,
     /// Exponent of the adiabat above the transition pressure.
+    #[key(excludes(
+        "jwl",
+        help = "it belongs to the two-stage adiabat; `jwl` has constants of its own"
+    ))]
     #[key(default = "3")]
     pub gamma: Option<Quantity<PositivePlain>>,
     /// Exponent below the transition pressure. Default 4/3.
+    #[key(excludes(
+        "jwl",
+        help = "it belongs to the two-stage adiabat; `jwl` has constants of its own"
+    ))]
     pub gamma_low: Option<Quantity<PositivePlain>>,
     /// Equation of state of Jones, Wilkins and Lee instead of the two-stage adiabat: a published set, or constants.
     pub jwl: Option<WordOr<JwlSet, JwlConstants>>,

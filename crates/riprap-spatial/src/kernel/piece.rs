@@ -197,7 +197,11 @@ impl Polygon {
         if other.len <= LANES {
             self.few = other.few;
         } else {
-            self.many.clone_from(&other.many);
+            // Not of the pair as a whole, which would take memory.
+            for (to, from) in self.many.0.iter_mut().zip(&other.many.0) {
+                to.clone_from(from);
+            }
+            self.many.1.clone_from(&other.many.1);
         }
     }
 }

@@ -71,7 +71,7 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
     let parts = TWO.replace(
         "brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] }",
         "parts = [\n  { brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] } },\n  \
-         { brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"0.5 m\", \"-0.5 m\", \"0 m\"] } },\n]",
+         { brick = { size = [\"1 m\", \"1 m\", \"0.5 m\"], corner = [\"0.5 m\", \"-0.5 m\", \"0 m\"] } },\n]",
     );
     let off = TWO.replace("[space.spatial]", "[space.spatial]\nfound_contacts = false");
     let viscous = format!(

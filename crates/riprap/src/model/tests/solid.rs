@@ -278,7 +278,7 @@ fn explosives_have_one_equation_of_state() {
     let CavityPressure::Gas { explosive, .. } = &setup.sources[0].push else { panic!("no gas") };
     assert_eq!(*explosive, Products::Jwl(Jwl::ANFO));
     for (lines, said) in [
-        ("jwl = \"anfo\"\ngamma = 3", "belong to the two-stage adiabat"),
+        ("jwl = \"anfo\"\ngamma = 3", "belongs to the two-stage adiabat"),
         ("jwl = \"anfo\"\ndensity = \"900 kg/m3\"", "published constants are of 931 kg/m3"),
         ("jwl = \"anfo\"\ndetonation_velocity = \"5000 m/s\"", "detonate at 4159 m/s"),
         (own, "no density"),
@@ -288,7 +288,7 @@ fn explosives_have_one_equation_of_state() {
         let text = refused(&with_explosive(lines));
         assert!(text.contains(said), "{lines}: {text}");
     }
-    let weak = own.replace("49.46 GPa", "49.46 kPa").replace("1.891 GPa", "1 Pa");
+    let weak = own.replace("r1 = 3.907", "r1 = 0.907");
     let text = refused(&with_explosive(&format!("density = \"931 kg/m3\"\n{weak}")));
     assert!(text.contains("no state of Chapman and Jouguet"), "{text}");
 }
