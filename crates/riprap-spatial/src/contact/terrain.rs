@@ -18,6 +18,13 @@ impl World {
         !self.found.left_terrain.is_empty()
     }
 
+    /// Number of pairs of blocks that are near each other; those with terrain are not searched for.
+    #[must_use]
+    pub fn near_pairs(&self) -> usize {
+        let pairs = self.found.pairs.iter();
+        pairs.filter(|pair| !self.is_terrain(pair.ends[0] as usize)).count()
+    }
+
     /// Whether terrain acts on block `b`.
     pub(crate) fn meets_terrain(&self, b: usize) -> bool {
         self.alive[b] && self.is_free(b) && !self.deforms(b) && !self.is_terrain(b)

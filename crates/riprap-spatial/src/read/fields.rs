@@ -313,7 +313,7 @@ riprap_core::fields! {
     "model.open_share" "-" Model Scalar true "Share of the points of all patches and the springs of all facets that are open." |v, _| share_of_points(v, flag::OPEN, |_| true);
     "model.sliding_share" "-" Model Scalar true "Share of the points of all patches that slid in the last step." |v, _| one(sliding_share(v));
     "model.contacts" "-" Model Scalar false "Number of contacts that touch." |v, _| one(v.contacts().count() as f64);
-    "model.candidates" "-" Model Scalar false "Number of near pairs of blocks that are monitored for contact." |v, _| one(v.world.found.pairs.len() as f64);
+    "model.candidates" "-" Model Scalar false "Number of near pairs of blocks that are monitored for contact." |v, _| one(v.world.near_pairs() as f64);
     "model.max_overlap" "m" Model Scalar false "Largest overlap of two blocks in contact." |v, _| one(v.contacts().map(|c| c.depth).fold(0.0, f64::max));
     "model.contact_sliding" "-" Model Scalar false "Share of the contacts that slide." |v, _| { let n = v.contacts().count(); one(v.contacts().filter(|c| c.sliding).count() as f64 / n.max(1) as f64) };
     "model.finite" "-" Model Scalar true "Number of blocks that use finite rotations." |v, _| one(v.living().filter(|&b| v.world.turned[b].is_some()).count() as f64);

@@ -438,7 +438,7 @@ fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook
         corners: rigid.iter().sum(),
         joints: contacts,
         meeting: found.map_or(0, |found| found.rigid),
-        near: (view.spatial()).map_or(0, |v| v.world.found.pairs.len()),
+        near: (view.spatial()).map_or(0, |v| v.world.near_pairs()),
         deformable,
         deformable_corners: corners_of(true).sum(),
         bonds: (view.spatial())

@@ -251,12 +251,14 @@ pub(super) fn outlook(view: &View<'_>) -> Option<Outlook> {
     let most = |k: usize| blocks.iter().map(|b| b.pressed(gravity)[k]).fold(0.0, f64::max);
     let rigid = blocks.iter().filter(|b| b.step.is_finite()).count();
     let (pairs, deformable) = (&of.world.found.pairs, &of.world.found.deformable.pairs);
-    let touching = pairs.iter().filter(|pair| pair.depth > 0.0).count()
+    // Terrain is in reach of all blocks.
+    let searched = pairs.iter().filter(|pair| !of.world.is_terrain(pair.ends[0] as usize));
+    let touching = searched.filter(|pair| pair.depth > 0.0).count()
         + deformable.iter().filter(|pair| pair.depth > 0.0).count();
     Some(Outlook {
         blocks: blocks.len(),
         rigid,
-        pairs: pairs.len() + deformable.len(),
+        pairs: of.world.near_pairs() + deformable.len(),
         touching,
         steps: least(&|b| b.step)
             .filter(|_| rigid > 0)
