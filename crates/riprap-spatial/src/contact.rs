@@ -19,6 +19,7 @@ use riprap_geom::polyhedron::{Polyhedron, hull};
 
 mod acting;
 pub(crate) mod constants;
+mod facing;
 mod felt;
 pub(crate) mod glued;
 mod held;

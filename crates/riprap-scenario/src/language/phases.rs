@@ -33,7 +33,7 @@ pub struct Phase {
     /// Share of the stable time step that is used. Contacts that are found in space have a share of their own, which
     /// goes down with this one below 0.5 and does not grow above.
     #[key(planar = "0.2", spatial = "0.5")]
-    #[key(only_with("!time_step"))]
+    #[key(only_with("!time_step & !integration = implicit"))]
     pub safety: Option<Quantity<Share>>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
     pub damping: Option<Damping>,

@@ -2,7 +2,7 @@
 
 use riprap_geom::Vec3;
 
-use crate::contact::{glued, limit};
+use crate::contact::{facing, glued, limit};
 use crate::exec::Exec;
 use crate::joint::classes::stiffness;
 use crate::kernel::glued::Glued;
@@ -84,11 +84,11 @@ fn constants_of(
     let (poses, margin) = placed(world, ends);
     let shape = ends.map(|b| &shapes[world.solid[b as usize] as usize]);
     let constants = Constants {
-        largest: limit::largest_area(shape, faces),
+        largest: facing::largest_area(shape, faces),
         ..plain(&world.setup, ends, shape.map(|s| s.inradius))
     };
     let law = constants.law(rows);
-    let facing = limit::facing(shape, poses, margin, faces.map(|f| f.iter().copied()));
+    let facing = facing::facing(shape, poses, margin, faces.map(|f| f.iter().copied()));
     let eases = || ends.map(|b| limit::InverseInertia::of(world, shapes, b as usize));
     let with_square = |found: FacePair| found.with_square(eases(), poses, &law);
     (constants, facing.map(with_square))

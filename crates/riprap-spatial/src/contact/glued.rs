@@ -1,6 +1,6 @@
 //! Blocks of glued parts: their largest faces, and what they cannot stand beside yet.
 
-use crate::contact::limit;
+use crate::contact::facing;
 use crate::faces::region::{Bounds, Extent};
 use crate::kernel::Pose;
 use crate::kernel::glued::Glued;
@@ -24,7 +24,7 @@ pub(super) fn facing(
             let shapes = terms.map(|term| &term.shape);
             let at = [0, 1].map(|side| terms[side].pose(&poses[side]));
             let faces = shapes.map(|shape| 0..shape.faces() as u16);
-            let Some(mut found) = limit::facing(shapes, at, margin, faces) else {
+            let Some(mut found) = facing::facing(shapes, at, margin, faces) else {
                 continue;
             };
             found.centre += terms[found.side].centre;

@@ -6,7 +6,7 @@
 //! broken or not: what slides, turns or opens beyond its bounds gives way ([`mod@super::release`]), and a pair is looked at from the instant
 //! on at which no chain of joints is left. It starts without force then ([`super::rebuild`]).
 
-use crate::contact::limit::facing;
+use crate::contact::facing::facing;
 use crate::kernel::{Pose, Shape};
 use crate::state::world::World;
 

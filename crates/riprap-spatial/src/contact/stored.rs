@@ -32,6 +32,9 @@ enum Bound {
 fn bounds(world: &World, desk: &ContactScratch, exec: &Exec, bound: Bound) -> [f64; 2] {
     let pairs = &world.found.pairs;
     exec.sums(pairs.len(), |k| {
+        if desk.exerted(k).is_none() {
+            return [0.0; 2];
+        }
         let taken_over = pairs[k].offset.as_ref().map_or(0.0, |o| o.stored);
         let mut most = of_depth(desk, k, &pairs[k]);
         if bound == Bound::Way {

@@ -75,15 +75,8 @@ pub(crate) struct Effort {
     pub lags: usize,
     /// Whether pairs were softened on the way.
     pub softened: bool,
-}
-
-impl Effort {
-    /// Adds that of another step.
-    pub(crate) fn add(&mut self, other: &Self) {
-        self.rounds += other.rounds;
-        self.lags += other.lags;
-        self.softened |= other.softened;
-    }
+    /// Whether the pressure that limits friction came to rest.
+    pub settled: bool,
 }
 
 /// The rounds have come to no end.
@@ -124,7 +117,8 @@ impl Solver {
                 changed += (new.force - pair.pressure.force).abs();
                 self.next.push(new);
             }
-            let last = changed <= SETTLED * all || lag == LAGS;
+            effort.settled = changed <= SETTLED * all;
+            let last = effort.settled || lag == LAGS;
             if last {
                 // With the limits of friction that the solution was found with: momentum is exact.
                 self.reply(step);

@@ -85,7 +85,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     let solver = &mut scratch.implicit.solver;
     scratch.implicit.failed = match solver.solve(&step, speed, TOLERANCE) {
         Ok(effort) => {
-            scratch.implicit.effort.add(&effort);
+            scratch.implicit.unsettled = !effort.settled;
             None
         }
         Err(Unsolved::NotFinite(body)) => {
@@ -199,4 +199,6 @@ pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
     }
     implicit.rubbed = heat;
     world.works.friction += heat;
+    world.found.unsettled[0] += u64::from(scratch.implicit.unsettled);
+    world.found.unsettled[1] += 1;
 }

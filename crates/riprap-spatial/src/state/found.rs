@@ -24,6 +24,8 @@ pub struct FoundContacts {
     pub longest_step: Option<f64>,
     /// Edges of contacts so far that no plane has made, so that a part of the surface may be missing: none, or the program is wrong.
     pub unlabelled: u64,
+    /// Implicit steps so far in which the limits of friction did not come to rest, and all implicit steps.
+    pub unsettled: [u64; 2],
     /// Those of deformable blocks.
     pub deformable: super::deformable::DeformableContacts,
     /// Blocks whose centroid has been beside all terrain, which fall for ever; empty without terrain.

@@ -7,7 +7,7 @@ use riprap_geom::Vec3;
 use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
-use crate::implicit::solve::{Effort, Solver};
+use crate::implicit::solve::Solver;
 use crate::kernel::cells::TetContactScratch;
 use crate::lanes::Width;
 use crate::laws::bolt::BoltScratch;
@@ -87,8 +87,8 @@ pub(crate) struct ImplicitDesk {
     pub(crate) given: Vec<[Vec3; 2]>,
     /// Energy in the pressure, and in the springs along the contacts, J.
     pub(crate) stored: [f64; 2],
-    /// Work of the solver so far.
-    pub(crate) effort: Effort,
+    /// Whether the limits of friction of the last step had not come to rest when its solution was taken.
+    pub(crate) unsettled: bool,
     /// That the last step was not solved.
     pub(crate) failed: Option<NotSolved>,
 }
@@ -105,6 +105,7 @@ impl ImplicitDesk {
         self.given.clear();
         self.given.resize(blocks, [Vec3::ZERO; 2]);
         self.stored = [0.0; 2];
+        self.unsettled = false;
     }
 }
 

@@ -97,9 +97,11 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
 fn keys_that_have_no_meaning_in_an_implicit_phase_are_refused() {
     let quiet = format!("{TWO}kind = \"static\"\n");
     let local = format!("{TWO}damping.local = 0.5\n");
+    let share = format!("{TWO}safety = 0.3\n");
     for (text, words) in [
         (&quiet, "phase `rest` is static and implicit"),
         (&local, "phase `rest` is implicit and has local damping"),
+        (&share, "safety"),
     ] {
         let said = refused(text);
         assert!(said.contains(words) && said.contains("t.toml:"), "{said}");
