@@ -97,11 +97,9 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
 fn keys_that_have_no_meaning_in_an_implicit_phase_are_refused() {
     let quiet = format!("{TWO}kind = \"static\"\n");
     let local = format!("{TWO}damping.local = 0.5\n");
-    let share = format!("{TWO}safety = 0.3\n");
     for (text, words) in [
         (&quiet, "phase `rest` is static and implicit"),
         (&local, "phase `rest` is implicit and has local damping"),
-        (&share, "safety"),
     ] {
         let said = refused(text);
         assert!(said.contains(words) && said.contains("t.toml:"), "{said}");
@@ -122,4 +120,34 @@ fn a_rebound_that_would_be_lost_is_reported() {
     let message = &found.expect("a warning").message;
     assert!(message.contains("`interfaces.default.restitution` has no effect"), "{message}");
     assert!(model(TWO).expect("good").warnings.iter().all(|w| w.code != "phase.restitution"));
+}
+
+#[test]
+fn a_share_of_the_stable_step_has_no_effect_in_an_implicit_phase() {
+    let said = |text: &str| {
+        let warnings = model(text).expect("good").warnings;
+        warnings.iter().any(|w| w.message == "`safety` in phases.rest has no effect")
+    };
+    let share = format!("{TWO}safety = 0.3\n");
+    assert!(said(&share));
+    for other in ["explicit", "automatic"] {
+        assert!(!said(&share.replace("\"implicit\"", &format!("\"{other}\""))), "{other}");
+    }
+}
+
+/// Friction of a driven wedge has no rest; a block that lies and slides does.
+#[test]
+fn friction_that_does_not_settle_is_reported() {
+    let run = |text: &str| {
+        let model = model(text).expect("good");
+        let mut simulation =
+            Simulation::new(model.setup, model.plan, Exec::serial()).expect("built");
+        simulation.run().expect("goes on");
+        simulation.warnings().iter().any(|w| w.contains("the pressure that limits friction"))
+    };
+    let wedge = include_str!("../../../../../scenes/verify/implicit/wedge.toml");
+    assert!(run(wedge));
+    let slides = TWO.replace("corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] }", "corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] }\nvelocity = [\"2 m/s\", \"0 m/s\", \"0 m/s\"]");
+    assert_ne!(slides, TWO);
+    assert!(!run(&slides));
 }
