@@ -4,6 +4,7 @@
 //! - [`ledger`]: energy; [`accounts`]: the work of single conditions; [`profile`]: stage timers;
 //! - [`state_hash`]: equal hashes, equal states;
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
+//! - [`distribution`]: random numbers and what a count of failures says;
 //! - [`sparse`]: linear systems of bodies that share contacts;
 //! - [`rhythm`]: how often something is done;
 //! - [`field`], [`frame`]: the vocabulary in which an engine tells what it can be asked, and one picture of its blocks.
@@ -16,6 +17,7 @@
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
 pub mod accounts;
+pub mod distribution;
 pub mod dynamics;
 pub mod exec;
 pub mod failed;

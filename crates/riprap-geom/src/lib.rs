@@ -30,7 +30,7 @@ pub mod pack;
 pub mod pairs;
 pub mod polygon;
 pub mod polyhedron;
-mod random;
+pub mod random;
 pub mod shapes;
 pub mod symmetric;
 pub mod tol;

@@ -4,15 +4,17 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_pcg::Pcg64;
 
 /// A seeded stream of numbers, the same on every machine.
-pub(crate) struct Chance(Pcg64);
+pub struct Chance(Pcg64);
 
 impl Chance {
-    pub(crate) fn new(seed: u64) -> Self {
+    /// The stream of a seed.
+    #[must_use]
+    pub fn new(seed: u64) -> Self {
         Chance(Pcg64::seed_from_u64(seed))
     }
 
     /// Uniform in [0, 1), from the upper 53 bits.
-    pub(crate) fn unit(&mut self) -> f64 {
+    pub fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 * (1.0 / (1u64 << 53) as f64)
     }
 
@@ -30,7 +32,7 @@ impl Chance {
     }
 
     /// Uniform whole number from low to high, both included.
-    pub(crate) fn whole(&mut self, low: usize, high: usize) -> usize {
+    pub fn whole(&mut self, low: usize, high: usize) -> usize {
         let span = (high - low + 1) as u128;
         // The upper half of the product: one draw each, and a bias of span/2^64 at most.
         low + ((u128::from(self.0.next_u64()) * span) >> 64) as usize
