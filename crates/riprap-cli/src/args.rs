@@ -71,6 +71,7 @@ pub enum Verb {
     Run(Run),
     Resume(Resume),
     Sweep(Sweep),
+    MonteCarlo(MonteCarlo),
     Bisect(Bisect),
     Safety(Safety),
     Compare(Compare),
@@ -213,23 +214,57 @@ pub struct Resume {
 /// Each combination has its own subfolder; `sweep.csv` has one row per combination.
 #[derive(Debug, Args)]
 #[command(after_help = "\
-Example:
+Examples:
   riprap sweep slide.toml --out friction
+  riprap sweep slide.toml --part 3/20    one job of an array; then --merge
 
 The scene says what to vary:
   [sweep]
   \"interfaces.default.friction_angle\" = [\"0 deg\", \"15 deg\", \"30 deg\"]")]
 pub struct Sweep {
     #[command(flatten)]
+    pub cases: Cases,
+}
+
+/// Run random samples of a scene: probability of failure, influences.
+///
+/// Each sample has its own subfolder; `sweep.csv` has one row per sample, `monte_carlo.json` the numbers of all.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap monte-carlo wedge.toml
+  riprap monte-carlo wedge.toml --part 3/20    one job of an array; then --merge
+
+The scene says what is random and what fails:
+  [distributions]
+  \"interfaces.default.friction_angle\" = { normal = { mean = \"35 deg\", deviation = \"2 deg\" } }
+  [monte_carlo]
+  samples = 500
+  fails_when = { field = \"model.max_displacement\", above = \"0.1 m\" }")]
+pub struct MonteCarlo {
+    #[command(flatten)]
+    pub cases: Cases,
+}
+
+/// Many cases of a scene.
+#[derive(Debug, Args)]
+pub struct Cases {
+    #[command(flatten)]
     pub scene: Scene,
     #[command(flatten)]
     pub how: How,
-    /// Folder for the results [default: the scene's name with .sweep, in the working folder]
+    /// Folder for the results [default: the scene's name with .sweep or .monte-carlo, in the working folder]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Replace existing results
     #[arg(long)]
     pub force: bool,
+    /// Run only this part of the cases (`3/20`: the third of 20), for arrays of jobs that share the folder
+    #[arg(long, value_name = "K/N", value_parser = riprap::run::study::sweep::Part::read)]
+    pub part: Option<riprap::run::study::sweep::Part>,
+    /// Run nothing: make the table of what all parts have run
+    #[arg(long, conflicts_with_all = ["part", "force"])]
+    pub merge: bool,
 }
 
 /// Find the limit value of a key at which the scene starts to fail.

@@ -79,6 +79,18 @@ pub fn prepare_case(
     let prepared = scene.prepare(case)?;
     if !quiet {
         warn(&prepared, style);
+        let random = &scene.parsed.scenario.distributions;
+        if let (Some(wanted), false) = (&scene.parsed.scenario.monte_carlo, random.is_empty()) {
+            let count = random.names().count();
+            let values = if count == 1 { "value" } else { "values" };
+            diagnostics::print_line(
+                "note",
+                &format!(
+                    "this scene has {count} random {values}; `riprap monte-carlo` runs its {} samples, this command the scene as it stands",
+                    wanted.samples
+                ),
+            );
+        }
         if change.case.is_none() && scene.cases.len() > 1 {
             let names: Vec<&str> = scene.cases.iter().map(|case| case.name.as_str()).collect();
             let count = names.len();

@@ -29,6 +29,7 @@ pub mod paraview;
 mod planes;
 mod ppv;
 mod rose;
+mod samples;
 mod section;
 mod sieve;
 mod signals;
@@ -49,6 +50,7 @@ pub use ppv::ppv;
 /// How choices are named: [`Normal`], [`Projection`], [`Vectors`].
 pub use riprap_keys::Words;
 pub use rose::rose;
+pub use samples::{Sampled, Tornado, histograms, tornado};
 pub use sieve::fragments;
 pub use signals::{cavity, spectrum};
 pub use surface::{CraterOptions, crater, heave};

@@ -35,8 +35,8 @@ impl Case {
         self.changes.is_empty() && self.trial.is_empty()
     }
 
-    /// The text of this case: changes made, `[sweep]`, `[variants]` and the checks of other variants
-    /// taken out. `set` (the changes of the command line) wins over variant and sweep.
+    /// The text of this case: changes made, `[sweep]`, `[variants]`, `[distributions]` and the checks of other
+    /// variants taken out. `set` (the changes of the command line) wins over variant and sweep.
     ///
     /// # Errors
     /// A key that leads nowhere.
@@ -48,8 +48,9 @@ impl Case {
             }
         }
         let mut document = edit(&resolved)?;
-        document.remove("sweep");
-        document.remove("variants");
+        for table in ["sweep", "variants", "distributions"] {
+            document.remove(table);
+        }
         if let Some(checks) = document.get_mut("checks") {
             self.keep_own_checks(checks);
         }
@@ -106,31 +107,31 @@ pub fn apply_overrides(
     Ok(Source::new(source.name.clone(), text))
 }
 
-/// Refuses changes of the command line that reach what the scene sweeps: they win over the sweep, and its cases would all be the same
-/// under different names.
+/// Refuses changes of the command line that reach what the scene varies (the keys of `[sweep]` or of `[distributions]`): they win over
+/// it, and its cases would all be the same under different names.
 ///
 /// # Errors
 /// The first such change.
-pub fn swept_and_set(
+pub fn varied_and_set(
     source: &Source,
-    scenario: &Scenario,
+    (table, keys): (&str, &[&str]),
     changes: &[(String, String)],
 ) -> Result<(), Diagnostics> {
     let root: toml::Value =
         toml::from_str(&source.text).unwrap_or_else(|_| toml::Table::new().into());
-    for (swept, _) in scenario.sweep.iter() {
-        let words = places(&root, swept.as_str());
+    for varied in keys {
+        let words = places(&root, varied);
         for (key, value) in changes {
             let set = places(&root, key);
             if !(set.starts_with(&words) || words.starts_with(&set)) {
                 continue;
             }
             let message = format!(
-                "`--set {}` fixes what the scene sweeps: `sweep.\"{swept}\"`",
+                "`--set {}` fixes what the scene varies: `{table}.\"{varied}\"`",
                 short(&format!("{key}={value}"))
             );
             let error = Diagnostic::error("set.swept", message).help(
-                "leave `--set` out; or run the scene once with it: `riprap run`; other values of the sweep stand in `[sweep]`",
+                format!("leave `--set` out; or run the scene once with it: `riprap run`; the values that are varied stand in `[{table}]`"),
             );
             // The change stands on the command line: no place in the file can be shown.
             let nowhere = Source::new(source.name.clone(), "");

@@ -291,8 +291,9 @@ impl<'a> References<'a> {
                 Output::Frames(_) | Output::Checkpoints(_) => {}
             }
         }
-        if let Some(bisect) = &scenario.bisect {
-            self.of(bisect.fails_when.of.as_ref());
+        let of_samples = scenario.monte_carlo.as_ref().and_then(|of| of.fails_when.as_ref());
+        for criterion in scenario.bisect.iter().map(|of| &of.fails_when).chain(of_samples) {
+            self.of(criterion.of.as_ref());
         }
     }
 

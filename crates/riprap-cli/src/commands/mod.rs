@@ -12,6 +12,7 @@ pub mod run;
 pub mod safety;
 pub mod scratch;
 pub mod shell;
+pub mod sweep;
 pub mod trials;
 pub mod verify;
 pub mod view;

@@ -1,75 +1,20 @@
-//! `riprap sweep`, `riprap bisect` and `riprap compare`: a scene run more than once.
+//! `riprap bisect` and `riprap compare`: a scene run more than once.
 
 use std::path::Path;
 
 use riprap::record::folder::Existing;
 use riprap::run::drive::Ending;
 use riprap::run::study::bisect::{self, Trial};
-use riprap::run::study::sweep::{self, Row};
 use riprap::run::study::{Executor, StudyError, laws};
-use riprap::scenario::Case;
 
-use crate::args::{Bisect, Compare, Sweep};
+use crate::args::{Bisect, Compare};
 use crate::commands::run::target;
 use crate::commands::{threads, write_file};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::numbers::{grouped, ratio};
+use crate::numbers::ratio;
 use crate::progress::Display;
 use crate::{scenes, screen};
-
-/// `riprap sweep`.
-pub fn sweep(args: &Sweep) -> Result<(), Failure> {
-    let (mut scene, case) = scenes::chosen(&args.scene)?;
-    if args.scene.change.case.is_some() {
-        scene.cases = vec![case];
-    }
-    // A slip in the last case is reported now, not when all others have been run.
-    sweep::check_all(&scene)?;
-    let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "sweep", args.force);
-    let earlier = sweep::earlier(&folder, existing);
-    // Also where it was killed before it could write its table.
-    let begun = |case: &Case| folder.join(&case.name).join("manifest.json").is_file();
-    let again = existing == Existing::Refuse && scene.cases.iter().any(begun);
-    if earlier.is_none() && !again {
-        make_folder(&folder, existing)?;
-    }
-    if existing == Existing::Refuse
-        && let Some(other) = sweep::other_run(&scene, &folder)?
-    {
-        return Err(Failure::Input(format!(
-            "{} contains a run of another input or program; choose another folder, or replace it with --force",
-            other.display()
-        )));
-    }
-    let interrupt = Interrupt::listen()?;
-    let (count, mut rows) = (scene.cases.len(), Vec::new());
-    let executor = Executor { threads: threads(&args.how), stop: &|| interrupt.asked() };
-    sweep::sweep(&scene, &folder, existing, &executor, |row: Row| {
-        if !args.how.quiet {
-            let (n, case, steps) = (rows.len() + 1, &row.case, grouped(row.steps));
-            let kept = if row.kept { ", kept" } else { "" };
-            screen::line(&format!("{n}/{count}  {case}: {}, {steps} steps{kept}", row.ended));
-        }
-        rows.push(row);
-    });
-    let table = sweep::write_table(&rows, earlier.as_deref(), &folder)
-        .map_err(|wrong| Failure::Output(wrong.to_string()))?;
-    let (tally, path) = (sweep::tally(&rows), folder.join(sweep::TABLE));
-    if !args.how.quiet {
-        screen::line(&format!("\n{}\n{}\nchecks: {tally}", table.trim_end(), path.display()));
-    }
-    if let Some(row) = rows.iter().find(|row| row.unwritten) {
-        return Err(Failure::Output(row.ended.clone()));
-    }
-    if interrupt.asked() {
-        return Err(Failure::Interrupted(format!("completed cases are in {}", path.display())));
-    }
-    if let Some(row) = rows.iter().find(|row| !row.finished) {
-        return Err(Failure::Physics(format!("case {}: {}", row.case, row.ended)));
-    }
-    if tally.failed > 0 { Err(Failure::Checks) } else { Ok(()) }
-}
 
 /// Makes the folder that holds the sub-folders of several runs.
 pub fn make_folder(folder: &Path, existing: Existing) -> Result<(), Failure> {

@@ -308,7 +308,7 @@ fn a_swept_key_cannot_be_set() {
         "blocks.stone.velocity.0=2 m/s",
     ] {
         bench.run(&["sweep", "two.toml", "--set", set]).expect(2).warns(&[
-            "fixes what the scene sweeps",
+            "fixes what the scene varies",
             "blocks.stone.velocity",
             "--set blocks.",
         ]);
@@ -407,4 +407,80 @@ time_step = "0.1 ms"
     );
     asked("block,colour\nbrick.1,3\n", &["has no column with a state of blocks"]);
     asked("name,x_m,y_m,z_m\nbrick.1,3,0,0\n", &["no column `block`"]);
+}
+
+/// A stone that falls onto the floor with a random speed.
+fn random_fall(samples: usize) -> String {
+    let random = format!(
+        "[distributions]\n\"blocks.stone.velocity.1\" = {{ uniform = [\"-2 m/s\", \"2 m/s\"] }}\n\
+         [monte_carlo]\nsamples = {samples}\nfails_when = {{ field = \"block.displacement.y\", of = \"stone\", reduce = \"min\", below = \"-0.19 m\" }}\n"
+    );
+    let model = FALL.split("[bisect]").next().expect("the model");
+    format!("{model}{random}")
+}
+
+#[test]
+fn random_samples_have_a_probability_of_failure() {
+    let bench = Bench::new();
+    bench.file("random.toml", random_fall(8));
+    bench.run(&["monte-carlo", "random.toml", "--out", "all"]).expect(0).says(&[
+        "8/8",
+        "4 of 8 samples fail: probability of failure 50.0 % (95 %: 15.7 % to 84.3 %)",
+        "correlation with failure",
+        "blocks.stone.velocity.1 [m/s]",
+        "monte_carlo.json",
+    ]);
+    let numbers: serde_json::Value =
+        serde_json::from_str(&bench.read("all/monte_carlo.json")).unwrap();
+    assert_eq!(numbers["finished"], 8);
+    // The same command again runs nothing.
+    bench.run(&["monte-carlo", "random.toml", "--out", "all"]).expect(0).says(&["kept"]);
+    // A random value cannot be fixed, and what is wrong is told before anything runs.
+    bench
+        .run(&["monte-carlo", "random.toml", "--set", "blocks.stone.velocity.1=1 m/s"])
+        .expect(2)
+        .warns(&["fixes what the scene varies", "distributions"]);
+    bench.run(&["monte-carlo", "fall.toml"]).expect(2);
+    bench.file("plain.toml", FALL);
+    bench.run(&["monte-carlo", "plain.toml"]).expect(2).warns(&["nothing is random", "explain"]);
+    bench.run(&["run", "random.toml", "-q", "--out", "one"]).expect(0);
+    assert!(!bench.read("one/scenario.resolved.toml").contains("distributions"));
+}
+
+#[cfg(unix)]
+#[test]
+fn parts_of_an_array_of_jobs_are_merged() {
+    let bench = Bench::new();
+    bench.file("slope.toml", random_fall(7));
+    let page = include_str!("../../../../docs/src/how-to/many-runs.md");
+    let script =
+        page.split("```sh\n").find(|part| part.starts_with("#!/bin/sh")).expect("the script");
+    let script = script.split("```").next().expect("its end");
+    bench.file("job.sh", script);
+    let merge = ["monte-carlo", "slope.toml", "--out", "slope.mc", "--merge"];
+    bench.run(&merge).expect(2).warns(&["slope.mc does not exist"]);
+    // As Slurm starts the jobs of an array of three: here the last one first.
+    let job = |number: &str| {
+        let program =
+            std::path::Path::new(env!("CARGO_BIN_EXE_riprap")).parent().expect("a folder");
+        let path = std::env::var("PATH").unwrap_or_default();
+        let done = std::process::Command::new("sh")
+            .arg("job.sh")
+            .current_dir(bench.path(""))
+            .env("PATH", format!("{}:{path}", program.display()))
+            .env("SLURM_ARRAY_TASK_ID", number)
+            .env("SLURM_ARRAY_TASK_COUNT", "3")
+            .output()
+            .expect("the job");
+        assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
+    };
+    job("3");
+    job("1");
+    bench.run(&merge).expect(1).warns(&["sample-2: not run"]);
+    job("2");
+    bench.run(&merge).expect(0).says(&["7 samples"]);
+    assert!(bench.read("slope.mc/sweep.csv").lines().count() == 8);
+    for part in ["0/3", "4/3", "1", "a/b"] {
+        bench.run(&["sweep", "slope.toml", "--part", part]).expect(2).warns(&["3/20"]);
+    }
 }

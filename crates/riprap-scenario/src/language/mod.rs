@@ -19,6 +19,7 @@ mod loads;
 mod outputs;
 mod phases;
 mod points;
+mod samples;
 mod solids;
 mod sources;
 mod space;
@@ -50,6 +51,7 @@ pub use loads::{
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};
 pub use points::{Point, Point3};
+pub use samples::{Beta, Correlation, MeasuredValues, Moments, MonteCarlo, RandomValue, Sampling};
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Mesh, Notch,
     NotchBreaks, Part, Plane, Polyhedron, Segment, Terrain, span_of,
@@ -153,6 +155,12 @@ pub struct Scenario {
         with = "std::collections::BTreeMap<String, std::collections::BTreeMap<String, serde_json::Value>>"
     )]
     pub variants: Table<Table<toml::Value>>,
+    /// Random values of keys (`riprap monte-carlo`). Keys stand in quotes, for example
+    /// `"interfaces.default.friction_angle" = { normal = { mean = "35 deg", deviation = "2 deg" } }`.
+    #[serde(default)]
+    pub distributions: Table<RandomValue>,
+    /// How many samples of `[distributions]` are run, and what counts as failure.
+    pub monte_carlo: Option<MonteCarlo>,
     /// Search for the value of a key at which the scene fails (`riprap bisect`).
     pub bisect: Option<Bisect>,
     /// Numbers that the run must reproduce (`riprap verify`).

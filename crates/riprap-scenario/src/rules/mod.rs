@@ -10,6 +10,7 @@ mod ground;
 mod interfaces;
 mod joints;
 mod motion;
+mod samples;
 mod sources;
 #[cfg(test)]
 mod tests;
@@ -159,6 +160,7 @@ impl Rules {
         if let Some(bisect) = &scenario.bisect {
             self.bisect(bisect);
         }
+        self.samples(scenario);
         for check in &scenario.checks {
             self.check(check);
         }

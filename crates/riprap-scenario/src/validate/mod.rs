@@ -76,7 +76,7 @@ impl Walk {
         if words.is_empty() { "the scenario".to_owned() } else { words.join(".") }
     }
 
-    /// Keys and values of `sweep`, `variants`, `bisect` and `when`.
+    /// Keys and values of `sweep`, `variants`, `distributions`, `bisect` and `when`.
     fn changes(&mut self, root: &DeTable<'_>) {
         let table = |name: &str| root.get(name).and_then(|value| value.get_ref().as_table());
         for (key, values) in table("sweep").into_iter().flatten() {
@@ -91,6 +91,16 @@ impl Walk {
             for (key, value) in variant.get_ref().as_table().into_iter().flatten() {
                 self.change(root, key, std::iter::once(value));
             }
+        }
+        for (key, said) in table("distributions").into_iter().flatten() {
+            let Some(said) = said.get_ref().as_table() else { continue };
+            let of = |at: &str| said.get(at).map(Spanned::get_ref);
+            let inner = |at: &str, key: &str| of(at).and_then(|of| of.get(key));
+            let between = inner("beta", "between").map(Spanned::get_ref);
+            let lists = [of("uniform"), of("triangular"), of("whole"), between];
+            let values = lists.into_iter().flatten().filter_map(DeValue::as_array).flatten();
+            let means = [inner("normal", "mean"), inner("lognormal", "mean")];
+            self.change(root, key, values.chain(means.into_iter().flatten()));
         }
         if let Some(bisect) = table("bisect") {
             let ends = ["low", "high"].iter().filter_map(|end| bisect.get(*end));

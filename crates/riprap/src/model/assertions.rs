@@ -1,10 +1,10 @@
-//! Checks and the search of `[bisect]`.
+//! Checks, the search of `[bisect]` and the criterion of `[monte_carlo]`.
 
 use super::builder::Builder;
 use super::fields::{FieldUse, Said as Place};
 use crate::plan::shown::Shown;
 use crate::plan::{Check, Expected, Part, Reduce, Window};
-use crate::scenario::language::{self, Reduce as Said};
+use crate::scenario::language::{self, Criterion, Reduce as Said};
 use crate::scenario::quantity::{Any, Raw, When};
 use crate::scenario::units::Dim;
 use crate::scenario::{Diagnostic, Name, Quantity, units};
@@ -31,8 +31,19 @@ pub struct Bisection {
     pub checks: Vec<Check>,
 }
 
+/// What the samples of `[monte_carlo]` are asked.
+#[derive(Clone, Debug)]
+pub struct Failing {
+    /// Passed by samples that hold.
+    pub holds: Check,
+    /// Checks of this case on the probability of failure.
+    pub checks: Vec<Check>,
+}
+
 /// The name under which a check asks for the limit that `[bisect]` finds.
 pub const LIMIT: &str = "bisect.limit";
+/// The name under which a check asks for the probability of failure of `[monte_carlo]`.
+pub const PROBABILITY: &str = "monte_carlo.probability";
 
 impl Builder<'_> {
     /// The checks that apply to this case.
@@ -52,15 +63,23 @@ impl Builder<'_> {
         checks
     }
 
-    /// The limit as a field: in the unit of the interval that is searched, read once it is found.
-    fn limit_use(&mut self, said: &language::Check) -> Option<(FieldUse, String)> {
-        let Some(bisect) = &self.parsed.scenario.bisect else {
-            let message = format!(
-                "check `{}` reads `{LIMIT}`, but the scene has no [bisect] table",
-                said.name
-            );
-            let help = "add a [bisect] table; `riprap explain bisect` says what to write";
-            self.error_at("field.bisect", &said.field, message, help);
+    /// A number of all runs of a study as a field, read once it is found: the limit, in the unit of the interval that is searched, or
+    /// the probability of failure.
+    fn study_use(&mut self, said: &language::Check) -> Option<(FieldUse, String)> {
+        let scenario = &self.parsed.scenario;
+        let (name, unit, table) = if said.field.as_str() == LIMIT {
+            (LIMIT, scenario.bisect.as_ref().map(searched_unit), "bisect")
+        } else {
+            let criterion = scenario.monte_carlo.as_ref().and_then(|of| of.fails_when.as_ref());
+            (PROBABILITY, criterion.map(|_| String::new()), "monte_carlo")
+        };
+        let Some(unit) = unit else {
+            let lacks =
+                if table == "bisect" { "[bisect] table" } else { "`fails_when` in [monte_carlo]" };
+            let message =
+                format!("check `{}` reads `{name}`, but the scene has no {lacks}", said.name);
+            let help = format!("add it; `riprap explain {table}` says what to write");
+            self.error_at("field.study", &said.field, message, help);
             return None;
         };
         if said.of.is_some()
@@ -69,26 +88,25 @@ impl Builder<'_> {
             || said.at.is_some()
             || said.reduce.is_some()
         {
-            let message = format!("`{LIMIT}` is one number for the whole search");
+            let message = format!("`{name}` is one number of all runs");
             let help = "leave out `of`, `along`, `at`, `over` and `reduce`";
-            self.error_at("field.bisect", &said.field, message, help);
+            self.error_at("field.study", &said.field, message, help);
             return None;
         }
         let used = FieldUse {
-            field: LIMIT.to_owned(),
+            field: name.to_owned(),
             unit: "",
             of: Vec::new(),
             at: None,
             along: None,
             suffixes: &[""],
         };
-        let unit = searched_unit(bisect);
         Some((used, if unit.is_empty() { "-".to_owned() } else { unit }))
     }
 
     fn check(&mut self, said: &language::Check) -> Option<Check> {
-        let (used, unit) = if said.field.as_str() == LIMIT {
-            self.limit_use(said)?
+        let (used, unit) = if [LIMIT, PROBABILITY].contains(&said.field.as_str()) {
+            self.study_use(said)?
         } else {
             let place = Place {
                 of: said.of.as_ref(),
@@ -283,7 +301,29 @@ impl Builder<'_> {
     /// The search; `checks` are those on its limit.
     pub(super) fn bisect(&mut self, checks: Vec<Check>) -> Option<Bisection> {
         let said = self.parsed.scenario.bisect.as_ref()?;
-        let criterion = &said.fails_when;
+        let holds = self.criterion(&said.fails_when)?;
+        let unit = searched_unit(said);
+        Some(Bisection {
+            key: said.key.text.clone(),
+            low: said.low.si(),
+            high: said.high.si(),
+            tolerance: said.tolerance.si(),
+            unit,
+            shown: shown([&said.low, &said.high, &said.tolerance].into_iter()),
+            holds,
+            checks,
+        })
+    }
+
+    /// What samples are asked; `checks` are those on the probability of failure.
+    pub(super) fn monte_carlo(&mut self, checks: Vec<Check>) -> Option<Failing> {
+        let said = self.parsed.scenario.monte_carlo.as_ref()?;
+        let holds = self.criterion(said.fails_when.as_ref()?)?;
+        Some(Failing { holds, checks })
+    }
+
+    /// A check that fails where the criterion is met.
+    fn criterion(&mut self, criterion: &Criterion) -> Option<Check> {
         let place = Place {
             of: criterion.of.as_ref(),
             point: criterion.at_point.as_ref(),
@@ -303,26 +343,16 @@ impl Builder<'_> {
         };
         let above = limit(self, criterion.above.as_ref(), f64::INFINITY)?;
         let below = limit(self, criterion.below.as_ref(), f64::NEG_INFINITY)?;
-        let unit = searched_unit(said);
-        Some(Bisection {
-            key: said.key.text.clone(),
-            low: said.low.si(),
-            high: said.high.si(),
-            tolerance: said.tolerance.si(),
-            unit,
-            shown: shown([&said.low, &said.high, &said.tolerance].into_iter()),
-            holds: Check {
-                name: format!("holds ({})", criterion.field),
-                unit: used.unit.to_owned(),
-                shown: shown(criterion.above.iter().chain(&criterion.below)),
-                gauge: used.gauge(),
-                window,
-                expected: Expected::Between(below, above),
-                relative: None,
-                absolute: None,
-                known: None,
-            },
-            checks,
+        Some(Check {
+            name: format!("holds ({})", criterion.field),
+            unit: used.unit.to_owned(),
+            shown: shown(criterion.above.iter().chain(&criterion.below)),
+            gauge: used.gauge(),
+            window,
+            expected: Expected::Between(below, above),
+            relative: None,
+            absolute: None,
+            known: None,
         })
     }
 }

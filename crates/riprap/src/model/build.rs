@@ -4,13 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use riprap_geom::{Vec2, polygon};
 
-use super::assertions::LIMIT;
+use super::assertions::{LIMIT, PROBABILITY};
 use super::builder::Builder;
 use super::generated::Generated;
 use super::names::{Directory, Entry};
 use super::summary::Summary;
 use super::{Model, inspect};
-use crate::plan::Plan;
+use crate::plan::{Check, Plan};
 use crate::planar::setup::{BlockSpec, Group, Setup};
 use crate::record::field::FieldInfo;
 use crate::scenario::language::{Block, Planar, Space};
@@ -52,15 +52,18 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         Space::Planar(space) => b.planar(space),
         Space::Spatial(space) => b.solid(space),
     };
-    let (mut checks, mut bisect) = (Vec::new(), None);
+    let (mut checks, mut bisect, mut monte_carlo) = (Vec::new(), None, None);
     if sound {
         b.water();
         b.phases();
         b.reduce_strength();
         b.outputs();
-        let (of_limit, of_run) = b.checks().into_iter().partition(|c| c.gauge.field == LIMIT);
+        let (of_limit, others): (Vec<Check>, Vec<Check>) =
+            b.checks().into_iter().partition(|c| c.gauge.field == LIMIT);
+        let (of_samples, of_run) = others.into_iter().partition(|c| c.gauge.field == PROBABILITY);
         checks = of_run;
         bisect = b.bisect(of_limit);
+        monte_carlo = b.monte_carlo(of_samples);
         if b.errors() == 0 {
             b.inspect();
         }
@@ -80,6 +83,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         plan: b.plan,
         checks,
         bisect,
+        monte_carlo,
         explained: b.explained,
         summary: b.summary,
         warnings: diagnostics.list,

@@ -37,7 +37,7 @@ mod unused;
 mod water;
 
 pub use crate::scenario::read::{Explained, Provenance};
-pub use assertions::{Bisection, LIMIT};
+pub use assertions::{Bisection, Failing, LIMIT, PROBABILITY};
 pub use build::build;
 pub use summary::{Charge, Region, Summary};
 
@@ -57,6 +57,8 @@ pub struct Model {
     pub checks: Vec<Check>,
     /// The search of `[bisect]`, if there is one.
     pub bisect: Option<Bisection>,
+    /// What the samples of `[monte_carlo]` are asked, where it says what fails.
+    pub monte_carlo: Option<Failing>,
     /// Every key with its value and where it came from.
     pub explained: Vec<Explained>,
     /// Counts and sizes, for `riprap check`.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::exec::Exec;
 use crate::model::{self, Model};
+use crate::plan::Check;
 use crate::record::manifest::{InputFile, Override};
 use crate::record::{FieldInfo, Manifest};
 use crate::run::engine::{BuildError, Kind};
@@ -26,6 +27,8 @@ pub struct Scene {
     pub cases: Vec<Case>,
     /// The user's changes.
     pub changes: Vec<(String, String)>,
+    /// What a study asks of every case beside the checks of its own.
+    pub asks: Option<Check>,
 }
 
 /// One case, ready to run.
@@ -49,7 +52,7 @@ impl Scene {
     pub fn load(path: &Path, changes: &[(String, String)]) -> Result<Self, Diagnostics> {
         let parsed = scenario::load(path, changes)?;
         let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
-        Ok(Self { path: path.to_owned(), parsed, cases, changes: changes.to_vec() })
+        Ok(Self { path: path.to_owned(), parsed, cases, changes: changes.to_vec(), asks: None })
     }
 
     /// As [`Scene::load`] for a text; relative paths in it are seen from `folder`.
@@ -65,7 +68,7 @@ impl Scene {
         let mut parsed = scenario::parse_changed(&source, changes)?;
         parsed.folder = folder;
         let cases = scenario::cases(&parsed.source, &parsed.scenario)?;
-        Ok(Self { path, parsed, cases, changes: changes.to_vec() })
+        Ok(Self { path, parsed, cases, changes: changes.to_vec(), asks: None })
     }
 
     /// The scene as it stands: the variant `default`, with nothing swept.
@@ -105,7 +108,8 @@ impl Scene {
             parsed.folder.clone_from(&self.parsed.folder);
             parsed
         };
-        let model = model::build(&parsed, &case.variant, fields(&parsed))?;
+        let mut model = model::build(&parsed, &case.variant, fields(&parsed))?;
+        model.checks.extend(self.asks.clone());
         let changed = case.changes.iter().chain(&self.changes).chain(&case.trial);
         let manifest = Manifest {
             title: parsed.scenario.title.clone(),

@@ -5,6 +5,7 @@
 //! | study | variants | which of them run | reduction |
 //! |---|---|---|---|
 //! | [`sweep`] | cases: variants and swept values | all | a table, a row a case |
+//! | [`monte_carlo`] | samples of random values | all | probability of failure, influences |
 //! | [`verify`] | cases of many scenes | all | verdicts of checks |
 //! | [`laws`] | a case under both normal laws | all | differences ([`compare`]) |
 //! | [`bisect`] | values of a key | those that narrow a [`bracket`] | the limit |
@@ -33,6 +34,8 @@ pub mod safety;
 pub mod bisect;
 #[cfg(feature = "scenario")]
 pub mod laws;
+#[cfg(feature = "scenario")]
+pub mod monte_carlo;
 #[cfg(feature = "scenario")]
 pub mod range;
 #[cfg(feature = "scenario")]

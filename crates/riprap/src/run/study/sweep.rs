@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::Executor;
 use super::verify::Tally;
+use crate::plan::Check;
 use crate::record::field::with_unit;
 use crate::record::folder::Existing;
 use crate::record::manifest::{Ended, Manifest};
@@ -13,10 +14,52 @@ use crate::run::checks::{CheckResult, Status};
 use crate::run::drive::{Ending, Look};
 use crate::run::job::{self, JobError, Outcome};
 use crate::run::scene::Scene;
-use crate::scenario::{Case, Diagnostics, swept_and_set};
+use crate::scenario::{Case, Diagnostics, varied_and_set};
 
 /// The table, in the folder of the sweep.
 pub const TABLE: &str = "sweep.csv";
+
+/// A share of the cases: those of one job of an array.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// Which one, from 1.
+    pub number: usize,
+    /// How many there are.
+    pub of: usize,
+}
+
+impl Part {
+    /// Reads `3/20`.
+    ///
+    /// # Errors
+    /// A text for the user.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap::run::study::sweep::Part;
+    ///
+    /// assert_eq!(Part::read("3/20"), Ok(Part { number: 3, of: 20 }));
+    /// assert!(Part::read("21/20").is_err() && Part::read("0/20").is_err());
+    /// ```
+    pub fn read(text: &str) -> Result<Self, String> {
+        let numbers = text
+            .split_once('/')
+            .and_then(|(number, of)| Some((number.trim().parse().ok()?, of.trim().parse().ok()?)));
+        match numbers {
+            Some((number, of)) if (1..=of).contains(&number) => Ok(Self { number, of }),
+            _ => Err(format!(
+                "{text:?} is not a part; write for example 3/20: the third of 20 parts"
+            )),
+        }
+    }
+
+    /// Its cases: every `of`-th, so that parts of a sweep from small to large models take about the same time.
+    #[must_use]
+    pub fn of(self, cases: &[Case]) -> Vec<Case> {
+        cases.iter().skip(self.number - 1).step_by(self.of).cloned().collect()
+    }
+}
 
 /// One row of the table.
 #[derive(Clone, Debug, Default)]
@@ -48,8 +91,8 @@ pub struct Row {
 /// # Errors
 /// A swept key that the user's changes fix; what is wrong with the first case that cannot be built.
 pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
-    let parsed = &scene.parsed;
-    swept_and_set(&parsed.source, &parsed.scenario, &scene.changes)?;
+    let swept: Vec<&str> = scene.parsed.scenario.sweep.names().collect();
+    varied_and_set(&scene.parsed.source, ("sweep", &swept), &scene.changes)?;
     for case in &scene.cases {
         scene.prepare(case)?;
     }
@@ -78,7 +121,7 @@ pub fn check_all(scene: &Scene) -> Result<(), Diagnostics> {
 /// let mut rows = Vec::new();
 /// sweep(&scene, results, Existing::Refuse, &Executor::ALONE.on(2), |row| rows.push(row));
 /// assert_eq!(rows.len(), scene.cases.len());
-/// assert_eq!(tally(&rows).failed, 0);
+/// assert_eq!(tally(&rows, None).failed, 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn sweep(
@@ -98,13 +141,7 @@ fn one(
     existing: Existing,
     executor: &Executor<'_>,
 ) -> Row {
-    let mut row = Row {
-        case: case.name.clone(),
-        variant: case.variant.clone(),
-        changes: as_run(&case.changes, &scene.changes),
-        ended: "stopped by the user before it began".to_owned(),
-        ..Row::default()
-    };
+    let mut row = Row::of(scene, case, "stopped by the user before it began");
     if (executor.stop)() {
         return row;
     }
@@ -117,8 +154,7 @@ fn one(
     let mut look = |_: &mut Look<'_>| executor.control();
     let outcome = match (existing, before) {
         (Existing::Refuse, Before::Finished { steps, checks }) => {
-            let (ended, last) = ("finished".to_owned(), last_values(&folder));
-            return Row { ended, finished: true, kept: true, steps, last, checks, ..row };
+            return row.finished(&folder, steps, checks);
         }
         (Existing::Refuse, Before::CutShort) => match job::resume(&folder, 1, &mut look) {
             // Nothing to go on from: it begins again.
@@ -142,6 +178,42 @@ fn one(
         }
     }
     row
+}
+
+impl Row {
+    fn of(scene: &Scene, case: &Case, ended: &str) -> Self {
+        Row {
+            case: case.name.clone(),
+            variant: case.variant.clone(),
+            changes: as_run(&case.changes, &scene.changes),
+            ended: ended.to_owned(),
+            ..Row::default()
+        }
+    }
+
+    /// The row of a case that has finished before.
+    fn finished(self, folder: &Path, steps: u64, checks: Vec<CheckResult>) -> Self {
+        let (ended, last) = ("finished".to_owned(), last_values(folder));
+        Row { ended, finished: true, kept: true, steps, last, checks, ..self }
+    }
+}
+
+/// The rows of the cases that parts of the sweep have run into `folder`; nothing is run.
+///
+/// # Errors
+/// A case that is no sound model.
+pub fn merged(scene: &Scene, folder: &Path) -> Result<Vec<Row>, Diagnostics> {
+    let row = |case: &Case| {
+        let (row, folder) = (Row::of(scene, case, ""), folder.join(&case.name));
+        let ended = match before(&folder, &scene.prepare(case)?.manifest) {
+            Before::Finished { steps, checks } => return Ok(row.finished(&folder, steps, checks)),
+            Before::CutShort => "not finished",
+            Before::Nothing => "not run",
+            Before::Other => "a run of another input or program",
+        };
+        Ok(Row { ended: ended.to_owned(), ..row })
+    };
+    scene.cases.iter().map(row).collect()
 }
 
 /// What an earlier sweep has left of a case.
@@ -231,11 +303,13 @@ pub fn earlier(folder: &Path, existing: Existing) -> Option<String> {
     (existing == Existing::Refuse).then(|| read_plain_text(&path).ok()).flatten()
 }
 
-/// The checks of all rows, counted.
+/// The checks of all rows, counted, without those that the study itself asks (`asks`).
 #[must_use]
-pub fn tally(rows: &[Row]) -> Tally {
+pub fn tally(rows: &[Row], asks: Option<&Check>) -> Tally {
     let mut tally = Tally::default();
-    rows.iter().flat_map(|row| &row.checks).for_each(|check| tally.add(check));
+    let checks = rows.iter().flat_map(|row| &row.checks);
+    let own = checks.filter(|check| asks.is_none_or(|asks| asks.name != check.check));
+    own.for_each(|check| tally.add(check));
     tally
 }
 
@@ -258,8 +332,8 @@ pub fn table_with(rows: &[Row], earlier: Option<&str>) -> Result<Vec<u8>, csv::E
     let is_again =
         |line: &Line| line.first().is_some_and(|of| rows.iter().any(|r| r.case == of.text));
     lines.extend(before.into_iter().filter(|line| !is_again(line)));
-    let fixed = [(Part::Case, CASE), (Part::Outcome, OUTCOME)];
-    let mut heads: Vec<(Part, &str)> =
+    let fixed = [(Section::Case, CASE), (Section::Outcome, OUTCOME)];
+    let mut heads: Vec<(Section, &str)> =
         fixed.into_iter().flat_map(|(part, heads)| heads.map(|head| (part, head))).collect();
     for cell in lines.iter().flatten() {
         if !heads.contains(&(cell.part, &cell.head)) {
@@ -271,7 +345,7 @@ pub fn table_with(rows: &[Row], earlier: Option<&str>) -> Result<Vec<u8>, csv::E
     let mut out = csv::Writer::from_writer(Vec::new());
     out.write_record(heads.iter().map(|(_, head)| head))?;
     for line in &lines {
-        let text = |(part, head): &(Part, &str)| {
+        let text = |(part, head): &(Section, &str)| {
             let found = line.iter().find(|cell| cell.part == *part && cell.head == *head);
             found.map_or("", |cell| cell.text.as_str())
         };
@@ -282,7 +356,7 @@ pub fn table_with(rows: &[Row], earlier: Option<&str>) -> Result<Vec<u8>, csv::E
 
 /// Parts of the table, from left to right.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Part {
+enum Section {
     Case,
     Keys,
     Outcome,
@@ -299,7 +373,7 @@ const CHECK: &str = "check: ";
 
 /// A cell of the table with the head of its column.
 struct Cell {
-    part: Part,
+    part: Section,
     head: String,
     text: String,
 }
@@ -308,26 +382,26 @@ struct Cell {
 type Line = Vec<Cell>;
 
 fn line_of(row: &Row) -> Line {
-    let cell = |part: Part, head: &str, text: &str| Cell {
+    let cell = |part: Section, head: &str, text: &str| Cell {
         part,
         head: head.to_owned(),
         text: text.to_owned(),
     };
     let mut line = vec![
-        cell(Part::Case, CASE[0], &row.case),
-        cell(Part::Case, CASE[1], &row.variant),
-        cell(Part::Outcome, OUTCOME[0], &row.ended),
-        cell(Part::Outcome, OUTCOME[1], &row.steps.to_string()),
+        cell(Section::Case, CASE[0], &row.case),
+        cell(Section::Case, CASE[1], &row.variant),
+        cell(Section::Outcome, OUTCOME[0], &row.ended),
+        cell(Section::Outcome, OUTCOME[1], &row.steps.to_string()),
     ];
-    line.extend(row.changes.iter().map(|(key, v)| cell(Part::Keys, key, v.trim_matches('"'))));
-    line.extend(row.last.iter().map(|(head, value)| cell(Part::Last, head, &value.to_string())));
+    line.extend(row.changes.iter().map(|(key, v)| cell(Section::Keys, key, v.trim_matches('"'))));
+    line.extend(row.last.iter().map(|(head, value)| cell(Section::Last, head, &value.to_string())));
     line.extend(row.checks.iter().map(|check| {
         let status = match check.status {
             Status::Passed => "passed",
             Status::Failed => "failed",
             Status::Skipped => "skipped",
         };
-        cell(Part::Checks, &format!("{CHECK}{}", check.check), status)
+        cell(Section::Checks, &format!("{CHECK}{}", check.check), status)
     }));
     line
 }
@@ -344,11 +418,11 @@ fn lines_of(text: &str) -> Vec<Line> {
         return Vec::new();
     }
     let part = |k: usize| match k {
-        0 | 1 => Part::Case,
-        k if k < ended => Part::Keys,
-        k if k < ended + 2 => Part::Outcome,
-        k if heads[k].starts_with(CHECK) => Part::Checks,
-        _ => Part::Last,
+        0 | 1 => Section::Case,
+        k if k < ended => Section::Keys,
+        k if k < ended + 2 => Section::Outcome,
+        k if heads[k].starts_with(CHECK) => Section::Checks,
+        _ => Section::Last,
     };
     let line = |record: csv::StringRecord| {
         let cells = heads.iter().zip(&record).enumerate();

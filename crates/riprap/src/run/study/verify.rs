@@ -2,8 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use super::Executor;
 use super::bisect::bisect;
+use super::monte_carlo::probability;
+use super::{Executor, StudyError};
+use crate::plan::Check;
 use crate::run::checks::{CheckResult, Status, Watch};
 use crate::run::drive::Ending;
 use crate::run::job::{Job, watch_only};
@@ -137,22 +139,30 @@ fn verify_case(scene: &Scene, case: &Case, executor: &Executor<'_>) -> Vec<Check
         Err(wrong) => return vec![broken(("the model can be built", wrong.render()))],
     };
     let of_limit = prepared.model.bisect.as_ref().map_or_else(Vec::new, |b| b.checks.clone());
+    let failing = prepared.model.monte_carlo.as_ref();
+    let of_samples = failing.map_or_else(Vec::new, |f| f.checks.clone());
     let job = prepared.job();
     if !job.checks.is_empty()
         && let Err(wrong) = verify_run(job, executor, &mut results)
     {
         results.push(broken(wrong));
     }
+    // The runs of a study are made one after the other, on the thread of the case.
+    let alone = executor.on(1);
+    let mut study = |checks: Vec<Check>, what, found: Result<f64, StudyError>| match found {
+        Err(wrong) => results.push(broken((what, wrong.to_string()))),
+        Ok(found) => results.extend(checks.into_iter().map(|check| {
+            let mut watch = Watch::new(check);
+            watch.observe(0.0, found);
+            watch.finish(&scene.path.display().to_string(), name, false)
+        })),
+    };
     if !of_limit.is_empty() {
-        // Its trials are made one after the other, on the thread of the case.
-        match bisect(scene, case, &executor.on(1), &mut |_| {}, &mut |_| {}) {
-            Err(wrong) => results.push(broken(("the limit is found", wrong.to_string()))),
-            Ok(found) => results.extend(of_limit.into_iter().map(|check| {
-                let mut watch = Watch::new(check);
-                watch.observe(0.0, found.limit());
-                watch.finish(&scene.path.display().to_string(), name, false)
-            })),
-        }
+        let found = bisect(scene, case, &alone, &mut |_| {}, &mut |_| {});
+        study(of_limit, "the limit is found", found.map(|found| found.limit()));
+    }
+    if !of_samples.is_empty() {
+        study(of_samples, "the samples run", probability(scene, case, &alone));
     }
     results
 }
