@@ -24,12 +24,12 @@ pub fn to_value(value: &Bound<'_, PyAny>) -> PyResult<String> {
     }
 }
 
-/// The text of a scenario with `[sweep]` replaced: keys with dots and the lists of their values.
+/// The text of a scenario with one of its tables replaced, such as `[sweep]`: keys with dots and the lists of their values.
 #[pyfunction]
-pub fn with_sweep(text: &str, over: &Bound<'_, PyDict>) -> PyResult<String> {
+pub fn with_table(text: &str, name: &str, of: &Bound<'_, PyDict>) -> PyResult<String> {
     let mut document: DocumentMut =
         text.parse().map_err(|e: toml_edit::TomlError| PyValueError::new_err(e.to_string()))?;
-    document.insert("sweep", Item::Table(table(over, "sweep", 0)?));
+    document.insert(name, Item::Table(table(of, name, 0)?));
     Ok(document.to_string())
 }
 

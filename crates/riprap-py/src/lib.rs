@@ -23,7 +23,7 @@ mod _riprap {
     #[pymodule_export]
     use crate::arrays::{read_frame, read_table};
     #[pymodule_export]
-    use crate::document::{to_toml, to_value, with_sweep};
+    use crate::document::{to_toml, to_value, with_table};
     #[pymodule_export]
     use crate::live::Simulation;
     #[pymodule_export]
@@ -39,5 +39,5 @@ mod _riprap {
     #[pymodule_export]
     use crate::shapes::{read_dxf, read_stl, read_tess};
     #[pymodule_export]
-    use crate::sweeps::sweep;
+    use crate::sweeps::{merged, sweep};
 }

@@ -10,6 +10,7 @@ use riprap::record::RunFolder;
 use riprap::run::engine::Kind;
 use riprap::run::forecast::{ForecastError, forecast};
 use riprap::run::scene::{self, Prepared};
+use riprap::run::study::{StudyError, monte_carlo};
 use riprap::scenario::{self, Source, units};
 
 use crate::errors;
@@ -110,6 +111,23 @@ impl Scene {
     #[getter]
     fn cases(&self) -> Vec<&str> {
         self.0.cases.iter().map(|case| case.name.as_str()).collect()
+    }
+
+    /// The user's changes, key and TOML value.
+    #[getter]
+    fn changes(&self) -> Vec<(String, String)> {
+        self.0.changes.clone()
+    }
+
+    /// The scene with the random samples of a case as its cases.
+    #[pyo3(signature = (case=None))]
+    fn sampled(&self, py: Python<'_>, case: Option<&str>) -> PyResult<Self> {
+        let case = self.case(case)?;
+        match py.detach(|| monte_carlo::sampled(&self.0, &case)) {
+            Ok(sampled) => Ok(Self(sampled)),
+            Err(StudyError::Scene(wrong)) => Err(errors::scenario(py, &wrong)),
+            Err(wrong) => Err(errors::run(py, &wrong.to_string())),
+        }
     }
 
     /// Builds the model of a case and says what it holds: JSON text, warnings, resolved text.

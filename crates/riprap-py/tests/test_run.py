@@ -1,15 +1,19 @@
 """Whole runs: results, progress, callbacks, interruptions, resuming, sweeps."""
 
+import concurrent.futures
 import json
 import math
+import multiprocessing
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
 import textwrap
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -268,3 +272,109 @@ def test_manifest_and_events(slide):
     assert kinds[0] == "phase_started" and slide.events("phase_ended")[0]["phase"] == "slide"
     assert json.loads((slide.path / "manifest.json").read_text()) == slide.manifest
     assert [c["status"] for c in slide.checks()] == ["passed"]
+
+
+FRICTION = "interfaces.default.friction_angle"
+RANDOM = {FRICTION: {"normal": {"mean": "20 deg", "deviation": "5 deg"}}}
+
+
+def study(block, out, **options):
+    """A block on a slope of 20 degrees with random friction."""
+    return riprap.monte_carlo(
+        block, RANDOM, 6, 3, out, fails_when={"field": "block.speed", "of": "block", "above": "0.27 m/s"}, **options
+    )
+
+
+def test_a_monte_carlo_study_has_a_probability(sliding_block, tmp_path):
+    found = study(sliding_block(time="0.1 s"), tmp_path / "m", jobs=2)
+    assert len(found) == 6 and 0 < found.probability < 1
+    assert found.interval[0] < found.probability < found.interval[1]
+    assert found.influence()[FRICTION] < -0.5
+    assert found.influence("slip")[FRICTION] < -0.9
+    assert json.loads((tmp_path / "m/monte_carlo.json").read_text()) == found.summary
+    with pytest.raises(KeyError, match="valid histories"):
+        found.influence("nonsense")
+    with pytest.raises(riprap.ScenarioError, match="nothing is random"):
+        riprap.monte_carlo(sliding_block(), out=tmp_path / "n")
+    with pytest.raises(riprap.ScenarioError, match="from 2 to 10000"):
+        riprap.monte_carlo(sliding_block(), RANDOM, 0, out=tmp_path / "n")
+
+
+def test_executors_give_the_numbers_of_a_serial_study(sliding_block, tmp_path):
+    block = sliding_block(time="0.1 s")
+    serial = study(block, tmp_path / "serial", jobs=1)
+    spawn = multiprocessing.get_context("spawn")
+    with concurrent.futures.ProcessPoolExecutor(max_workers=2, mp_context=spawn) as pool:
+        parallel = study(block, tmp_path / "pool", executor=pool)
+        assert parallel.summary == serial.summary and parallel.rows == serial.rows
+        sweep = riprap.sweep(block, tmp_path / "s", over={FRICTION: ["10 deg", "40 deg"]}, executor=pool)
+        assert list(sweep) == ["friction_angle=10deg", "friction_angle=40deg"]
+        with pytest.raises(ValueError, match="exclude each other"):
+            riprap.sweep(block, tmp_path / "s", executor=pool, jobs=2)
+
+
+def test_dask_runs_the_samples(sliding_block, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    block = sliding_block(time="0.1 s")
+    serial = study(block, tmp_path / "serial", jobs=1)
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
+        with distributed.Client(cluster) as client:
+            assert study(block, tmp_path / "dask", executor=client.get_executor()).summary == serial.summary
+
+
+def test_mpi_runs_the_samples(sliding_block, tmp_path):
+    """Three ranks: one hands out the samples, two run them."""
+    pytest.importorskip("mpi4py")
+    mpiexec = shutil.which("mpiexec", path=str(Path(sys.executable).parent)) or shutil.which("mpiexec")
+    if mpiexec is None:
+        pytest.skip("there is no mpiexec")
+    block = sliding_block(time="0.1 s")
+    serial = study(block, tmp_path / "serial", jobs=1)
+    riprap.Scenario(block).save(tmp_path / "block.toml")
+    (tmp_path / "study.py").write_text(
+        textwrap.dedent(
+            f"""
+            import riprap
+            from mpi4py.futures import MPIPoolExecutor
+
+            if __name__ == "__main__":
+                with MPIPoolExecutor() as pool:
+                    riprap.monte_carlo(
+                        "block.toml", {RANDOM!r}, 6, 3, "mpi", executor=pool,
+                        fails_when={{"field": "block.speed", "of": "block", "above": "0.27 m/s"}},
+                    )
+            """
+        )
+    )
+    done = subprocess.run(
+        [mpiexec, "-n", "3", sys.executable, "-m", "mpi4py.futures", "study.py"],
+        cwd=tmp_path, capture_output=True, text=True, timeout=120,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert json.loads((tmp_path / "mpi/monte_carlo.json").read_text()) == serial.summary
+
+
+def lost(*_):
+    os._exit(9)
+
+
+class Losing(concurrent.futures.ProcessPoolExecutor):
+    """Loses the worker of its third task."""
+
+    submitted = 0
+
+    def submit(self, task, *args):
+        self.submitted += 1
+        return super().submit(lost if self.submitted == 3 else task, *args)
+
+
+def test_a_lost_worker_is_reported_and_the_study_goes_on(sliding_block, tmp_path):
+    block = sliding_block(time="0.1 s")
+    serial = study(block, tmp_path / "serial", jobs=1)
+    with Losing(max_workers=1, mp_context=multiprocessing.get_context("spawn")) as pool:
+        with pytest.raises(riprap.RunError, match="did not come back.*BrokenProcessPool"):
+            study(block, tmp_path / "lost", executor=pool)
+    rows = (tmp_path / "lost/sweep.csv").read_text()
+    assert "not run" in rows and rows.count("finished") == 2
+    again = study(block, tmp_path / "lost", jobs=2)
+    assert again.summary == serial.summary

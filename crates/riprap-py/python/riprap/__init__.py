@@ -15,6 +15,7 @@ with units::
 from . import shapes
 from ._data import Field, Fields, Frame, Table
 from ._folder import RunFolder
+from ._monte_carlo import MonteCarlo, monte_carlo
 from ._plot import Picture, plot
 from ._riprap import Progress, explain, si, version
 from ._run import resume, run
@@ -44,6 +45,7 @@ __all__ = [
     "Fields",
     "FolderError",
     "Frame",
+    "MonteCarlo",
     "OutputError",
     "Picture",
     "PlotError",
@@ -64,6 +66,7 @@ __all__ = [
     "__version__",
     "explain",
     "fields",
+    "monte_carlo",
     "plot",
     "resume",
     "run",

@@ -144,7 +144,7 @@ class Scenario:
 
         Replaces the sweep of the scenario, if it has one; several keys give all combinations.
         """
-        text = _riprap.with_sweep(self.text, dict(over))
+        text = _riprap.with_table(self.text, "sweep", dict(over))
         return Scenario.from_text(text, folder=self._scene.folder, name=self._scene.name)
 
     def alone(self) -> "Scenario":

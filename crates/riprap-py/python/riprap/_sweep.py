@@ -6,6 +6,7 @@ import csv
 import io
 import os
 from collections.abc import Iterator, Mapping
+from concurrent.futures import Executor
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from . import _riprap
 from ._folder import RunFolder
 from ._scenario import Scenario, default_folder, scenario
+from .errors import RunError
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -72,6 +74,7 @@ def sweep(
     *,
     over: Mapping[str, Any] | None = None,
     jobs: int | None = None,
+    executor: "Executor | None" = None,
     existing: str = "refuse",
     progress: bool = False,
 ) -> Sweep:
@@ -87,24 +90,87 @@ def sweep(
         over: values to sweep, ``{"interfaces.default.friction_angle": ["10 deg", "20 deg"]}``, of the scenario as it
             stands; by default all cases of the scenario, its variants included.
         jobs: runs at a time; by default as many as there are processors.
+        executor: runs each case as a task of its own instead, such as a ``ProcessPoolExecutor``, the
+            ``MPIPoolExecutor`` of mpi4py or ``Client(...).get_executor()`` of dask: any executor whose workers have riprap and
+            reach ``out`` under the same path. The numbers are those of a sweep without it.
         existing: what to do with case folders that are not empty: ``refuse``, ``replace`` or ``force``.
         progress: print a line after each case.
 
     Raises:
         ScenarioError: a case cannot be built; nothing has been run then.
+        RunError: tasks were lost by the executor. The same call again goes on: what has finished is kept.
     """
     what = scenario(source)
     if over is not None:
         what = what.alone().with_sweep(over)
     folder = Path(out) if out is not None else default_folder(what, "sweep")
-    total = len(what.cases)
-    done = 0
-
-    def report(case: str, ended: str, steps: int) -> None:
-        nonlocal done
-        done += 1
-        print(f"{done}/{total} {case}: {ended} after {steps} steps")
-
-    jobs = jobs if jobs is not None else (os.cpu_count() or 1)
-    text = _riprap.sweep(what._scene, folder, existing, max(jobs, 1), report if progress else None)
+    if executor is not None and jobs is not None:
+        raise ValueError("jobs and executor exclude each other: an executor has its own number of workers")
+    if executor is not None:
+        run_on(executor, what._scene, None, folder, existing, progress)
+        return Sweep(folder, _riprap.merged(what._scene, folder)[0])
+    report = _Counter(len(what.cases)) if progress else None
+    text = _riprap.sweep(what._scene, folder, existing, max(jobs or os.cpu_count() or 1, 1), report)
     return Sweep(folder, text)
+
+
+class _Counter:
+    """Prints a line after each case."""
+
+    def __init__(self, total: int) -> None:
+        self.total, self.done = total, 0
+
+    def __call__(self, case: str, ended: str, steps: int) -> None:
+        self.done += 1
+        print(f"{self.done}/{self.total} {case}: {ended} after {steps} steps")
+
+
+def run_on(
+    executor: Executor,
+    scene: "_riprap.Scene",
+    samples_of: "tuple[_riprap.Scene, str | None] | None",
+    folder: Path,
+    existing: str,
+    progress: bool,
+) -> None:
+    """Runs each case of ``scene`` as a task of an executor; a scene of samples is made in the worker from what it was made of."""
+    source, case = samples_of if samples_of is not None else (scene, None)
+    # The folder of the scene too: a worker may have another working folder.
+    what = (source.text, source.name, str(source.folder.resolve()), source.changes, samples_of is not None, case)
+    out = str(folder.resolve())
+    tasks = [executor.submit(run_case, *what, out, existing, index) for index in range(len(scene.cases))]
+    lost: list[str] = []
+    first: BaseException | None = None
+    for index, task in enumerate(tasks):
+        try:
+            task.result()
+        except Exception as error:  # whatever an executor raises for a lost worker; told below with its type
+            lost.append(scene.cases[index])
+            first = first or error
+        if progress:
+            print(f"{index + 1}/{len(tasks)} {scene.cases[index]}{': lost' if lost[-1:] == [scene.cases[index]] else ''}")
+    if first is not None:
+        # The table says which cases there are.
+        _riprap.merged(scene, folder)
+        raise RunError(
+            f"{len(lost)} of {len(tasks)} cases did not come back from the executor, the first is {lost[0]}: "
+            f"{type(first).__name__}: {first}; the same call again keeps the cases that have finished"
+        ) from first
+
+
+def run_case(
+    text: str,
+    name: str,
+    base: str,
+    changes: "list[tuple[str, str]]",
+    sampled: bool,
+    case: "str | None",
+    out: str,
+    existing: str,
+    index: int,
+) -> None:
+    """One case, in a worker of an executor. A task that is repeated goes on where the lost one stopped, or keeps its result."""
+    scene = _riprap.Scene.parse(text, name, Path(base), changes)
+    if sampled:
+        scene = scene.sampled(case)
+    _riprap.sweep(scene, Path(out), existing, 1, None, index)
