@@ -3,7 +3,20 @@
 use riprap_geom::Vec2;
 
 use super::view::View;
+use super::world::World;
 use crate::accounts::Holder;
+
+impl World {
+    /// Living blocks on which support number `k` acts: the last support of a block alone acts on it, unless a phase releases it.
+    #[must_use]
+    pub fn held_by(&self, k: usize) -> Vec<usize> {
+        let (own, later) = self.setup.supports[k..].split_at(1);
+        let blocks = own.iter().flat_map(|s| &s.blocks);
+        let acts = blocks.filter(|b| !later.iter().any(|s| s.blocks.contains(b)));
+        let numbers = acts.map(|b| *b as usize);
+        numbers.filter(|b| self.alive[*b] && self.motion[*b].is_some()).collect()
+    }
+}
 
 impl View<'_> {
     /// Force of the support on account number `account` on all blocks that it holds, N/m, and its moment (N) about their centre of mass: the
@@ -14,16 +27,11 @@ impl View<'_> {
         let Some(Holder::Support(k)) = world.setup.accounts.get(account).map(|c| c.holder) else {
             return (Vec2::ZERO, 0.0);
         };
-        let (own, later) = world.setup.supports[usize::from(k)..].split_at(1);
         let span = 0.5 * (world.last_dt + scratch.coming_dt);
         let mut parts = Vec::new();
         let (mut middle, mut mass, mut moment) = (Vec2::ZERO, 0.0, 0.0);
-        for &b in own.iter().flat_map(|s| &s.blocks) {
-            let number = b as usize;
-            // The last support of a block alone acts on it, unless a phase releases it.
-            let overruled = later.iter().any(|s| s.blocks.contains(&b));
-            let motion = world.motion[number].as_deref();
-            let Some(motion) = motion.filter(|_| world.alive[number] && !overruled) else {
+        for number in world.held_by(usize::from(k)) {
+            let Some(motion) = world.motion[number].as_deref() else {
                 continue;
             };
             let [x, y, spin] = motion.targets().map(|t| f64::from(!t.is_free()));

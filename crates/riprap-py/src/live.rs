@@ -8,9 +8,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riprap::ledger;
 use riprap::run::ask;
-use riprap::run::drive::{Ending, Pause};
+use riprap::run::drive::{DriveError, Ending, Pause};
+use riprap::run::engine::steer::Steered;
 use riprap::run::engine::{Reading, View};
-use riprap::run::job::{Live, Outcome};
+use riprap::run::job::{JobError, Live, Outcome};
 
 use crate::arrays;
 use crate::errors;
@@ -116,6 +117,33 @@ impl Simulation {
             Some(raised) => Err(raised),
             None => result,
         }
+    }
+
+    /// Gives a load (by a factor) or a support (by a velocity) another value from now on.
+    #[pyo3(signature = (name, factor=None, velocity=None))]
+    fn steer(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        factor: Option<f64>,
+        velocity: Option<[f64; 3]>,
+    ) -> PyResult<()> {
+        let to = match (factor, velocity) {
+            (Some(factor), None) => Steered::Factor(factor),
+            (None, Some(velocity)) => Steered::Velocity(velocity),
+            (Some(_), Some(_)) | (None, None) => {
+                return Err(PyValueError::new_err(
+                    "give `factor` for a load, or `velocity` for a support",
+                ));
+            }
+        };
+        self.with(py, |live| match open(live)?.steer(name, to) {
+            Ok(()) => Ok(()),
+            Err(JobError::Drive(DriveError::Steer(wrong))) => {
+                Err(PyValueError::new_err(wrong.to_string()))
+            }
+            Err(wrong) => Err(Python::attach(|py| errors::job(py, &wrong))),
+        })
     }
 
     /// Closes the ledger: the manifest as JSON text. What has not ended can be resumed.

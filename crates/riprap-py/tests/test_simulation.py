@@ -1,5 +1,6 @@
 """Simulations advanced step by step."""
 
+import math
 import threading
 
 import numpy as np
@@ -138,3 +139,82 @@ def test_the_past_is_gone(sliding_block):
             sim.advance(steps=-1)
         with pytest.raises(ValueError, match="0 or more"):
             sim.advance(time=float("nan"))
+
+
+PUSHED = """
+riprap = 1
+title = "a stone is pushed over a table"
+[space.planar]
+gravity = ["0 m/s2", "-10 m/s2"]
+[materials.rock]
+density = "2500 kg/m3"
+[interfaces.default]
+normal_stiffness = "1 GPa/m"
+friction_angle = "30 deg"
+damping_ratio = 0.2
+[[blocks]]
+name = "table"
+material = "rock"
+rectangle = { size = ["8 m", "1 m"], corner = ["-2 m", "-1 m"] }
+[[blocks]]
+name = "stone"
+material = "rock"
+rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "0 m"] }
+[[supports]]
+name = "table"
+on.block = "table"
+motion = { velocity = { x = { constant = "0 m/s" }, y = { constant = "0 m/s" }, spin = { constant = "0 rad/s" } } }
+[[loads]]
+name = "push"
+on.block = "stone"
+point = { force = ["10 kN/m", "0 N/m"] }
+time = { constant = 0.0 }
+[[phases]]
+name = "go"
+until = { time = "2 s" }
+[[outputs]]
+frames = { every = "0.5 s" }
+"""
+
+
+def servo(out=None, gain=20.0):
+    """A controller that holds the speed of the stone at 0.2 m/s."""
+    with riprap.Simulation(PUSHED, out, threads=1) as sim:
+        pushed = 0.0
+        while sim.advance(steps=50):
+            error = 0.2 - sim.value("block.velocity.x", of="stone").value
+            pushed = pushed + gain * error * 50 * sim.dt
+            sim.steer("push", factor=pushed + gain * error)
+        speed = sim.value("block.velocity.x", of="stone").value
+        return speed, pushed, sim.state_hash, sim.value("energy.residual_relative").value
+
+
+def test_a_servo_holds_a_speed(tmp_path):
+    speed, pushed, state, residual = servo(tmp_path / "a.run")
+    assert abs(speed - 0.2) < 2e-3
+    # Friction alone resists: 25 kN/m tan 30 deg, in units of the load.
+    assert abs(pushed - 2.5 * math.tan(math.radians(30))) < 0.03
+    assert abs(residual) < 1e-3
+    assert servo()[2] == state
+    events = riprap.RunFolder(tmp_path / "a.run").events()
+    steered = [event for event in events if event["event"] == "steered"]
+    assert len(steered) > 10 and steered[0]["name"] == "push" and steered[0]["factor"] > 0
+
+
+def test_a_support_is_steered_by_its_velocity():
+    with riprap.Simulation(PUSHED, threads=1) as sim:
+        sim.advance(time=0.5)
+        sim.steer("table", velocity=(0.1, 0.0))
+        sim.advance(time=1.0)
+        assert abs(sim.value("block.velocity.x", of="stone").value - 0.1) < 1e-3
+        assert abs(sim.value("block.displacement.x", of="table").value - 0.1) < 1e-3
+        for name, options, words in [
+            ("pull", {"factor": 1.0}, "did you mean"),
+            ("table", {"factor": 1.0}, "is a support"),
+            ("push", {"velocity": (1.0, 0.0)}, "is a load"),
+            ("push", {"factor": math.nan}, "not finite"),
+            ("table", {"velocity": (0.0, 0.0, 1.0)}, "along z"),
+            ("push", {}, "give `factor`"),
+        ]:
+            with pytest.raises(ValueError, match=words):
+                sim.steer(name, **options)

@@ -102,6 +102,32 @@ class Simulation:
             raise UnstableError(message, self.path)
         return state == "running"
 
+    def steer(
+        self, name: str, factor: float | None = None, *, velocity: "Iterable[float] | None" = None
+    ) -> None:
+        """Gives a load or a support that the scenario names another value from the present instant on.
+
+        A servo is a loop of ``advance`` and ``steer``. The same changes at the same steps give the same bits; each is an event of the run
+        (``events.jsonl``), and its work is booked as that of the load or the support::
+
+            while sim.advance(steps=20):
+                error = 0.1 - sim.value("block.speed", of="stone").value
+                sim.steer("push", factor=1.0 + 5.0 * error)
+
+        Args:
+            name: name of the load or of the support.
+            factor: of a load: the factor on it, in place of its ``time``.
+            velocity: of a support with ``motion``: its velocity [m/s], in place of its functions of time.
+
+        Raises:
+            ValueError: there is no such name, or it does not take that value.
+        """
+        to = None
+        if velocity is not None:
+            x, y, *rest = (float(v) for v in velocity)
+            to = (x, y, rest[0] if rest else 0.0)
+        self._sim.steer(name, factor, to)
+
     def close(self) -> RunFolder | None:
         """Closes the ledger and gives the run folder, if there is one."""
         self._sim.close()

@@ -8,7 +8,7 @@ use crate::state::world::World;
 
 impl World {
     /// Living blocks on which support number `k` acts: the last support of a block alone acts on it, unless a phase releases the block.
-    fn held_by(&self, k: usize) -> impl Iterator<Item = usize> + '_ {
+    pub fn held_by(&self, k: usize) -> impl Iterator<Item = usize> + '_ {
         let (own, later) = self.setup.supports[k..].split_at(1);
         let overruled = |b: u32| later.iter().any(|s| s.blocks.binary_search(&b).is_ok());
         let blocks = own.iter().flat_map(|s| s.blocks.iter().copied());

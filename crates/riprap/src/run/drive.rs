@@ -12,6 +12,7 @@ use thiserror::Error;
 
 use super::checks::Watch;
 use super::engine::Reading;
+use super::engine::steer::{SteerError, Steered};
 use super::recorder::{RecordError, Recorder};
 use super::simulation::{RunError, Simulation, Stage};
 use crate::ledger::{Balance, COLUMNS};
@@ -59,6 +60,9 @@ pub enum DriveError {
     /// A check asks for a field that is not there.
     #[error(transparent)]
     Field(#[from] FieldError),
+    /// A load or a support that cannot be steered.
+    #[error(transparent)]
+    Steer(#[from] SteerError),
 }
 
 /// Wall time between two checkpoints besides those that the scene asks for; longer where writing one takes so long that
@@ -174,6 +178,28 @@ impl Drive {
     /// The stable time step of the present contacts, s; infinite where nothing bounds it.
     pub(super) fn stable(&mut self) -> f64 {
         self.simulation.stable().dt
+    }
+
+    /// Gives a load or a support that the scene names another value from the present instant on; an event of the run says so.
+    ///
+    /// # Errors
+    /// The name or the value ([`SteerError`]), the disk.
+    pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), DriveError> {
+        self.simulation.steer(name, to)?;
+        // The present forces are those of the value before.
+        self.standing = false;
+        let (step, time) = (self.simulation.steps(), self.simulation.time());
+        if let Some(recorder) = &mut self.recorder {
+            let mut event = serde_json::json!({
+                "step": step, "time": time, "event": "steered", "name": name,
+            });
+            match to {
+                Steered::Factor(factor) => event["factor"] = factor.into(),
+                Steered::Velocity(velocity) => event["velocity"] = velocity.to_vec().into(),
+            }
+            recorder.folder.event(&event)?;
+        }
+        Ok(())
     }
 
     /// The simulation alone.

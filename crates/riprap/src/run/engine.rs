@@ -4,12 +4,14 @@
 mod edit;
 mod notes;
 mod reading;
+pub mod steer;
 mod view;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 pub use reading::Reading;
+use steer::{SteerError, Steered};
 pub use view::{Drawn, Movement, View};
 
 use crate::exec::Exec;
@@ -493,6 +495,17 @@ impl Engine {
             }
         }
         Ok(())
+    }
+
+    /// Gives a load or a support another value from now on; forces must be re-evaluated afterwards.
+    ///
+    /// # Errors
+    /// A name of nothing, a value that it does not take.
+    pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), SteerError> {
+        match self {
+            Self::Planar(e) => steer::planar(&mut e.world, name, to),
+            Self::Spatial(e) => steer::spatial(&mut e.world, name, to),
+        }
     }
 
     /// Takes what has happened since the last look, one JSON object each: joints broken, blocks split or

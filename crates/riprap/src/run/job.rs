@@ -13,6 +13,7 @@ use thiserror::Error;
 
 use super::checks::{CheckResult, Watch};
 use super::drive::{Control, Drive, DriveError, Ending, Look, Pause};
+use super::engine::steer::Steered;
 use super::engine::{BuildError, Kind};
 #[cfg(feature = "scenario")]
 use super::forecast::doubts;
@@ -127,7 +128,11 @@ impl JobError {
             | JobError::Manifest(_)
             | JobError::Checkpoint(_)
             | JobError::Ended { .. }
-            | JobError::Drive(DriveError::Record(RecordError::Field(_)) | DriveError::Field(_))
+            | JobError::Drive(
+                DriveError::Record(RecordError::Field(_))
+                | DriveError::Field(_)
+                | DriveError::Steer(_),
+            )
             | JobError::Record(RecordError::Field(_))
             | JobError::Build(_)
             | JobError::Step(_)
@@ -377,6 +382,14 @@ impl Live {
     #[must_use]
     pub fn simulation(&self) -> &Simulation {
         self.drive.simulation()
+    }
+
+    /// Gives a load or a support that the scene names another value from the present instant on.
+    ///
+    /// # Errors
+    /// As [`Drive::steer`].
+    pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), JobError> {
+        Ok(self.drive.steer(name, to)?)
     }
 
     /// How it ended, once it has.

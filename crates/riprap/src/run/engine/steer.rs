@@ -1,0 +1,180 @@
+//! What code in the loop changes between two steps: loads and the motion of supports, by the names that the scene gives them.
+
+use riprap_core::accounts::{Condition, Holder};
+use thiserror::Error;
+
+use crate::dynamics::TimeFunction;
+use crate::record::field::nearest;
+use crate::{planar, spatial};
+
+/// The new value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Steered {
+    /// Of a load: the factor on it, in place of its function of time.
+    Factor(f64),
+    /// Of a support that moves its blocks: the velocity, m/s (in the plane without z). Components that the support does not prescribe are 0.
+    Velocity([f64; 3]),
+}
+
+/// Why something cannot be steered.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum SteerError {
+    /// Nothing has the name.
+    #[error(
+        "there is no load or support {name:?}{}; give it a `name` in the scene",
+        near.as_ref().map_or(String::new(), |n| format!(" (did you mean {n:?}?)"))
+    )]
+    Unknown {
+        /// The name.
+        name: String,
+        /// The nearest that there is.
+        near: Option<String>,
+    },
+    /// A factor of a support, or a velocity of a load.
+    #[error("{name:?} is a {word}: it is steered by {by}")]
+    Other {
+        /// The name.
+        name: String,
+        /// What it is.
+        word: &'static str,
+        /// What it takes.
+        by: &'static str,
+    },
+    /// A support that does not prescribe that.
+    #[error(
+        "the support {name:?} prescribes no velocity along {axis}; give it `motion = {{ velocity = ... }}` in the scene"
+    )]
+    Free {
+        /// The name.
+        name: String,
+        /// The axis.
+        axis: char,
+    },
+    /// A support of nodes or of deformable blocks, or a boundary.
+    #[error("{name:?} holds nodes or faces; loads and supports of rigid blocks can be steered")]
+    Nodes {
+        /// The name.
+        name: String,
+    },
+    /// Not a number.
+    #[error("the value for {name:?} is not finite")]
+    NotFinite {
+        /// The name.
+        name: String,
+    },
+}
+
+/// What is to be changed.
+enum Aim {
+    /// Loads on this account.
+    Loads(u16, f64),
+    /// The support of this number.
+    Support(usize, [f64; 3]),
+}
+
+fn aim(accounts: &[Condition], name: &str, to: Steered) -> Result<Aim, SteerError> {
+    let own = || name.to_owned();
+    let finite = match to {
+        Steered::Factor(factor) => factor.is_finite(),
+        Steered::Velocity(velocity) => velocity.iter().all(|v| v.is_finite()),
+    };
+    if !finite {
+        return Err(SteerError::NotFinite { name: own() });
+    }
+    let Some(at) = accounts.iter().position(|of| of.name == name) else {
+        let known = accounts.iter().map(|of| of.name.as_str());
+        return Err(SteerError::Unknown {
+            name: own(),
+            near: nearest(name, known).map(str::to_owned),
+        });
+    };
+    match (accounts[at].holder, to) {
+        (Holder::Load, Steered::Factor(factor)) => Ok(Aim::Loads(at as u16, factor)),
+        (Holder::Support(k), Steered::Velocity(v)) => Ok(Aim::Support(usize::from(k), v)),
+        (Holder::Load, Steered::Velocity(_)) => {
+            Err(SteerError::Other { name: own(), word: "load", by: "a factor" })
+        }
+        (Holder::Support(_), Steered::Factor(_)) => {
+            Err(SteerError::Other { name: own(), word: "support", by: "a velocity" })
+        }
+        (Holder::Nodes(_) | Holder::Boundary(_), _) => Err(SteerError::Nodes { name: own() }),
+    }
+}
+
+/// Prescribes the velocity along the axes for which the support has a function.
+fn prescribe(
+    functions: &mut [&mut Option<TimeFunction>],
+    velocity: [f64; 3],
+    name: &str,
+) -> Result<(), SteerError> {
+    for (k, axis) in ['x', 'y', 'z'].into_iter().enumerate() {
+        match functions.get_mut(k) {
+            Some(Some(function)) => *function = TimeFunction::Constant(velocity[k]),
+            Some(None) | None if velocity[k] == 0.0 => {}
+            Some(None) | None => return Err(SteerError::Free { name: name.to_owned(), axis }),
+        }
+    }
+    Ok(())
+}
+
+/// In the plane.
+pub(super) fn planar(
+    world: &mut planar::world::World,
+    name: &str,
+    to: Steered,
+) -> Result<(), SteerError> {
+    use planar::setup::Motion;
+    let (support, velocity) = match aim(&world.setup.accounts, name, to)? {
+        Aim::Loads(account, factor) => {
+            let loads = world.setup.loads.iter_mut().filter(|load| load.account == Some(account));
+            loads.for_each(|load| load.time = TimeFunction::Constant(factor));
+            return Ok(());
+        }
+        Aim::Support(support, velocity) => (support, velocity),
+    };
+    let set = |motion: &mut Motion| match motion {
+        Motion::Velocity { x, y, .. } => prescribe(&mut [x, y], velocity, name),
+        Motion::Fixed { .. } | Motion::Acceleration { .. } => prescribe(&mut [], velocity, name),
+    };
+    set(&mut world.setup.supports[support].motion)?;
+    for b in world.held_by(support) {
+        if let Some(motion) = &mut world.motion[b] {
+            set(motion)?;
+        }
+    }
+    Ok(())
+}
+
+/// In space.
+pub(super) fn spatial(
+    world: &mut spatial::world::World,
+    name: &str,
+    to: Steered,
+) -> Result<(), SteerError> {
+    use spatial::setup::Motion;
+    let (support, velocity) = match aim(&world.setup.accounts, name, to)? {
+        Aim::Loads(account, factor) => {
+            let loads = world.setup.loads.iter_mut().filter(|load| load.account == Some(account));
+            loads.for_each(|load| load.time = TimeFunction::Constant(factor));
+            return Ok(());
+        }
+        Aim::Support(support, velocity) => (support, velocity),
+    };
+    let set = |motion: &mut Motion| match motion {
+        Motion::Velocity { translation: [x, y, z], .. } => {
+            prescribe(&mut [x, y, z], velocity, name)
+        }
+        Motion::Fixed { .. } | Motion::Acceleration { .. } => prescribe(&mut [], velocity, name),
+    };
+    let held: Vec<usize> = world.held_by(support).collect();
+    if held.iter().any(|b| world.deforms(*b)) {
+        return Err(SteerError::Nodes { name: name.to_owned() });
+    }
+    set(&mut world.setup.supports[support].motion)?;
+    for b in held {
+        if let Some(motion) = &mut world.motion[b] {
+            set(motion)?;
+        }
+    }
+    Ok(())
+}
