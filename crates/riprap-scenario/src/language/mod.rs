@@ -51,8 +51,8 @@ pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};
 pub use points::{Point, Point3};
 pub use solids::{
-    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Mesh, Notch,
-    NotchBreaks, Part, Plane, Polyhedron, Segment, Terrain, span_of,
+    Ball, BoxRegion, Brick, Deformable, Empty, Graded, Grid, GridBox, GridCells, Mechanics, Mesh,
+    Notch, NotchBreaks, Part, Plane, Polyhedron, Segment, Terrain, span_of,
 };
 pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, JwlConstants, JwlSet,

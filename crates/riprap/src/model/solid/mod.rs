@@ -14,6 +14,7 @@ mod cut;
 mod deform;
 mod fit;
 mod glued;
+mod graded;
 mod grid;
 mod inspect;
 mod joints;
