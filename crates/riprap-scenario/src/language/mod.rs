@@ -48,7 +48,7 @@ pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, Nodes, PointLoad, Support, Target,
 };
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
-pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};
+pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Rest, Until};
 pub use points::{Point, Point3};
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Graded, Grid, GridBox, GridCells, Mechanics, Mesh,
