@@ -58,7 +58,7 @@ pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, JwlConstants, JwlSet,
     Octree, Pattern, Place, PressureCavity, Refine, Source, Venting, VentingTime,
 };
-pub use space::{Group, Material, Planar, Space, Spatial, Start};
+pub use space::{Air, Group, Material, Planar, Space, Spatial, Start};
 pub use water::{Drain, Seepage, Water};
 
 use super::quantity::{PositivePlain, Quantity, Table};
