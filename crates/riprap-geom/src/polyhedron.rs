@@ -24,7 +24,8 @@ pub use parallelepiped::Parallelepiped;
 pub use slice::{Sliced, from_half_spaces, slice};
 pub use tetrahedra::{FlatTetrahedron, Tetrahedra, element};
 pub use voronoi::{
-    cells_around, cells_within, lattice_sites, random_sites, regular_prism, voronoi,
+    Charge, Finest, Grading, cells_around, cells_within, graded_cells, lattice_sites, random_sites,
+    regular_prism, voronoi,
 };
 
 use std::collections::BTreeMap;

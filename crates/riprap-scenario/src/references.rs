@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use toml::de::DeTable;
 
 use super::diagnostic::{Diagnostic, short};
-use super::language::{Around, Output, Scenario, Source, Target};
+use super::language::{Around, Geometry, Grid, Output, Scenario, Source, Target};
 use super::load::key_si;
 use super::quantity::{Name, Names, Raw, Span};
 use super::words::WordOr;
@@ -243,8 +243,13 @@ impl<'a> References<'a> {
                 self.block_or_group(name);
             }
         }
-        for refine in &scenario.refine {
-            if let Around::Source(name) = &refine.octree.around
+        let graded = scenario.blocks.iter().filter_map(|block| {
+            let Some(Geometry::Grid(Grid::Cells(cells))) = block.geometry() else { return None };
+            cells.graded.as_ref()?.at.as_ref()
+        });
+        let refined = scenario.refine.iter().map(|refine| &refine.octree.around);
+        for around in refined.chain(graded) {
+            if let Around::Source(name) = around
                 && !self.is_source(name.as_str())
             {
                 let known: Vec<&str> = scenario.sources.names().collect();

@@ -75,6 +75,8 @@ pub struct Setup {
     /// Angle at which a block changes over to finite rotations, rad, by automatic kinematics; `None` takes
     /// [`ROTATION_BOUND`].
     pub rotation_bound: Option<f64>,
+    /// Half the density of the air times the drag coefficient of rigid blocks, kg/m³; 0: no air.
+    pub air: f64,
     /// Deformable blocks and their bonds.
     pub deform: deform::Deformables,
     /// Whether blocks that no patch joins are watched for contact.

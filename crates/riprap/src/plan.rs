@@ -205,8 +205,21 @@ pub struct Until {
     pub unbalanced: Option<f64>,
     /// Kinetic energy at or below which it ends (after at least 10 steps), J/m.
     pub kinetic: Option<f64>,
+    /// The model rests after it has moved.
+    pub rest: Option<Rest>,
     /// Number of steps.
     pub steps: Option<u64>,
+}
+
+/// When a model rests after it has moved.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Rest {
+    /// Kinetic energy over the largest so far, at most.
+    pub share: f64,
+    /// Speed of the fastest block, at most, m/s.
+    pub speed: f64,
+    /// How long both must hold, s.
+    pub hold: f64,
 }
 
 /// Time step rule.

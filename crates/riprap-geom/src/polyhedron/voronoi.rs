@@ -3,7 +3,14 @@
 //! Each cell starts as the whole and is cut by the planes halfway to other sites, nearest first, until no site farther
 //! away can reach it. Faces of neighbours lie in one plane to round-off and have the same corners to round-off.
 
+mod convex;
 mod edges;
+mod graded;
+mod grading;
+mod near;
+
+pub use graded::graded_cells;
+pub use grading::{Charge, Finest, Grading};
 
 use super::{Polyhedron, Sliced, slice};
 use crate::error::demand;

@@ -49,18 +49,18 @@ pub use loads::{
     BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, Nodes, PointLoad, Support, Target,
 };
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
-pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Until};
+pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Rest, Until};
 pub use points::{Point, Point3};
 pub use samples::{Beta, Correlation, MeasuredValues, Moments, MonteCarlo, RandomValue, Sampling};
 pub use solids::{
-    Ball, BoxRegion, Brick, Deformable, Empty, Grid, GridBox, GridCells, Mechanics, Mesh, Notch,
-    NotchBreaks, Part, Plane, Polyhedron, Segment, Terrain, span_of,
+    Ball, BoxRegion, Brick, Deformable, Empty, Graded, Grid, GridBox, GridCells, Mechanics, Mesh,
+    Notch, NotchBreaks, Part, Plane, Polyhedron, Segment, Terrain, span_of,
 };
 pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, JwlConstants, JwlSet,
     Octree, Pattern, Place, PressureCavity, Refine, Source, Venting, VentingTime,
 };
-pub use space::{Group, Material, Planar, Space, Spatial, Start};
+pub use space::{Air, Group, Material, Planar, Space, Spatial, Start};
 pub use water::{Drain, Seepage, Water};
 
 use super::quantity::{PositivePlain, Quantity, Table};

@@ -6,7 +6,8 @@ use serde::Deserialize;
 use super::interfaces::InterfaceChange;
 use crate::quantity::{
     Acceleration, Down, EnergyPerLength, Name, Names, NotNegativeTime, PositiveLength,
-    PositivePlain, PositiveTime, Quantity, Rate, Share, ShareBelowOne, Strength, Table, TimeStep,
+    PositivePlain, PositiveTime, Quantity, Rate, Share, ShareBelowOne, Speed, Strength, Table,
+    TimeStep,
 };
 use riprap_core::dynamics::relaxation::{Breaks, Integration, PhaseKind};
 use riprap_core::laws::fracture::Criterion;
@@ -170,7 +171,7 @@ pub enum CutAxis {
 /// End of a phase: the first condition that is reached counts.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
-#[keys(any_of("time", "unbalanced", "kinetic", "steps"))]
+#[keys(any_of("time", "unbalanced", "kinetic", "rest", "steps"))]
 pub struct Until {
     /// Duration of the phase in model time, s.
     pub time: Option<Quantity<PositiveTime>>,
@@ -178,9 +179,27 @@ pub struct Until {
     pub unbalanced: Option<Quantity<PositivePlain>>,
     /// Kinetic energy of all blocks, J; in the plane per metre of thickness, J/m.
     pub kinetic: Option<Quantity<EnergyPerLength>>,
+    /// The model rests: its kinetic energy is a small share of the largest so far and no block is fast, for some time, and no charge is
+    /// still to go off. `rest = {}` has the defaults.
+    pub rest: Option<Rest>,
     /// Number of steps, at least 1.
     #[key(min = 1)]
     pub steps: Option<u64>,
+}
+
+/// When a model rests after it has moved: a muckpile, a slide, a collapse.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Rest {
+    /// Kinetic energy as a share of the largest of the run so far, at most.
+    #[key(default = "1e-6")]
+    pub share: Option<Quantity<ShareBelowOne>>,
+    /// Speed of the fastest block, at most, m/s.
+    #[key(default = "1 cm/s")]
+    pub speed: Option<Quantity<Speed>>,
+    /// How long both must hold, s: longer than a block stands still at the top of its flight.
+    #[key(default = "0.1 s")]
+    pub hold: Option<Quantity<NotNegativeTime>>,
 }
 
 /// Damping of the motion of blocks.

@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::points::Point3;
+use super::sources::Around;
 use crate::quantity::{
     Angle, Edges, Length, Name, NotNegativeLength, Plain, PositiveLength, Quantity, Span, Vector,
 };
@@ -44,11 +45,24 @@ pub enum Grid {
     when = "turned | site",
     help = "`turned` and `site` make a lattice; the others belong to random cells"
 ))]
+#[keys(excludes(
+    "turned",
+    "site",
+    when = "graded",
+    help = "`turned` and `site` make a lattice, `graded` random cells: leave one of them out"
+))]
 pub struct GridCells {
     /// Lengths of the edges of the whole box along x, y, z, m.
     pub size: [Quantity<PositiveLength>; 3],
     /// Edge of a cell, about, m.
-    pub cell: Quantity<PositiveLength>,
+    #[key(excludes(
+        "graded",
+        help = "cells have one size, or sizes that `graded` gives: leave one of them out"
+    ))]
+    #[key(required("!graded"))]
+    pub cell: Option<Quantity<PositiveLength>>,
+    /// Random cells that grow with the distance from charges or other places.
+    pub graded: Option<Graded>,
     /// Corner with the lowest coordinates [x, y, z], m. Default the origin.
     pub corner: Option<Point3>,
     /// Angle by which the rows of a square lattice are turned about z.
@@ -61,13 +75,29 @@ pub struct GridCells {
     /// Lloyd iterations that make random cells more equal.
     #[key(default = 10, max = 1000)]
     pub relax: Option<u64>,
-    /// Shortest edge of random cells, m: after `relax` points are moved until none is shorter. A tenth of `cell` can be had.
+    /// Shortest edge of random cells, m: after `relax` points are moved until none is shorter. A tenth of `cell` can be had. Of `graded`
+    /// cells it is that of the finest, and grows with them.
     #[key(default = "0 m")]
     pub smallest_edge: Option<Quantity<NotNegativeLength>>,
     /// Equal sides (3 to 1000) of a prism about z that touches the sides of the box and takes its place; many make a disk. One side is
     /// `y-max`; x and y edges of the box are equal. Default the box.
     #[key(min = 3, max = 1000)]
     pub sides: Option<u64>,
+}
+
+/// Random cells that are small at charges and other places and grow evenly with the distance from them. A charge among them gets room of
+/// its volume, whose walls are regular: the cells along its axis, which the gas takes the place of.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Graded {
+    /// Where cells are finest: the name of a source, a point [x, y, z], or a place. Default all sources that have a place of their own.
+    pub at: Option<Around>,
+    /// Edge of the finest cells, about, m. Default at charges: the diameter of the thinnest.
+    pub from: Option<Quantity<PositiveLength>>,
+    /// Edge of the other cells, about, m.
+    pub to: Quantity<PositiveLength>,
+    /// Distance over which it grows from one to the other, m.
+    pub over: Quantity<PositiveLength>,
 }
 
 /// A box of bricks. The size must be whole cells.

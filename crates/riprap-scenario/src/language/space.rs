@@ -9,7 +9,7 @@ use super::outputs::Period;
 use super::solids::BoxRegion;
 use crate::quantity::{
     Acceleration, Angle, Density, Down, Modulus, Name, NotNegativeLength, Poisson, PositiveAngle,
-    PositiveLength, Quantity,
+    PositiveLength, PositivePlain, Quantity,
 };
 
 /// The space in which the blocks move.
@@ -55,6 +55,8 @@ pub struct Spatial {
     #[key(default = "0.01 rad")]
     #[key(only_with("!kinematics", "kinematics = automatic"))]
     pub rotation_bound: Option<Quantity<PositiveAngle>>,
+    /// Air that resists the motion of rigid blocks: flying fragments. `air = {}` has the defaults. Default none.
+    pub air: Option<Air>,
     /// Periods of the model along x, y, z: a length, or `"none"`. Blocks at opposite ends are
     /// neighbours. Default none.
     #[key(told)]
@@ -65,6 +67,19 @@ pub struct Spatial {
     /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
     /// block.
     pub allow_overlap: Option<Quantity<NotNegativeLength>>,
+}
+
+/// Air: a force against the velocity of each rigid block, half the density times the drag coefficient, the square of the speed and the cross-section of a
+/// ball of the same volume.
+#[derive(Debug, Clone, Default, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Air {
+    /// Density, kg/m3.
+    #[key(default = "1.2 kg/m3")]
+    pub density: Option<Quantity<Density>>,
+    /// Drag coefficient: 0.5 of a ball, about 1 of a cube or a fragment.
+    #[key(default = "1")]
+    pub drag: Option<Quantity<PositivePlain>>,
 }
 
 /// A named set of blocks, besides the groups that blocks name themselves. `box`, `blocks` or both.

@@ -5,7 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use super::Rules;
 use crate::diagnostic::short;
 use crate::language::{
-    Block, BoxRegion, Cut, Geometry, Grid, Group, MAX_BLOCKS, Polygon, Polyhedron, Rotate,
+    Around, Block, BoxRegion, Cut, Geometry, Graded, Grid, Group, MAX_BLOCKS, Place, Polygon,
+    Polyhedron, Rotate,
 };
 use crate::quantity::{Length, Span, Vector};
 use crate::vectors::InSpace;
@@ -69,6 +70,9 @@ impl Rules {
                     let help = "give `size` equal lengths along x and y";
                     self.error("value.order", &y.span, message, help);
                 }
+                if let Some(graded) = &cells.graded {
+                    self.graded(graded);
+                }
             }
             Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
             Geometry::Parts(parts) => {
@@ -106,6 +110,39 @@ impl Rules {
                     self.in_order(low, high, false, help);
                 }
             }
+        }
+    }
+
+    /// Cells grow from the finest ones, by less than their own size from one to the next.
+    fn graded(&mut self, graded: &Graded) {
+        if let Some(at) = &graded.at {
+            self.around(at);
+            if let Around::Place(place, span) = at
+                && matches!(&**place, Place::All(_))
+            {
+                let message = "cells cannot be graded towards everything".to_owned();
+                let help = "give cells of one size with `cell`, or `at` a place that ends";
+                self.error("value.place", span, message, help);
+            }
+        }
+        let Some(from) = &graded.from else { return };
+        self.in_order(
+            from,
+            &graded.to,
+            true,
+            "cells are finest, `from`, at the place, and grow to `to`",
+        );
+        let growth = graded.to.si() - from.si();
+        if self.values_sound && growth > graded.over.si() {
+            let message = format!(
+                "cells would grow by {:.3} of the way: more than their own size from one to the next",
+                growth / graded.over.si()
+            );
+            let help = format!(
+                "give `over` at least {} m; four times that makes even cells",
+                short(&format!("{growth}"))
+            );
+            self.error("value.order", &graded.over.span, message, &help);
         }
     }
 

@@ -53,9 +53,8 @@ impl Rules {
         }
     }
 
-    fn refine(&mut self, refine: &Refine, scenario: &Scenario) {
-        let span = refine.octree.around.span().clone();
-        match &refine.octree.around {
+    pub(super) fn around(&mut self, around: &Around) {
+        match around {
             Around::Source(_) | Around::Point(_) => {}
             Around::Place(place, _) => match &**place {
                 Place::Line(line) => self.segment(line),
@@ -64,6 +63,11 @@ impl Rules {
                 Place::Ball(_) | Place::All(_) => {}
             },
         }
+    }
+
+    fn refine(&mut self, refine: &Refine, scenario: &Scenario) {
+        let span = refine.octree.around.span().clone();
+        self.around(&refine.octree.around);
         match refine.octree.levels {
             Some(_) => {}
             None if fitted_charge(&refine.octree.around, scenario) => {}

@@ -6,6 +6,7 @@
 use riprap_geom::Vec3;
 
 use crate::query::view::View;
+use crate::setup::Place;
 use crate::state::cavity::Cavity;
 
 /// Cosine of 15 degrees, half the opening of the cones that are looked at.
@@ -15,6 +16,17 @@ const SHELLS: f64 = 4.0;
 
 /// Distances over the radius of a ball as large as the cavity between which the attenuation is fitted.
 const RANGE: std::ops::RangeInclusive<f64> = 2.0..=16.0;
+
+/// Directions in which unevenness is looked for: to the neighbours of a cell in a lattice, or evenly round the axis of a line.
+const DIRECTIONS: u32 = 26;
+/// Cosines of half the opening of their cones: 22.5 and 15 degrees.
+const CONES: [f64; 2] = [0.923_879_532_511_286_7, CONE];
+/// Half the thickness of the shell that is looked at, as a logarithm of the distance.
+const SHELL: f64 = 0.25 * std::f64::consts::LN_2;
+/// Share of the length of a line charge about its middle beside which blocks are looked at.
+const BESIDE: f64 = 0.5;
+/// Widths of a cavity between which the attenuation across it is fitted.
+const ACROSS: std::ops::RangeInclusive<f64> = 2.0..=12.0;
 
 /// Mean logarithms of distance (m) and peak speed (m/s) over shells, from the inside outwards.
 type Curve = Vec<[f64; 2]>;
@@ -41,6 +53,59 @@ impl View<'_> {
         })
     }
 
+    /// Centre of a cavity; axis and half the length of that of a line; width: the diameter of the ball or cylinder with the volume of the
+    /// removed blocks, m.
+    fn form(&self, cavity: &Cavity) -> (Vec3, Option<(Vec3, f64)>, f64) {
+        let centre = self.charge_centre(cavity);
+        let pi = std::f64::consts::PI;
+        match &self.world.setup.sources[usize::from(cavity.source)].place {
+            Place::Line { from, to } => {
+                let length = from.distance(*to);
+                let width = 2.0 * (cavity.removed / (pi * length)).sqrt();
+                (centre, Some(((*to - *from) / length, 0.5 * length)), width)
+            }
+            Place::Point { .. } | Place::Blocks { .. } => {
+                (centre, None, 2.0 * libm::cbrt(0.75 * cavity.removed / pi))
+            }
+        }
+    }
+
+    /// Direction from the charge, or across its axis beside the middle of a line, and logarithms of distance over its width and peak speed
+    /// (m/s), of the blocks that have moved.
+    fn around(&self, cavity: &Cavity) -> Vec<(Vec3, [f64; 2])> {
+        let (centre, line, width) = self.form(cavity);
+        let point = |b: usize| {
+            let mut arm = self.world.reference[b] - centre;
+            if let Some((axis, half)) = line {
+                let along = arm.dot(axis);
+                if along.abs() > BESIDE * half {
+                    return None;
+                }
+                arm -= along * axis;
+            }
+            let (r, v) = (arm.length(), self.peak_speed(b));
+            (r > 0.0 && v > 0.0).then(|| (arm / r, [libm::log(r / width), libm::log(v)]))
+        };
+        self.living().filter_map(point).collect()
+    }
+
+    /// Exponent n of the law v = K r^-n of the peak speed across a charge, from 2 to 12 widths of the cavity: r is the distance from
+    /// the axis of a line, beside the middle half of it, else from the centre. Least squares in logarithms over the means of shells.
+    #[must_use]
+    pub fn attenuation_across(&self, cavity: &Cavity) -> f64 {
+        let within = |p: &[f64; 2]| ACROSS.contains(&libm::exp(p[0]));
+        let points = self.around(cavity).into_iter().map(|(_, p)| p);
+        -slope(&shells(points.filter(within).collect()))
+    }
+
+    /// Largest departure, as a share of their mean, of the peak speeds in 26 directions at a distance of `widths` of the cavity: means
+    /// over the blocks within a cone and a shell, brought to that distance by the attenuation there. NaN with an empty cone.
+    #[must_use]
+    pub fn unevenness(&self, cavity: &Cavity, widths: f64) -> f64 {
+        let axis = self.form(cavity).1.map(|(axis, _)| axis);
+        uneven(&self.around(cavity), axis, libm::log(widths))
+    }
+
     /// Radius along the axes over that along the diagonals of space of the contours of the peak speed around a
     /// cavity (geometric mean over contours); 1 is round, NaN without contours that reach both.
     #[must_use]
@@ -65,6 +130,39 @@ fn shells(mut points: Curve) -> Curve {
         .chunk_by(|a, b| shell(a) == shell(b))
         .map(|s| [0, 1].map(|k| s.iter().map(|p| p[k]).sum::<f64>() / s.len() as f64))
         .collect()
+}
+
+/// Unevenness of points around a centre or an axis at a distance, as a logarithm.
+fn uneven(points: &[(Vec3, [f64; 2])], axis: Option<Vec3>, distance: f64) -> f64 {
+    let near = |reach: f64| points.iter().filter(move |(_, p)| (p[0] - distance).abs() <= reach);
+    let power = slope(&near(4.0 * SHELL).map(|(_, p)| *p).collect::<Vec<_>>());
+    let cone = CONES[usize::from(axis.is_some())];
+    let speeds = directions(axis).into_iter().map(|direction| {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (_, p) in near(SHELL).filter(|(to, _)| to.dot(direction) >= cone) {
+            sum += p[1] - power * (p[0] - distance);
+            count += 1.0;
+        }
+        libm::exp(sum / count)
+    });
+    let speeds: Vec<f64> = speeds.collect();
+    let mean = speeds.iter().sum::<f64>() / f64::from(DIRECTIONS);
+    // An empty cone makes all of it NaN.
+    speeds.iter().fold(0.0 * mean, |worst, v| f64::max(worst, (v / mean - 1.0).abs()))
+}
+
+fn directions(axis: Option<Vec3>) -> Vec<Vec3> {
+    if let Some(axis) = axis {
+        let (b, c) = axis.any_orthonormal_pair();
+        let step = std::f64::consts::TAU / f64::from(DIRECTIONS);
+        let at = |k| libm::cos(step * f64::from(k)) * b + libm::sin(step * f64::from(k)) * c;
+        return (0..DIRECTIONS).map(at).collect();
+    }
+    let steps = [-1.0, 0.0, 1.0];
+    let all = steps.into_iter().flat_map(|x| {
+        steps.into_iter().flat_map(move |y| steps.into_iter().map(move |z| Vec3::new(x, y, z)))
+    });
+    all.filter(|d| *d != Vec3::ZERO).map(Vec3::normalize).collect()
 }
 
 /// Slope of the line through the points, least squares.
@@ -104,6 +202,36 @@ mod tests {
         let radius = |k: i32| stretch * libm::exp(0.05 * f64::from(k));
         let point = |k| [radius(k), 7.0 * (stretch / radius(k)).powi(2)].map(libm::log);
         shells((0..60).map(point).collect())
+    }
+
+    /// A field whose speed is half as large again along one axis is uneven by what the cones there depart from the mean; an even one
+    /// is not, whatever its decay, and a gap is not a number.
+    #[test]
+    fn unevenness_is_the_largest_departure() {
+        for axis in [None, Some(Vec3::Y)] {
+            let field = |more: f64| -> Vec<(Vec3, [f64; 2])> {
+                let to = directions(axis);
+                let mut points = Vec::new();
+                for k in -4..=4 {
+                    let r = 1.0 + 0.1 * f64::from(k);
+                    for d in &to {
+                        let v = if d.dot(to[0]) > 0.999 { more } else { 1.0 } / r;
+                        points.push((*d, [libm::log(3.0 * r), libm::log(v)]));
+                    }
+                }
+                points
+            };
+            let at = libm::log(3.0);
+            assert!(uneven(&field(1.0), axis, at) < 1e-9);
+            let one = uneven(&field(1.5), axis, at);
+            // Cones about a line overlap: three directions take part in each.
+            let wanted = if axis.is_some() { 0.12 } else { 0.47 };
+            assert!((one - wanted).abs() < 0.05, "{one}");
+            let mut gap = field(1.0);
+            let first = directions(axis)[0];
+            gap.retain(|(d, _)| d.dot(first) < 0.7);
+            assert!(uneven(&gap, axis, at).is_nan());
+        }
     }
 
     #[test]

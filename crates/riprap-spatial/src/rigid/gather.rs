@@ -79,7 +79,7 @@ pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         pushes: &scratch.pushes,
         found: &scratch.desk,
         implicit: world.implicit.is_some(),
-        plain: scratch.plain(),
+        plain: scratch.plain() && world.setup.air == 0.0,
         width: scratch.width,
     };
     scratch.face_entries.clear();

@@ -135,7 +135,7 @@ fn lay_out(world: &World, scratch: &mut Scratch) {
         let inertia = attitude.map_or(solid.inertia, |q| turned_inertia(&solid.inertia, q));
         let [along, about] = freedoms.map(|free| free.to_array());
         let held = std::array::from_fn(|k| [along, about][k / 3][k % 3] == 0.0);
-        let [mass, turn] = kick.inertia_factors();
+        let [mass, turn] = kick.inertia_factors(b, moving.velocity);
         desk.solver.bodies.push(Body {
             mass: mass * solid.mass,
             inertia: inertia * turn,

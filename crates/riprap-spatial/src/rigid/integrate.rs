@@ -44,7 +44,7 @@ impl Divide for Piece<'_> {
 }
 
 pub(crate) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
-    let plain = scratch.plain();
+    let plain = scratch.plain() && world.setup.air == 0.0;
     let moving = Integration {
         kick: Kick {
             solids: &world.solids,

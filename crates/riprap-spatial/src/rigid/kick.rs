@@ -54,6 +54,8 @@ pub struct Kick<'a> {
     pub time: f64,
     /// Damping of the phase.
     pub damping: Damping,
+    /// Half the density of the air times the drag coefficient, kg/m³.
+    pub air: f64,
     /// Halves of the step before and after the present time, s.
     pub half: [f64; 2],
     /// Time between the two half-step velocities, s.
@@ -126,10 +128,24 @@ impl Kick<'_> {
         &self.solids[self.solid[b] as usize]
     }
 
-    /// By what mass damping makes masses and moments of inertia larger for forces that are not known yet.
-    pub(crate) fn inertia_factors(&self) -> [f64; 2] {
+    /// By what mass damping and air make mass and moments of inertia of block `b` larger for forces that are not known yet.
+    pub(crate) fn inertia_factors(&self, b: usize, velocity: Vec3) -> [f64; 2] {
+        let [along, about] = self.rates(b, velocity);
+        [along, about].map(|alpha| 1.0 + kick::fade(alpha, self.span))
+    }
+
+    /// Rates of damping proportional to mass and to inertia, 1/s. Air is damping with a rate that grows with the speed, `k A |v|/m`, so that it
+    /// acts on the mean of the velocities before and after: A is the cross-section of a ball of the same volume.
+    fn rates(&self, b: usize, velocity: Vec3) -> [f64; 2] {
         let Damping { mass, rotation, .. } = self.damping;
-        [mass, rotation.unwrap_or(mass)].map(|alpha| 1.0 + kick::fade(alpha, self.span))
+        let turn = rotation.unwrap_or(mass);
+        if self.air == 0.0 {
+            return [mass, turn];
+        }
+        let solid = self.solid_of(b);
+        let radius = libm::cbrt(0.75 * solid.volume / std::f64::consts::PI);
+        let area = std::f64::consts::PI * radius * radius;
+        [mass + self.air * area * velocity.length() / solid.mass, turn]
     }
 
     /// Velocity change of block `b`.
@@ -157,8 +173,7 @@ impl Kick<'_> {
         };
         let drag = against(acting.force, v);
         let twist = against(acting.moment, w);
-        let alpha = self.damping.mass;
-        let alpha_turn = self.damping.rotation.unwrap_or(alpha);
+        let [alpha, alpha_turn] = self.rates(b, v);
         let fade = kick::fade(alpha, self.span);
         let fade_turn = kick::fade(alpha_turn, self.span);
         let push = acting.force + acting.drag + drag;
@@ -295,6 +310,7 @@ impl Scratch {
             gravity: world.gravity,
             time: world.time,
             damping: self.damping,
+            air: world.setup.air,
             // `pending` and not the last step: seen again at the same instant, the half before it has been booked.
             half: [0.5 * world.pending, 0.5 * self.coming_dt],
             // Velocities belong to the middles of steps: a kick leads from the one to the next.

@@ -9,7 +9,7 @@ use crate::plan::{
     Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxation, Relaxing,
     TimeStep, Until,
 };
-use crate::plan::{IMPLICIT_STEP, Integration};
+use crate::plan::{IMPLICIT_STEP, Integration, Rest};
 use crate::planar::setup::ContactLaw;
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::read::{Given, Provenance, with_unit};
@@ -83,6 +83,10 @@ impl Builder<'_> {
                 time: said.until.time.as_ref().map(Quantity::si),
                 unbalanced: said.until.unbalanced.as_ref().map(Quantity::si),
                 kinetic: said.until.kinetic.as_ref().map(Quantity::si),
+                rest: said.until.rest.as_ref().map(|rest| {
+                    let mut read = self.reading(format!("phases.{}.until.rest", said.name), rest);
+                    Rest { share: read.share(), speed: read.speed(), hold: read.hold() }
+                }),
                 steps: said.until.steps,
             },
             integration,

@@ -356,7 +356,10 @@ fn relaxing(phase: &Phase) -> Option<Relaxing> {
 /// Whether a phase may end before its time or step count.
 fn may_rest(phase: &Phase) -> bool {
     let until = &phase.until;
-    until.unbalanced.is_some() || until.kinetic.is_some() || relaxing(phase).is_some()
+    until.unbalanced.is_some()
+        || until.kinetic.is_some()
+        || until.rest.is_some()
+        || relaxing(phase).is_some()
 }
 
 /// Fewest and most steps of all phases; absent if one has no end. `stable` is the stable step at the start, s, `touching` that of blocks that

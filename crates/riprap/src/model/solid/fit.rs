@@ -7,6 +7,7 @@
 
 use riprap_geom::Vec3;
 
+use super::graded::is_graded_at;
 use super::grid::{Lattice, grid_of, said_corner, said_size};
 use super::turn::Turn;
 use super::{global, triple};
@@ -64,6 +65,9 @@ impl Builder<'_> {
             let (Some(centre), true) = (&gas.centre, gas.is_fitted()) else {
                 continue;
             };
+            if scenario.blocks.iter().any(|block| is_graded_at(block, name)) {
+                continue; // those cells make room for it
+            }
             let (Some(mass), Some(explosive)) = (&gas.mass, self.explosive(gas)) else {
                 continue; // reported by the rules of the language
             };

@@ -14,6 +14,7 @@ mod cut;
 mod deform;
 mod fit;
 mod glued;
+mod graded;
 mod grid;
 mod inspect;
 mod joints;
@@ -107,6 +108,10 @@ impl Builder<'_> {
         self.spatial.found_contacts = found_contacts;
         self.spatial.kinematics = kinematics;
         self.spatial.rotation_bound = bound;
+        if let Some(air) = &space.air {
+            let mut read = self.reading("space.spatial.air", air);
+            self.spatial.air = 0.5 * read.density() * read.drag();
+        }
         if let Some(periods) = periods {
             self.spatial.periodic = periods;
         }

@@ -18,7 +18,7 @@ use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::spatial::setup::{BlockName, BlockSpec, Shape, Solid};
 
 /// Most cells of a box.
-const MOST_CELLS: f64 = 1e6;
+pub(super) const MOST_CELLS: f64 = 1e6;
 
 /// Centre and half the edges of a brick, m.
 pub(super) fn brick(brick: &Brick) -> (Vec3, Vec3) {
@@ -32,9 +32,18 @@ pub(super) fn brick(brick: &Brick) -> (Vec3, Vec3) {
 }
 
 /// Lowest and highest corner of a box of cells, m.
-fn box_of(said: &GridCells) -> (Vec3, Vec3) {
+pub(super) fn box_of(said: &GridCells) -> (Vec3, Vec3) {
     let min = said.corner.as_ref().map_or(Vec3::ZERO, global);
     (min, min + Vec3::from(said.size.each_ref().map(Quantity::si)))
+}
+
+/// What is divided into cells.
+pub(super) fn whole(said: &GridCells) -> Result<Polyhedron, GeomError> {
+    let (min, max) = box_of(said);
+    match said.sides {
+        None => Ok(Polyhedron::brick(0.5 * (min + max), 0.5 * (max - min))),
+        Some(sides) => regular_prism(min, max, sides as u32),
+    }
 }
 
 /// Points that show where a table's blocks are, in the coordinates of the file.
@@ -194,16 +203,21 @@ impl Builder<'_> {
 
     /// The cells of a box; `None` after an error.
     fn cells(&mut self, block: &Block, said: &GridCells, shift: Vec3) -> Option<Vec<Shape>> {
+        if let Some(graded) = &said.graded {
+            return self.graded(block, said, graded, shift);
+        }
         let (min, max) = box_of(said);
-        let cell = said.cell.si();
+        // Reported by the rules of the language.
+        let cell_said = said.cell.as_ref()?;
+        let cell = cell_said.si();
         let count = (max - min).element_product() / (cell * cell * cell);
         if count.is_nan() || count > MOST_CELLS {
             let message = format!("`{}` would have about {count:.0} cells", block.name);
             let help = "at most 1 million cells are allowed; use a larger `cell`, or `grid.box`";
-            self.error_at("geometry.count", said.cell.span.clone(), message, help);
+            self.error_at("geometry.count", cell_said.span.clone(), message, help);
             return None;
         }
-        if !self.has_memory(block, count, &said.cell.span) {
+        if !self.has_memory(block, count, &cell_said.span) {
             return None;
         }
         let lattice = said.turned.is_some() || said.site.is_some();
@@ -212,7 +226,7 @@ impl Builder<'_> {
         if lattice && (square.is_nan() || square > 16.0 * MOST_CELLS) {
             let message = format!("`{}` is too slender for a rotated lattice", block.name);
             let help = "use a larger `cell`, or `grid.box`";
-            self.error_at("geometry.count", said.cell.span.clone(), message, help);
+            self.error_at("geometry.count", cell_said.span.clone(), message, help);
             return None;
         }
         let (sites, relax, smallest) = if lattice {
@@ -226,15 +240,23 @@ impl Builder<'_> {
             let sites = random_sites(min, max, cell, seed);
             (sites, relax as usize, smallest)
         };
-        let whole = match said.sides {
-            None => Ok(Polyhedron::brick(0.5 * (min + max), 0.5 * extent)),
-            Some(sides) => regular_prism(min, max, sides as u32),
-        };
+        let whole = whole(said);
+        let made = whole.and_then(|whole| cells_within(&whole, &sites, relax, smallest));
+        self.made_cells(block, made, shift)
+    }
+
+    /// Cells as shapes; `None` after an error.
+    pub(super) fn made_cells(
+        &mut self,
+        block: &Block,
+        made: Result<Vec<Polyhedron>, GeomError>,
+        shift: Vec3,
+    ) -> Option<Vec<Shape>> {
         let shifted = |mut solid: Polyhedron| {
             solid.vertices.iter_mut().for_each(|v| *v += shift);
             Shape::Polyhedron(Box::new(Solid { vertices: solid.vertices, faces: solid.faces }))
         };
-        match whole.and_then(|whole| cells_within(&whole, &sites, relax, smallest)) {
+        match made {
             Ok(cells) => Some(cells.into_iter().map(shifted).collect()),
             Err(error) => {
                 let message = format!("the cells of `{}`: {error}", block.name);

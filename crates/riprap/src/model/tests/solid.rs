@@ -10,6 +10,7 @@ use crate::spatial::setup::{
 use riprap_geom::Vec3;
 
 mod bodies;
+mod graded;
 mod parts;
 mod turn;
 
@@ -227,7 +228,9 @@ fn charges_are_placed_coupled_and_weighed() {
     let charge = &model.summary.charges[0];
     assert_eq!((charge.blocks, charge.cavity), (8, 0.125));
     assert!((charge.ratio.unwrap() - 7.8125).abs() < 1e-12);
-    assert!(model.warnings.is_empty(), "{:?}", model.warnings);
+    // Its joints can fail.
+    let codes: Vec<&str> = model.warnings.iter().map(|w| w.code).collect();
+    assert_eq!(codes, ["source.lattice"], "{:?}", model.warnings);
 }
 
 #[test]

@@ -42,6 +42,10 @@ pub struct Cursor {
     /// The stable step that was last looked for: joints that have given way since do not lengthen it, so that a run that is stopped
     /// goes on with the same.
     pub stable: Option<Stable>,
+    /// The largest kinetic energy seen so far, J; in the plane per metre of thickness.
+    pub kinetic_peak: f64,
+    /// Time since which the model rests as the phase asks, s.
+    pub resting_since: Option<f64>,
     /// The step for which the last forces of the last phase were found, s: dampers depend on it, and a run that is resumed at its end finds
     /// these forces again.
     pub closing_dt: f64,

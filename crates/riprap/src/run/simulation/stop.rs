@@ -82,7 +82,28 @@ impl Simulation {
             }
         }
         let at_rest = until.kinetic.is_some_and(|x| self.view().kinetic() <= x);
-        at_rest.then_some(Reason::AtRest)
+        // Rest that the phase before has seen does not count: this one may have removed what held.
+        let since = self.cursor.resting_since.map(|since| since.max(self.cursor.start_time));
+        let rests = until.rest.zip(since).is_some_and(|(rest, t)| self.time() - t >= rest.hold);
+        (at_rest || rests).then_some(Reason::AtRest)
+    }
+
+    /// Notes the largest kinetic energy, and since when the model rests as the phase asks.
+    fn note_rest(&mut self) {
+        let kinetic = self.view().kinetic();
+        self.cursor.kinetic_peak = self.cursor.kinetic_peak.max(kinetic);
+        let rests = self.phase().and_then(|phase| phase.until.rest).is_some_and(|rest| {
+            let view = self.view();
+            let waits = view.spatial().is_some_and(|v| {
+                let mut cavities = v.world.cavities.iter();
+                cavities.any(|cavity| cavity.ignited.is_none())
+            });
+            !waits
+                && kinetic <= rest.share * self.cursor.kinetic_peak
+                && view.fastest().is_none_or(|(_, speed)| speed <= rest.speed)
+        });
+        let since = self.cursor.resting_since.unwrap_or(self.time());
+        self.cursor.resting_since = rests.then_some(since);
     }
 
     /// Whether what the dashpots of a static phase carry has hardly fallen in many steps of balance.
@@ -139,6 +160,7 @@ impl Simulation {
             self.look_at_motion()?;
             self.note_motion();
             self.note_sinking();
+            self.note_rest();
         }
         if over || self::due(step, LEDGER, 8) {
             self.look_at_strain(over)?;
