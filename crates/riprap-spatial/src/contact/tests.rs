@@ -1,5 +1,7 @@
 //! Separate blocks that fall, slide and rebound in the engine; threads and restart.
 
+mod periodic;
+
 use riprap_geom::{Quat, Vec3};
 
 use crate::dynamics::damping::Damping;
@@ -382,7 +384,11 @@ fn slight_impacts_do_not_shorten_the_step() {
     let mut run = Run::new(above_floor(vec![block], 0.5, 0.1), 1, 1e-4);
     // The joint of the start is gone.
     run.evaluate();
-    super::release::release_pairs(&mut run.world, &mut run.scratch, &[[0, 1]]);
+    super::release::release_pairs(
+        &mut run.world,
+        &mut run.scratch,
+        &[crate::kernel::PairKey::plain([0, 1])],
+    );
     run.world.found.pairs[0].seated = false;
     run.until(5e-4);
     assert!(run.world.found.pairs[0].depth > 0.0);
