@@ -86,6 +86,10 @@ impl Joints {
         if !self.chained(key) {
             return false;
         }
+        // Faces at the start do not change: what was held has none that face each other, however its joints have changed since.
+        if world.found.held.binary_search(key).is_ok() {
+            return true;
+        }
         let ends = key.ends.map(|b| b as usize);
         let pair = ends.map(|b| &shapes[world.solid[b] as usize]);
         let place =
