@@ -431,7 +431,7 @@ impl InPair<'_> {
             self.pair.depth = patch.depth;
         }
         self.pair.next = found.next;
-        self.pair.patches.push(patch);
+        self.pair.push(patch);
     }
 
     /// Ends the evaluation; how the pair touches. `before`: what its first patch remembered until now.

@@ -311,7 +311,7 @@ fn hand_over(world: &mut World, p: usize) {
         energy: carried.energy + normal_energy,
     })));
     if pair.patches.is_empty() {
-        pair.patches.push(ContactPatch::default());
+        pair.push(ContactPatch::default());
     }
     let patch = &mut pair.patches[0];
     let memory = Memory {

@@ -69,6 +69,14 @@ impl FoundPair {
         PairKey { ends: self.ends, image: self.image }
     }
 
+    /// Adds a patch. Most pairs have one at most: a list of its own accord would take room for four.
+    pub fn push(&mut self, patch: ContactPatch) {
+        if self.patches.capacity() == 0 {
+            self.patches.reserve_exact(1);
+        }
+        self.patches.push(patch);
+    }
+
     /// The patch that presses most, the first of equal ones; `None` when apart.
     #[must_use]
     pub fn leading(&self) -> Option<&ContactPatch> {

@@ -252,7 +252,7 @@ pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch, span: f64) {
         };
         pair.depth = reply.depth;
         pair.patches.clear();
-        pair.patches.push(ContactPatch {
+        pair.push(ContactPatch {
             key: [0; 2],
             memory: told(of, reply),
             stored: sprung(&of.law, of),
