@@ -36,7 +36,7 @@ use crate::broad::search::Blocks;
 use crate::joint::classes::stiffness;
 use crate::kernel::glued::Glued;
 use crate::kernel::offset::{Carried, Offset};
-use crate::kernel::{Pose, Role, Shape};
+use crate::kernel::{PairKey, Pose, Role, Shape};
 use crate::ledger::Works;
 use crate::setup;
 use crate::setup::InterfaceLaw;
@@ -68,6 +68,8 @@ pub struct Meeting {
     pub on: bool,
     /// Rigid blocks that can come together with all others: they belong to another body than most, or a joint of theirs has failed.
     pub seekers: usize,
+    /// Whether deformable blocks can meet others.
+    pub deformable: bool,
     /// Interfaces under which blocks can meet that have no friction of their own: `interfaces.NAME`.
     pub sticking: Vec<String>,
     /// Interfaces under which blocks can meet whose cohesion or tension no joint of the model has and no contact takes: `interfaces.NAME`.
@@ -80,7 +82,11 @@ pub fn meeting(world: &World) -> Meeting {
     let roles = roles(world);
     let setup = &world.setup;
     let mut used = vec![[false; 2]; setup.materials.len()];
-    let mut meeting = Meeting { on: setup.found_contacts, ..Meeting::default() };
+    let mut meeting = Meeting {
+        on: setup.found_contacts,
+        deformable: deformable::can_meet(world),
+        ..Meeting::default()
+    };
     for (b, role) in roles.iter().enumerate().filter(|(b, _)| world.alive[*b]) {
         let material = setup.blocks[b].material as usize;
         match role {
@@ -217,9 +223,9 @@ fn drop_pair(works: &mut Works, pair: &FoundPair) {
 }
 
 /// What pairs of which a block has been split hide of their pressure ([`Offset::of_parts`]), by their blocks.
-fn hidden_of_split(world: &World, pairs: &[FoundPair]) -> BTreeMap<[u32; 2], [f64; 2]> {
+fn hidden_of_split(world: &World, pairs: &[FoundPair]) -> BTreeMap<PairKey, [f64; 2]> {
     let split = |pair: &&FoundPair| pair.ends.iter().any(|b| !world.alive[*b as usize]);
-    let of = |pair: &FoundPair| Some((pair.ends, pair.offset.as_ref()?.of_parts()?));
+    let of = |pair: &FoundPair| Some((pair.key(), pair.offset.as_ref()?.of_parts()?));
     pairs.iter().filter(split).filter_map(of).collect()
 }
 
@@ -414,8 +420,9 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
         desk.candidates.rebuild(
             &blocks,
             &world.found.search,
-            |i, j| joints.joins(i, j) || !(world.is_free(i as usize) || world.is_free(j as usize)),
-            |i, j| joints.hold(world, &desk.shapes, [i, j]),
+            &world.setup.periodic,
+            |pair| joints.joins(pair) || !pair.ends.iter().any(|b| world.is_free(*b as usize)),
+            |pair| joints.hold(world, &desk.shapes, pair),
             &scratch.exec,
         );
     } else {
@@ -433,8 +440,8 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     };
     let mut dropped = Works::default();
     let mut pairs = desk.candidates.carry(
-        old.into_iter().map(|pair| (pair.ends, pair)),
-        |candidate| earlier.begin([candidate.i, candidate.j]),
+        old.into_iter().map(|pair| (pair.key(), pair)),
+        |candidate| earlier.begin(candidate.key()),
         |_, pair| drop_pair(&mut dropped, &pair),
     );
     terrain::add_pairs(world, &desk.terrain.blocks, grounded, &mut pairs, &mut dropped);
@@ -456,9 +463,9 @@ struct Earlier<'a> {
     /// Roles until now, where they have been found again.
     roles: &'a [Role],
     /// Pairs that joints held; sorted.
-    held: &'a [[u32; 2]],
+    held: &'a [PairKey],
     /// See [`hidden_of_split`].
-    hidden: BTreeMap<[u32; 2], [f64; 2]>,
+    hidden: BTreeMap<PairKey, [f64; 2]>,
 }
 
 impl Earlier<'_> {
@@ -474,22 +481,22 @@ impl Earlier<'_> {
     }
 
     /// A pair that becomes a candidate.
-    fn begin(&self, ends: [u32; 2]) -> FoundPair {
-        let of_parents = |[i, j]: [u32; 2]| {
-            let pair = |i: u32, j: u32| self.hidden.get(&[i.min(j), i.max(j)]).copied();
+    fn begin(&self, key: PairKey) -> FoundPair {
+        let of_parents = |PairKey { ends: [i, j], image }: PairKey| {
+            let pair = |i: u32, j: u32| self.hidden.get(&PairKey::sorted([i, j], image).0).copied();
             self.up(i).find_map(|i| self.up(j).find_map(|j| pair(i, j)))
         };
         // It was not looked at as long as joints held it, or both blocks in the largest lattice: what it overlaps by presses from now on
         // only with what comes on top.
-        let seated = self.held.binary_search(&ends).is_ok();
-        let offset = if seated || ends.iter().all(|b| self.was_passive(*b)) {
+        let seated = self.held.binary_search(&key).is_ok();
+        let offset = if seated || key.ends.iter().all(|b| self.was_passive(*b)) {
             Some(Offset::new(Carried::default()))
         } else if self.hidden.is_empty() {
             None
         } else {
-            of_parents(ends).map(Offset::begin)
+            of_parents(key).map(Offset::begin)
         };
-        FoundPair { ends, offset: offset.map(Box::new), seated, ..FoundPair::default() }
+        FoundPair { offset: offset.map(Box::new), seated, ..FoundPair::new(key) }
     }
 }
 

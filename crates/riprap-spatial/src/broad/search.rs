@@ -17,8 +17,10 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
+use crate::broad::images::Images;
 use crate::exec::{CHUNK, Exec};
 use crate::kernel::grid::{Box3, Grid, Role};
+use crate::kernel::image::{Image, PairKey, Periods};
 use crate::kernel::peak::{Peak, peak};
 use crate::kernel::planes;
 use crate::kernel::planes::Planes;
@@ -131,13 +133,13 @@ pub(crate) fn path_bound(from: &Pose, to: &Pose, radius: f64) -> f64 {
 /// A pair that can touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Candidate {
-    /// First block; the smaller number.
-    pub i: u32,
-    /// Second block.
-    pub j: u32,
+    /// The blocks; the smaller number first.
+    pub ends: [u32; 2],
+    /// Which image of the second one.
+    image: Image,
     /// Numbers of listed faces of both.
     counts: [u16; 2],
-    start: usize,
+    start: u32,
     /// Whether a face of one can become coplanar with one of the other that looks the same way.
     pub ties: bool,
     /// Bound of the area that the contact can have before the list is made anew, across its normal, m².
@@ -145,11 +147,17 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// The pair among all.
+    #[must_use]
+    pub fn key(&self) -> PairKey {
+        PairKey { ends: self.ends, image: self.image }
+    }
+
     /// The faces of `i` and of `j` that can take part, ascending.
     #[must_use]
     pub fn faces<'a>(&self, lists: &'a [u16]) -> [&'a [u16]; 2] {
         let [m, n] = self.counts.map(usize::from);
-        let (of_i, rest) = lists[self.start..].split_at(m);
+        let (of_i, rest) = lists[self.start as usize..].split_at(m);
         [of_i, &rest[..n]]
     }
 
@@ -157,43 +165,52 @@ impl Candidate {
     #[must_use]
     pub fn witnesses<'a>(&self, witnesses: &'a [Witness]) -> &'a [Witness] {
         let [m, n] = self.counts.map(usize::from);
-        &witnesses[self.start..self.start + m + n]
+        let start = self.start as usize;
+        &witnesses[start..start + m + n]
     }
 }
 
 /// The candidate list; scratch that keeps its room.
 #[derive(Debug, Default)]
 pub struct Candidates {
-    /// Pairs that can touch, sorted by (i, j).
+    /// Pairs that can touch, sorted.
     pub pairs: Vec<Candidate>,
     /// Faces of all pairs.
     pub lists: Vec<u16>,
     /// Guesses for each of them ([`Pair::witnesses`](crate::kernel::Pair::witnesses)).
     pub witnesses: Vec<Witness>,
     /// Pairs that would be candidates by their boxes, but are held; sorted.
-    pub held: Vec<[u32; 2]>,
+    pub held: Vec<PairKey>,
     /// The smallest inradius of each block and of those that it can touch, m.
     pub reach: Vec<f64>,
     grid: Grid,
+    images: Images,
     boxes: Vec<Box3>,
     workspaces: Vec<Workspace>,
     outside: Vec<bool>,
 }
 
 impl Candidates {
-    /// Makes the list from `search`. `excluded(i, j)` rules pairs out, e.g. those that a living patch joins; `held(i, j)` too, and they
+    /// Makes the list from `search`. `excluded` rules pairs out, e.g. those that a living patch joins; `held` too, and they
     /// are remembered.
     pub fn rebuild(
         &mut self,
         blocks: &Blocks,
         search: &Search,
-        excluded: impl Fn(u32, u32) -> bool + Sync,
-        held: impl Fn(u32, u32) -> bool + Sync,
+        periods: &Periods,
+        excluded: impl Fn(&PairKey) -> bool + Sync,
+        held: impl Fn(&PairKey) -> bool + Sync,
         exec: &Exec,
     ) {
         self.find_boxes(blocks, search, exec);
-        let boxes = &self.boxes;
-        let close = self.grid.close_pairs(boxes, blocks.roles, excluded, exec);
+        let (boxes, grid) = (&self.boxes, &mut self.grid);
+        let close: Vec<PairKey> = if *periods == [None; 3] {
+            let out = |i: u32, j: u32| excluded(&PairKey::plain([i, j]));
+            let close = grid.close_pairs(boxes, blocks.roles, out, exec);
+            close.iter().map(|ends| PairKey::plain(*ends)).collect()
+        } else {
+            self.images.close_pairs(grid, boxes, blocks.roles, periods, excluded, exec)
+        };
         let runs = close.len().div_ceil(CHUNK);
         if self.workspaces.len() < runs {
             self.workspaces.resize_with(runs, Workspace::default);
@@ -202,12 +219,12 @@ impl Candidates {
             workspace.pairs.clear();
             workspace.lists.clear();
             workspace.held.clear();
-            for &pair in &close[range] {
-                if held(pair[0], pair[1]) {
-                    workspace.held.push(pair);
+            for pair in &close[range] {
+                if held(pair) {
+                    workspace.held.push(*pair);
                     continue;
                 }
-                workspace.add(blocks, search, pair.map(|b| &boxes[b as usize]), pair);
+                workspace.add(blocks, search, periods, boxes, pair);
             }
         });
         let found = || self.workspaces[..runs].iter();
@@ -216,7 +233,7 @@ impl Candidates {
         self.held.clear();
         for workspace in &mut self.workspaces[..runs] {
             self.held.append(&mut workspace.held);
-            let start = self.lists.len();
+            let start = self.lists.len() as u32;
             // What has been taken over is not kept twice until the next time.
             let pairs = std::mem::take(&mut workspace.pairs);
             self.pairs.extend(
@@ -230,7 +247,7 @@ impl Candidates {
         self.reach.clear();
         self.reach.extend((0..blocks.roles.len()).map(|b| blocks.shape(b).inradius));
         for pair in &self.pairs {
-            let ends = [pair.i, pair.j].map(|b| b as usize);
+            let ends = pair.ends.map(|b| b as usize);
             let reach = ends.map(|b| blocks.shape(b).inradius);
             for b in ends {
                 self.reach[b] = self.reach[b].min(reach[0]).min(reach[1]);
@@ -258,11 +275,11 @@ impl Candidates {
     /// get `fresh`; states of pairs that are no longer here go to `lost`.
     pub fn carry<S>(
         &self,
-        old: impl IntoIterator<Item = ([u32; 2], S)>,
+        old: impl IntoIterator<Item = (PairKey, S)>,
         fresh: impl Fn(&Candidate) -> S,
-        lost: impl FnMut([u32; 2], S),
+        lost: impl FnMut(PairKey, S),
     ) -> Vec<S> {
-        carry(&self.pairs, |pair| [pair.i, pair.j], old, fresh, lost)
+        carry(&self.pairs, Candidate::key, old, fresh, lost)
     }
 
     /// Boxes of all blocks, grown by their margins.
@@ -297,12 +314,12 @@ pub(crate) fn any_leaves(
 }
 
 /// States of the pairs of a list from those of the last one, see [`Candidates::carry`]; both are sorted by pair.
-pub(crate) fn carry<P, S>(
+pub(crate) fn carry<P, K: Ord, S>(
     pairs: &[P],
-    key: impl Fn(&P) -> [u32; 2],
-    old: impl IntoIterator<Item = ([u32; 2], S)>,
+    key: impl Fn(&P) -> K,
+    old: impl IntoIterator<Item = (K, S)>,
     fresh: impl Fn(&P) -> S,
-    mut lost: impl FnMut([u32; 2], S),
+    mut lost: impl FnMut(K, S),
 ) -> Vec<S> {
     // Both lists are in the order of their pairs: one walk through the two does it.
     let mut old = old.into_iter().peekable();
@@ -364,13 +381,20 @@ struct Workspace {
     beyond: Vec<f64>,
     pairs: Vec<Candidate>,
     lists: Vec<u16>,
-    held: Vec<[u32; 2]>,
+    held: Vec<PairKey>,
 }
 
 impl Workspace {
     /// Adds the pair if it can touch.
-    fn add(&mut self, blocks: &Blocks, search: &Search, boxes: [&Box3; 2], [i, j]: [u32; 2]) {
-        let ends = [i as usize, j as usize];
+    fn add(
+        &mut self,
+        blocks: &Blocks,
+        search: &Search,
+        periods: &Periods,
+        boxes: &[Box3],
+        key: &PairKey,
+    ) {
+        let ends = key.ends.map(|b| b as usize);
         let margins = ends.map(|b| search.margin[b]);
         let gap = margins[0] + margins[1];
         let shapes = ends.map(|b| blocks.shape(b));
@@ -382,7 +406,7 @@ impl Workspace {
             shape: shapes[s],
             normals: &self.normals[s],
             turn: turns[s],
-            position: search.pose[ends[s]].position,
+            position: key.place(s, search.pose[ends[s]].position, periods),
         });
         let origin = planes::origin(&bodies[0], &bodies[1]);
         self.planes.gather_all([&bodies[0], &bodies[1]], origin);
@@ -425,13 +449,25 @@ impl Workspace {
             };
             faces.iter().map(show).sum()
         };
-        let within = common(boxes[0], boxes[1]).map_or(0.0, |common| section(&common));
+        let second = boxes[ends[1]];
+        let second = match key.image {
+            Image::SELF => second,
+            image => second.moved(image.shift(periods)),
+        };
+        let within = common(&boxes[ends[0]], &second).map_or(0.0, |common| section(&common));
         let area = if axis == Vec3::ZERO {
             within
         } else {
             within.min(shown(0, of_i, axis)).min(shown(1, of_j, -axis))
         };
-        self.pairs.push(Candidate { i, j, counts, start, ties, area });
+        self.pairs.push(Candidate {
+            ends: key.ends,
+            image: key.image,
+            counts,
+            start: start as u32,
+            ties,
+            area,
+        });
     }
 
     /// Appends the faces of block `side` that no plane of the other block has wholly beyond it by more than `reach`.

@@ -14,8 +14,8 @@ use crate::contact::{left, limit};
 use crate::exec::{CHUNK, Exec};
 use crate::kernel::glued::{Glued, Placed};
 use crate::kernel::{
-    Body, ContactInput, ContactLaw, Memory, Motion, Pair, Pose, Reached, Shape, Sums, Terrain,
-    contact_force, part, turn,
+    Body, ContactInput, ContactLaw, Memory, Motion, Pair, PairKey, Periods, Pose, Reached, Shape,
+    Sums, Terrain, contact_force, part, turn,
 };
 use crate::state::contact_scratch::{
     Acting, Constants, ContactScratch, Deepest, Exerted, PairGroup, PairKind, PairSums, Pressed,
@@ -64,6 +64,7 @@ fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> Pa
             turns: &desk.turns,
             poses: &desk.poses,
             turning: &desk.turning,
+            periods: &world.setup.periodic,
         },
         world,
         candidates: &desk.candidates,
@@ -167,25 +168,33 @@ struct BodiesInPairs<'a> {
     turns: &'a [Mat3],
     poses: &'a [Pose],
     turning: &'a [f64],
+    periods: &'a Periods,
 }
 
 impl BodiesInPairs<'_> {
     /// Two blocks by their terms.
-    fn placed(&self, ends: [u32; 2]) -> Placed<'_> {
+    fn placed(&self, key: &PairKey) -> Placed<'_> {
+        let pose = |side: usize| {
+            let Pose { position, rotation } =
+                self.poses[self.place[key.ends[side] as usize] as usize];
+            Pose { position: key.place(side, position, self.periods), rotation }
+        };
         Placed {
-            blocks: ends.map(|b| &self.glued[self.solid[b as usize] as usize]),
-            poses: ends.map(|b| self.poses[self.place[b as usize] as usize]),
+            blocks: key.ends.map(|b| &self.glued[self.solid[b as usize] as usize]),
+            poses: [pose(0), pose(1)],
         }
     }
 
-    fn body(&self, b: u32) -> Body<'_> {
+    /// The first (0) or second (1) block of a pair.
+    fn body(&self, key: &PairKey, side: usize) -> Body<'_> {
+        let b = key.ends[side];
         let at = self.place[b as usize] as usize;
         let normals = self.first_normal[at] as usize..self.first_normal[at + 1] as usize;
         Body {
             shape: self.shape(b),
             normals: &self.normals[normals],
             turn: self.turns[at],
-            position: self.poses[at].position,
+            position: key.place(side, self.poses[at].position, self.periods),
         }
     }
 
@@ -282,7 +291,8 @@ impl Evaluation<'_> {
 
     fn convex(&self, k: usize, acting: &mut InPair, workspace: &mut Workspace) -> Reached {
         let candidate = &self.candidates.pairs[k];
-        let bodies = acting.pair.ends.map(|b| self.bodies.body(b));
+        let key = acting.pair.key();
+        let bodies = [0, 1].map(|side| self.bodies.body(&key, side));
         acting.centres = [0, 1].map(|side: usize| bodies[side].position);
         acting.radius = bodies[0].shape.radius.min(bodies[1].shape.radius);
         // The walk begins where the step before has ended, also where this instant
@@ -306,9 +316,9 @@ impl Evaluation<'_> {
     }
 
     fn glued(&self, acting: &mut InPair, workspace: &mut Workspace) -> Reached {
-        let ends = acting.pair.ends;
-        let placed = self.bodies.placed(ends);
-        let [a, b] = ends.map(|b| self.bodies.shape(b).radius);
+        let key = acting.pair.key();
+        let placed = self.bodies.placed(&key);
+        let [a, b] = key.ends.map(|b| self.bodies.shape(b).radius);
         acting.radius = a.min(b);
         acting.centres = placed.poses.map(|pose| pose.position);
         let law = acting.law;
@@ -421,7 +431,7 @@ impl InPair<'_> {
             self.pair.depth = patch.depth;
         }
         self.pair.next = found.next;
-        self.pair.patches.push(patch);
+        self.pair.push(patch);
     }
 
     /// Ends the evaluation; how the pair touches. `before`: what its first patch remembered until now.
@@ -433,7 +443,7 @@ impl InPair<'_> {
                 sums.left += left(pair);
                 sums.booked += part(pair.offset.take(), &self.motion, before, self.dt);
                 let seated = pair.seated && gap <= SEATED * reach;
-                **pair = FoundPair { ends: pair.ends, gap, seated, ..FoundPair::default() };
+                **pair = FoundPair { gap, seated, ..FoundPair::new(pair.key()) };
                 return Slot::default();
             }
             (Reached::Touching, _) => Pressed::Contact,

@@ -6,7 +6,7 @@ use crate::contact::{facing, glued, limit};
 use crate::exec::Exec;
 use crate::joint::classes::stiffness;
 use crate::kernel::glued::Glued;
-use crate::kernel::{ContactLaw, Pose, Shape};
+use crate::kernel::{ContactLaw, PairKey, Pose, Shape};
 use crate::setup::{InterfaceLaw, Setup};
 use crate::state::contact_scratch::{Constants, ContactScratch, FacePair, PairKind};
 use crate::state::found::FoundPair;
@@ -28,11 +28,11 @@ pub(super) fn find(world: &World, desk: &mut ContactScratch, exec: &Exec) {
         let mut constants = Vec::with_capacity(run.len());
         let mut facings = Vec::new();
         for c in &candidates[run] {
-            let ends = [c.i, c.j];
+            let ends = c.ends;
             let (mut found, facing) = if ends.iter().any(|b| world.is_glued(*b as usize)) {
-                constants_of_glued(world, (shapes, glued), ends, rows)
+                constants_of_glued(world, (shapes, glued), &c.key(), rows)
             } else {
-                constants_of(world, shapes, ends, rows, c.faces(lists))
+                constants_of(world, shapes, &c.key(), rows, c.faces(lists))
             };
             if let Some(facing) = facing {
                 found.facing = facings.len() as u32;
@@ -67,21 +67,26 @@ pub(super) fn inverse_mass(world: &World, b: usize) -> f64 {
 }
 
 /// Poses of the blocks of a pair when the candidate list was made, and the way that both together may go until the next one, m.
-fn placed(world: &World, ends: [u32; 2]) -> ([Pose; 2], f64) {
+fn placed(world: &World, key: &PairKey) -> ([Pose; 2], f64) {
     let search = &world.found.search;
-    let margins = ends.map(|b| search.margin[b as usize]);
-    (ends.map(|b| search.pose[b as usize]), margins.iter().sum())
+    let margins = key.ends.map(|b| search.margin[b as usize]);
+    let pose = |side: usize| {
+        let Pose { position, rotation } = search.pose[key.ends[side] as usize];
+        Pose { position: key.place(side, position, &world.setup.periodic), rotation }
+    };
+    ([pose(0), pose(1)], margins.iter().sum())
 }
 
 /// What is the same in all steps for a pair, and faces of both that can come flat onto each other.
 fn constants_of(
     world: &World,
     shapes: &[Shape],
-    ends: [u32; 2],
+    key: &PairKey,
     rows: &[ContactLaw],
     faces: [&[u16]; 2],
 ) -> (Constants, Option<FacePair>) {
-    let (poses, margin) = placed(world, ends);
+    let (poses, margin) = placed(world, key);
+    let ends = key.ends;
     let shape = ends.map(|b| &shapes[world.solid[b as usize] as usize]);
     let constants = Constants {
         largest: facing::largest_area(shape, faces),
@@ -98,10 +103,11 @@ fn constants_of(
 fn constants_of_glued(
     world: &World,
     (shapes, glued): (&[Shape], &[Glued]),
-    ends: [u32; 2],
+    key: &PairKey,
     rows: &[ContactLaw],
 ) -> (Constants, Option<FacePair>) {
-    let (poses, margin) = placed(world, ends);
+    let (poses, margin) = placed(world, key);
+    let ends = key.ends;
     let of = ends.map(|b| &glued[world.solid[b as usize] as usize]);
     let constants = Constants {
         largest: of[0].largest.min(of[1].largest),

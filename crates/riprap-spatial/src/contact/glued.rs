@@ -66,7 +66,6 @@ pub(crate) fn check(setup: &Setup, name: impl Fn(usize) -> String) -> Result<(),
             !setup.refinements.is_empty(),
             "cannot be combined with split blocks yet: remove `refine`",
         ),
-        (setup.periodic.iter().any(Option::is_some), "cannot be in a periodic model"),
     ];
     if let Some((_, reason)) = model.into_iter().find(|(refuses, _)| *refuses) {
         return Err(refused(first, reason));
@@ -125,4 +124,4 @@ impl World {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

@@ -7,61 +7,94 @@
 //! on at which no chain of joints is left. It starts without force then ([`super::rebuild`]).
 
 use crate::contact::facing::facing;
-use crate::kernel::{Pose, Shape};
+use crate::kernel::{Image, PairKey, Pose, Shape};
 use crate::state::world::World;
 
 /// Areas of faces on each other below this, over the largest one of the pair, are those of an edge.
 const RIM: f64 = 1e-6;
+
+/// A block as another one sees it: its number, and which image of it.
+type Partner = (u32, Image);
 
 /// Which blocks patches join.
 pub(super) struct Joints {
     /// Where the partners of each block start in `partners`.
     first: Vec<u32>,
     /// Ascending for each block.
-    partners: Vec<u32>,
+    partners: Vec<Partner>,
+}
+
+/// The pair of blocks that patch `p` joins, and whether they have changed sides in it. Across the ends of a periodic model its faces lie on each
+/// other by their image.
+pub(super) fn pair_of_patch(world: &World, p: usize) -> (PairKey, bool) {
+    let (ends, periods) = (world.patches.ends[p], &world.setup.periodic);
+    if *periods == [None; 3] {
+        return PairKey::sorted(ends, Image::SELF);
+    }
+    let arms = world.classes[world.patches.class[p] as usize].arms;
+    let [first, second] = [0, 1].map(|k| world.reference[ends[k] as usize] + arms[k]);
+    PairKey::sorted(ends, Image::nearest(first - second, periods))
 }
 
 impl Joints {
     /// Those that are there now.
     pub(super) fn new(world: &World) -> Self {
-        let ends = &world.patches.ends;
-        let mut both: Vec<[u32; 2]> = ends.iter().flat_map(|&[i, j]| [[i, j], [j, i]]).collect();
+        let pairs = (0..world.patches.len()).map(|p| pair_of_patch(world, p).0);
+        let both = pairs.flat_map(|PairKey { ends: [i, j], image }| {
+            [(i, (j, image)), (j, (i, image.to(Image::SELF)))]
+        });
+        let mut both: Vec<(u32, Partner)> = both.collect();
         both.sort_unstable();
         both.dedup();
         let mut first = vec![0u32; world.alive.len() + 1];
-        for [i, _] in &both {
+        for (i, _) in &both {
             first[*i as usize + 1] += 1;
         }
         for b in 1..first.len() {
             first[b] += first[b - 1];
         }
-        let partners = both.into_iter().map(|[_, j]| j).collect();
+        let partners = both.into_iter().map(|(_, partner)| partner).collect();
         Self { first, partners }
     }
 
-    fn of(&self, b: u32) -> &[u32] {
+    fn of(&self, b: u32) -> &[Partner] {
         &self.partners[self.first[b as usize] as usize..self.first[b as usize + 1] as usize]
     }
 
+    /// The partners of an image of a block.
+    fn of_image(&self, (b, image): Partner) -> impl Iterator<Item = Partner> + '_ {
+        self.of(b).iter().map(move |(k, from)| (*k, image.plus(*from)))
+    }
+
     /// Whether a patch joins the two.
-    pub(super) fn joins(&self, i: u32, j: u32) -> bool {
-        self.of(i).binary_search(&j).is_ok()
+    pub(super) fn joins(&self, key: &PairKey) -> bool {
+        let [i, j] = key.ends;
+        self.of(i).binary_search(&(j, key.image)).is_ok()
     }
 
     /// Whether the two are joined by way of one block, as about an edge, or of two, as about a corner.
-    fn chained(&self, i: u32, j: u32) -> bool {
-        share(self.of(i), self.of(j)) || self.of(i).iter().any(|k| share(self.of(*k), self.of(j)))
+    fn chained(&self, key: &PairKey) -> bool {
+        let [i, j] = key.ends;
+        let of_second = || self.of_image((j, key.image));
+        share(self.of(i).iter().copied(), of_second())
+            || self.of(i).iter().any(|k| share(self.of_image(*k), of_second()))
     }
 
     /// Whether joints hold a pair that shares an edge or a corner at most: blocks that face each other across a gap can close it while
     /// their joints hold.
-    pub(super) fn hold(&self, world: &World, shapes: &[Shape], [i, j]: [u32; 2]) -> bool {
-        if !self.chained(i, j) {
+    pub(super) fn hold(&self, world: &World, shapes: &[Shape], key: &PairKey) -> bool {
+        if !self.chained(key) {
             return false;
         }
-        let ends = [i as usize, j as usize];
+        // Faces at the start do not change: what was held has none that face each other, however its joints have changed since.
+        if world.found.held.binary_search(key).is_ok() {
+            return true;
+        }
+        let ends = key.ends.map(|b| b as usize);
         let pair = ends.map(|b| &shapes[world.solid[b] as usize]);
-        let start = ends.map(|b| Pose::at(world.reference[b]));
+        let place =
+            |side: usize| key.place(side, world.reference[ends[side]], &world.setup.periodic);
+        let start = [0, 1].map(|side| Pose::at(place(side)));
         let largest = |s: &Shape| s.areas.iter().copied().fold(0.0, f64::max);
         let rim = RIM * largest(pair[0]).min(largest(pair[1]));
         let faces = pair.map(|shape| 0..shape.faces() as u16);
@@ -70,8 +103,8 @@ impl Joints {
 }
 
 /// Whether two ascending lists have a number in common.
-fn share(a: &[u32], b: &[u32]) -> bool {
-    let (mut a, mut b) = (a.iter().peekable(), b.iter().peekable());
+fn share(a: impl Iterator<Item = Partner>, b: impl Iterator<Item = Partner>) -> bool {
+    let (mut a, mut b) = (a.peekable(), b.peekable());
     while let (Some(x), Some(y)) = (a.peek(), b.peek()) {
         match x.cmp(y) {
             std::cmp::Ordering::Less => a.next(),
@@ -88,6 +121,7 @@ mod tests {
 
     use crate::contact::release::release_pairs;
     use crate::contact::tests::{Run, above_floor, brick};
+    use crate::kernel::PairKey;
     use crate::state::patches::flag;
 
     /// Four bricks of half a metre about an edge, in the air, joined without strength.
@@ -108,7 +142,7 @@ mod tests {
     fn pairs_about_an_edge_are_no_candidates_while_joints_hold_them() {
         let mut run = four();
         run.until(1e-3);
-        assert_eq!(run.world.found.held, [[1, 4], [2, 3]]);
+        assert_eq!(run.world.found.held, [[1, 4], [2, 3]].map(PairKey::plain));
         assert!(run.world.found.pairs.is_empty());
     }
 
@@ -122,9 +156,9 @@ mod tests {
             run.world.bodies.displacement[axis][4] = -depth;
         }
         run.evaluate();
-        release_pairs(&mut run.world, &mut run.scratch, &[[2, 4], [3, 4]]);
+        release_pairs(&mut run.world, &mut run.scratch, &[[2, 4], [3, 4]].map(PairKey::plain));
         run.evaluate();
-        assert_eq!(run.world.found.held, [[2, 3]]);
+        assert_eq!(run.world.found.held, [PairKey::plain([2, 3])]);
         let pair = |run: &Run| {
             let mut pairs = run.world.found.pairs.iter();
             pairs.find(|pair| pair.ends == [1, 4]).cloned().unwrap()

@@ -258,7 +258,11 @@ impl<'a> OfBlock<'a> {
         } else if let Some(flat) = flat {
             let desk = self.limit.desk;
             let of = desk.place[pair.ends[flat.side] as usize] as usize;
-            let arm = desk.poses[of].position - desk.poses[self.at].position;
+            let placed = |side: usize, at: usize| {
+                let periods = &self.limit.world.setup.periodic;
+                pair.key().place(side, desk.poses[at].position, periods)
+            };
+            let arm = placed(flat.side, of) - placed(usize::from(side.second), self.at);
             self.felt.add(&self.ease, law, &flat.spread(desk.turns[of], arm));
         } else {
             self.felt.anywhere += side.stiffness * slot.area * self.ease.of_area(slot.area);

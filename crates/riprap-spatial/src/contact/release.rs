@@ -16,12 +16,13 @@ use crate::laws::face_joint::Traction;
 use riprap_geom::Vec3;
 
 use crate::contact::CHECK_INTERVAL;
+use crate::contact::held::pair_of_patch;
 use crate::faces::overlap::bare;
 use crate::joint::patch;
 use crate::joint::patch::Poses;
 use crate::joint::reading::Reading;
-use crate::kernel::Memory;
 use crate::kernel::offset::{Carried, Offset};
+use crate::kernel::{Memory, PairKey};
 use crate::laws::mohr_coulomb::Strength;
 use crate::setup::Points;
 use crate::state::face::Face;
@@ -75,7 +76,7 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
         if fails {
             fail(world, p);
         }
-        pairs.push(sorted(world.patches.ends[p]));
+        pairs.push(pair_of_patch(world, p).0);
     }
     pairs.sort_unstable();
     pairs.dedup();
@@ -90,7 +91,7 @@ pub(crate) fn holding(world: &World) -> Option<usize> {
 /// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are.
 pub(crate) fn release_loose(world: &mut World, scratch: &mut Scratch) {
     let loose = (0..world.patches.len()).filter(|p| is_loose(world, *p));
-    let mut pairs: Vec<[u32; 2]> = loose.map(|p| sorted(world.patches.ends[p])).collect();
+    let mut pairs: Vec<PairKey> = loose.map(|p| pair_of_patch(world, p).0).collect();
     pairs.sort_unstable();
     pairs.dedup();
     if !pairs.is_empty() {
@@ -99,17 +100,17 @@ pub(crate) fn release_loose(world: &mut World, scratch: &mut Scratch) {
 }
 
 /// Gives what all patches of these pairs (sorted) carry to the found contacts of their blocks.
-pub(super) fn release_pairs(world: &mut World, scratch: &mut Scratch, pairs: &[[u32; 2]]) {
+pub(super) fn release_pairs(world: &mut World, scratch: &mut Scratch, pairs: &[PairKey]) {
     let mut parted = vec![false; world.alive.len()];
-    for b in pairs.iter().flatten() {
+    for b in pairs.iter().flat_map(|pair| &pair.ends) {
         parted[*b as usize] = true;
     }
     // Two convex blocks share one plane: all of its patches go at once.
-    let goes = |ends: &[u32; 2]| {
-        ends.iter().all(|b| parted[*b as usize]) && pairs.binary_search(&sorted(*ends)).is_ok()
+    let goes = |p: &usize| {
+        world.patches.ends[*p].iter().all(|b| parted[*b as usize])
+            && pairs.binary_search(&pair_of_patch(world, *p).0).is_ok()
     };
-    let ends = world.patches.ends.iter().enumerate();
-    let gone: Vec<usize> = ends.filter(|(_, e)| goes(e)).map(|(p, _)| p).collect();
+    let gone: Vec<usize> = (0..world.patches.len()).filter(goes).collect();
     for &p in &gone {
         let failed = failed_points(world, p);
         world.failed.add(world.patches.ends[p], failed);
@@ -122,10 +123,6 @@ pub(super) fn release_pairs(world: &mut World, scratch: &mut Scratch, pairs: &[[
     // The stable step can only grow: what was found for it stays, and so does the number of rebuilds.
     scratch.relay_patches(world);
     world.fresh = true;
-}
-
-fn sorted([i, j]: [u32; 2]) -> [u32; 2] {
-    [i.min(j), i.max(j)]
 }
 
 /// Half the sides of a patch along b and c over the root of 3, m.
@@ -282,20 +279,22 @@ fn hand_over(world: &mut World, p: usize) {
         rocking += share * traction[0] * (y * b + z * c).cross(normal);
     }
     let radii = gyration(world, p);
-    let [i, j] = world.patches.ends[p];
+    let (key, turned) = pair_of_patch(world, p);
+    let ends = world.patches.ends[p].map(|b| b as usize);
     let poses = Poses { bodies: &world.bodies, turned: &world.turned };
-    let position = |b: u32| world.reference[b as usize] + world.bodies.displacement(b as usize);
-    let arms =
-        [(i, class.arms[0]), (j, class.arms[1])].map(|(b, arm)| poses.attitude(b as usize) * arm);
-    let [from_i, from_j] = [position(i) + arms[0], position(j) + arms[1]];
-    let centre = 0.5 * (from_i + from_j);
+    let arms = [0, 1].map(|k| poses.attitude(ends[k]) * class.arms[k]);
+    let from = |k: usize| {
+        let position = world.reference[ends[k]] + world.bodies.displacement(ends[k]);
+        // Seen as the pair has it: its second block by the image that lies on the first.
+        key.place(k ^ usize::from(turned), position, &world.setup.periodic) + arms[k]
+    };
+    let centre = 0.5 * (from(0) + from(1));
     // Tractions are those on i; the found contact counts what acts on the second block, and its normal points there.
-    let sign: f64 = if i < j { 1.0 } else { -1.0 };
-    let ends = sorted([i, j]);
+    let sign: f64 = if turned { -1.0 } else { 1.0 };
     let pairs = &mut world.found.pairs;
-    let at = pairs.partition_point(|pair| pair.ends < ends);
-    if pairs.get(at).is_none_or(|pair| pair.ends != ends) {
-        pairs.insert(at, FoundPair { ends, ..FoundPair::default() });
+    let at = pairs.partition_point(|pair| pair.key() < key);
+    if pairs.get(at).is_none_or(|pair| pair.key() != key) {
+        pairs.insert(at, FoundPair::new(key));
     }
     let pair = &mut pairs[at];
     pair.seated = true;
@@ -312,7 +311,7 @@ fn hand_over(world: &mut World, p: usize) {
         energy: carried.energy + normal_energy,
     })));
     if pair.patches.is_empty() {
-        pair.patches.push(ContactPatch::default());
+        pair.push(ContactPatch::default());
     }
     let patch = &mut pair.patches[0];
     let memory = Memory {
@@ -322,7 +321,7 @@ fn hand_over(world: &mut World, p: usize) {
         area: patch.memory.area + class.area,
         polar: patch.memory.polar + class.area * (radii[0] * radii[0] + radii[1] * radii[1]),
         sliding: true,
-        arms: if i < j { arms } else { [arms[1], arms[0]] },
+        arms: if turned { [arms[1], arms[0]] } else { arms },
     };
     let stored = memory.stored(class.stiffness[1]);
     let change = stored - patch.stored;
@@ -338,6 +337,7 @@ mod tests {
     use crate::contact::tests::{Run, above_floor, brick};
     use crate::dynamics::TimeFunction;
     use crate::exec::Exec;
+    use crate::kernel::PairKey;
     use crate::kernel::offset::{Carried, Offset};
     use crate::setup::{Load, LoadKind};
     use crate::state::patches::flag;
@@ -437,7 +437,7 @@ mod tests {
         run.world.patches.flags[0] |= flag::BROKEN;
         run.evaluate();
         run.world.start_energy = Some(run.view().balance().total());
-        release_pairs(&mut run.world, &mut run.scratch, &[[0, 1]]);
+        release_pairs(&mut run.world, &mut run.scratch, &[PairKey::plain([0, 1])]);
         run.world.pending = 0.0;
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for step in 1..=300 {
@@ -515,7 +515,7 @@ mod tests {
         assert_eq!(run.world.patches.len(), 2);
         run.evaluate();
         run.world.start_energy = Some(run.view().balance().total());
-        release_pairs(&mut run.world, &mut run.scratch, &[[1, 2]]);
+        release_pairs(&mut run.world, &mut run.scratch, &[PairKey::plain([1, 2])]);
         run.evaluate();
         run
     }

@@ -113,7 +113,8 @@ fn way(
         let b = pair.ends[side];
         let class = world.solid[b as usize] as usize;
         let at = desk.place[b as usize] as usize;
-        let (turn, place) = (desk.turns[at], desk.poses[at].position);
+        let turn = desk.turns[at];
+        let place = pair.key().place(side, desk.poses[at].position, &world.setup.periodic);
         let (shape, centre) = match pieces {
             Some(pieces) => of_piece(&desk.glued[class], pieces[side]),
             None => (&desk.shapes[class], Vec3::ZERO),

@@ -4,7 +4,7 @@
 //! a block looks at the triangles near it when it has gone far enough.
 
 use crate::contact::drop_pair;
-use crate::kernel::Terrain;
+use crate::kernel::{PairKey, Terrain};
 use crate::ledger::Works;
 use crate::setup;
 use crate::state::contact_scratch::ContactScratch;
@@ -66,7 +66,7 @@ pub(super) fn add_pairs(
             drop_pair(dropped, &gone);
         }
         let known = old.next_if(|pair| pair.ends == ends);
-        let mut pair = known.unwrap_or_else(|| FoundPair { ends, ..FoundPair::default() });
+        let mut pair = known.unwrap_or_else(|| FoundPair::new(PairKey::plain(ends)));
         if world.fresh {
             // An edit may have changed what lies near.
             pair.gap = 0.0;

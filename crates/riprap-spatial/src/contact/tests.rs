@@ -1,7 +1,10 @@
 //! Separate blocks that fall, slide and rebound in the engine; threads and restart.
 
+mod periodic;
+
 use riprap_geom::{Quat, Vec3};
 
+use crate::broad::search::Candidate;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
 use crate::kernel::offset::{Carried, Offset};
@@ -10,7 +13,7 @@ use crate::setup::{
     BlockName, BlockSpec, InterfaceLaw, JointLaw, Material, Motion, Setup, Shape, Solid, Stiffness,
     Strength, Support,
 };
-use crate::state::found::ContactPatch;
+use crate::state::found::{ContactPatch, FoundPair};
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use crate::step;
@@ -382,7 +385,11 @@ fn slight_impacts_do_not_shorten_the_step() {
     let mut run = Run::new(above_floor(vec![block], 0.5, 0.1), 1, 1e-4);
     // The joint of the start is gone.
     run.evaluate();
-    super::release::release_pairs(&mut run.world, &mut run.scratch, &[[0, 1]]);
+    super::release::release_pairs(
+        &mut run.world,
+        &mut run.scratch,
+        &[crate::kernel::PairKey::plain([0, 1])],
+    );
     run.world.found.pairs[0].seated = false;
     run.until(5e-4);
     assert!(run.world.found.pairs[0].depth > 0.0);
@@ -519,4 +526,15 @@ fn the_state_hash_covers_what_contacts_remember() {
     change("longest step", &|w| w.found.longest_step = Some(1.0));
     change("search", &|w| w.found.search.pose[1].position.x += 1e-3);
     change("margin", &|w| w.found.search.margin[1] += 1e-3);
+}
+
+/// Walls have several times as many pairs as contacts: what each takes is bounded.
+#[test]
+fn pairs_take_little_memory() {
+    assert!(size_of::<FoundPair>() <= 80, "{}", size_of::<FoundPair>());
+    assert!(size_of::<Candidate>() <= 32, "{}", size_of::<Candidate>());
+    let mut run = Run::new(above_floor(vec![brick([0.0, 0.0, 1e-4], [0.5; 3])], 0.5, 0.2), 1, 1e-4);
+    run.until(0.1);
+    let pair = run.world.found.pairs.iter().find(|pair| pair.depth > 0.0).expect("it has landed");
+    assert_eq!((pair.patches.len(), pair.patches.capacity()), (1, 1));
 }

@@ -4,7 +4,7 @@ use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
 use crate::implicit::pair::{Pair, Pressure};
-use crate::kernel::{ContactLaw, Memory};
+use crate::kernel::{ContactLaw, Memory, PairKey};
 
 /// Memory of all pairs that press, and of the ledger.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -20,8 +20,8 @@ pub struct Implicit {
 /// A pair at the end of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Kept {
-    /// The blocks; the smaller number first.
-    pub ends: [u32; 2],
+    /// The blocks.
+    pub key: PairKey,
     /// Friction on the second block, N, and its torsion about the normal, N m.
     pub shear: Vec3,
     /// N m.
@@ -49,18 +49,18 @@ pub struct Books {
 
 impl Implicit {
     /// What is known of a pair.
-    pub(crate) fn of(&self, ends: [u32; 2]) -> Option<&Kept> {
-        let at = self.kept.binary_search_by_key(&ends, |kept| kept.ends).ok()?;
+    pub(crate) fn of(&self, key: PairKey) -> Option<&Kept> {
+        let at = self.kept.binary_search_by_key(&key, |kept| kept.key).ok()?;
         Some(&self.kept[at])
     }
 }
 
 impl Kept {
     /// Of a pair after its step; `None` where it does not press.
-    pub(crate) fn of(ends: [u32; 2], pair: &Pair, shear: Vec3, torsion: f64) -> Option<Self> {
+    pub(crate) fn of(key: PairKey, pair: &Pair, shear: Vec3, torsion: f64) -> Option<Self> {
         let Pressure { force, centre, area, radius } = pair.pressure;
         (force > 0.0).then(|| Self {
-            ends,
+            key,
             shear,
             torsion,
             force,
@@ -71,9 +71,9 @@ impl Kept {
     }
 
     /// Of an explicit contact that presses with a normal force (N).
-    pub(crate) fn of_explicit(ends: [u32; 2], memory: &Memory, force: f64) -> Self {
+    pub(crate) fn of_explicit(key: PairKey, memory: &Memory, force: f64) -> Self {
         Self {
-            ends,
+            key,
             shear: memory.shear,
             torsion: memory.torsion,
             force,

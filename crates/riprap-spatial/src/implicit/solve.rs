@@ -149,7 +149,8 @@ impl Solver {
         self.edge.clear();
         for pair in &self.pairs {
             let edge = match pair.ends {
-                [Some(a), Some(b)] => {
+                // A block that meets its own image has a block on the diagonal alone.
+                [Some(a), Some(b)] if a != b => {
                     self.edges.push([a, b]);
                     Some(self.edges.len() as u32 - 1)
                 }
@@ -228,11 +229,14 @@ impl Solver {
                 let block = freed(moved(&rate, shifts[side], shifts[side]), [held, held]);
                 self.matrix.add_diagonal(at as usize, &block);
             }
-            if let (Some(edge), [Some(a), Some(b)]) = (self.edge[k], pair.ends) {
+            if let [Some(a), Some(b)] = pair.ends {
                 let held = [a, b].map(|at| self.bodies[at as usize].held);
                 let mut block = freed(moved(&rate, shifts[0], shifts[1]), held);
                 block.iter_mut().flatten().for_each(|x| *x = -*x);
-                self.matrix.add_pair(edge as usize, &block);
+                match self.edge[k] {
+                    Some(edge) => self.matrix.add_pair(edge as usize, &block),
+                    None => self.matrix.add_diagonal(a as usize, &with_transpose(&block)),
+                }
             }
         }
         for (slope, body) in self.slope.iter_mut().zip(&self.bodies) {
@@ -405,6 +409,11 @@ fn freed(mut block: Block, [rows, columns]: [[bool; 6]; 2]) -> Block {
         }
     }
     block
+}
+
+/// A block and its transpose.
+fn with_transpose(block: &Block) -> Block {
+    std::array::from_fn(|r| std::array::from_fn(|c| block[r][c] + block[c][r]))
 }
 
 fn minus(a: &[f64; 6], b: &[f64; 6]) -> [f64; 6] {

@@ -8,7 +8,7 @@ use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Effort, Solver};
 use crate::kernel::kit::{Placed, all_faces};
 use crate::kernel::surface::Walker;
-use crate::kernel::{ContactLaw, Pose, Shape};
+use crate::kernel::{ContactLaw, PairKey, Pose, Shape};
 
 struct Block {
     shape: Shape,
@@ -117,8 +117,8 @@ impl Model {
                 };
                 pair.ends = [place[i], place[j]];
                 pair.given = [a.motion, b.motion];
-                let numbers = [i as u32, j as u32];
-                if let Some(old) = self.kept.iter().find(|k| k.ends == numbers) {
+                let numbers = PairKey::plain([i as u32, j as u32]);
+                if let Some(old) = self.kept.iter().find(|k| k.key == numbers) {
                     old.recall(&mut pair);
                 }
                 ends.push(numbers);
@@ -131,7 +131,7 @@ impl Model {
         self.rounds += self.effort.rounds;
         let pairs = self.solver.pairs.iter().zip(&self.solver.replies).zip(ends);
         self.kept = pairs
-            .filter_map(|((pair, reply), ends)| Kept::of(ends, pair, reply.shear, reply.torsion))
+            .filter_map(|((pair, reply), key)| Kept::of(key, pair, reply.shear, reply.torsion))
             .collect();
         for (b, place) in place.iter().enumerate() {
             let block = &mut self.blocks[b];
@@ -205,12 +205,13 @@ fn twenty_bricks_rest_on_each_other() {
             model.step(dt);
         }
         for kept in &model.kept {
-            if kept.ends[1] != kept.ends[0] + 1 {
+            let [below, above] = kept.key.ends;
+            if above != below + 1 {
                 continue;
             }
-            let weight = (20 - kept.ends[0]) as f64 * 2000.0 * 0.25 * 0.12 * 0.065 * 10.0;
+            let weight = (20 - below) as f64 * 2000.0 * 0.25 * 0.12 * 0.065 * 10.0;
             let error = kept.force / weight - 1.0;
-            assert!(error.abs() < 1e-5, "{dt} {:?}: {error:e}", kept.ends);
+            assert!(error.abs() < 1e-5, "{dt} {:?}: {error:e}", kept.key.ends);
         }
         let top = &model.blocks[20];
         assert!(top.pose.position.truncate().length() < 1e-8);

@@ -53,11 +53,31 @@ impl Box3 {
         self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
+    /// The smallest box that holds both.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The same box elsewhere; `way` in m.
+    #[must_use]
+    pub fn moved(&self, way: Vec3) -> Self {
+        Self { low: self.low + way, high: self.high + way }
+    }
+
+    /// Its centre, m.
+    #[must_use]
+    pub fn centre(&self) -> Vec3 {
+        0.5 * self.low + 0.5 * self.high
+    }
+
     fn extent(&self) -> f64 {
         (self.high - self.low).max_element()
     }
 
-    fn is_finite(&self) -> bool {
+    /// Whether all its coordinates are numbers.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
         self.low.is_finite() && self.high.is_finite()
     }
 }
@@ -120,8 +140,7 @@ impl Grid {
         for b in (0..boxes.len()).filter(present) {
             let level = self.level(&boxes[b]);
             let cell = self.cell(level);
-            let centre = 0.5 * boxes[b].low + 0.5 * boxes[b].high;
-            let [x, y, z] = (centre / cell).to_array().map(number);
+            let [x, y, z] = (boxes[b].centre() / cell).to_array().map(number);
             self.entries.push((key(roles[b], level, [x, y, z]), b as u32));
         }
         self.entries.sort_unstable();

@@ -7,7 +7,7 @@
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
 //! `frame` the plane of a piece, `piece` its polygon (`octagon` the same in vector registers), `face_clip` whether a face can have one, `sums` what pieces carry, `surface` all of them, `friction` the forces that follow;
-//! `glued` is a block of convex parts, `terrain` one on a height field; `grid` finds boxes that touch; `limits` knows how long a step may be.
+//! `glued` is a block of convex parts, `terrain` one on a height field; `grid` finds boxes that touch, `image` names those of a periodic model; `limits` knows how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
 //! of a convex block instead of a field on tetrahedra.
@@ -18,6 +18,7 @@ pub(crate) mod frame;
 pub(crate) mod friction;
 pub(crate) mod glued;
 pub(crate) mod grid;
+pub(crate) mod image;
 mod lateral;
 mod lever;
 pub mod limits;
@@ -39,8 +40,7 @@ pub(crate) mod tetra;
 pub(crate) use friction::part;
 pub(crate) use friction::{ContactInput, ContactLaw, Memory, Motion, contact_force};
 pub(crate) use grid::Role;
-pub(crate) use peak::{Peak, peak};
-pub(crate) use planes::Planes;
+pub(crate) use image::{Image, PairKey, Periods};
 pub(crate) use shape::{Body, Pose, Shape, turn};
 pub(crate) use sums::Sums;
 pub(crate) use surface::{Found, Pair};

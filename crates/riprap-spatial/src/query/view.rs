@@ -142,24 +142,42 @@ impl View<'_> {
         self.living().map(|b| self.world.solid_of(b).mass * self.velocity(b)).sum()
     }
 
-    /// Angular momentum of all blocks about the local origin, N m s. With small kinematics it is that about
-    /// the reference positions (the one which forces on frozen arms conserve), with finite rotations that about
-    /// the present ones.
+    /// Angular momentum of all blocks about the local origin, N m s: what the forces between them conserve. Blocks in joints with small
+    /// kinematics count at their reference positions, since arms there are frozen, all others where they are: contact acts there.
     #[must_use]
     pub fn angular_momentum(&self) -> Vec3 {
-        let finite = self.world.turned.iter().any(Option::is_some);
+        let frozen = self.with_frozen_arms();
         self.living()
             .map(|b| {
                 if let Some(deformable) = self.deformable(b) {
                     return deformable.angular_momentum(deformable.body.strain == Strain::Large);
                 }
                 let solid = self.world.solid_of(b);
-                let place = if finite { self.position(b) } else { self.world.reference[b] };
+                let place = if frozen[b] { self.world.reference[b] } else { self.position(b) };
                 let change = self.scratch.change(self.world, b);
                 let own = self.world.turning(b).momentum + self.past() * change.momentum;
                 place.cross(solid.mass * self.velocity(b)) + own
             })
             .sum()
+    }
+
+    /// Whether each block has joints or bonds that act on frozen arms: none once a block has finite rotations.
+    fn with_frozen_arms(&self) -> Vec<bool> {
+        let world = self.world;
+        let mut frozen = vec![false; world.alive.len()];
+        if world.turned.iter().any(Option::is_some) {
+            return frozen;
+        }
+        let small = |b: &&u32| {
+            let body = world.deform.as_deref().and_then(|deform| deform.body(**b as usize));
+            body.is_none_or(|body| body.strain == Strain::Small)
+        };
+        let facets = world.deform.iter().flat_map(|deform| &deform.facets);
+        let bonded = facets.filter(|f| !f.parted && f.blocks.iter().all(|b| small(&b)));
+        for b in world.patches.ends.iter().chain(bonded.map(|f| &f.blocks)).flatten() {
+            frozen[*b as usize] = true;
+        }
+        frozen
     }
 
     /// Unbalanced-force ratio: sum of |net force| of the free blocks over the sum of the forces that

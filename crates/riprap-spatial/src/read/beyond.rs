@@ -1,13 +1,10 @@
 //! Where a state has left what its laws mean: blocks that have turned too far for small kinematics, tetrahedra that are inside out or strained
-//! beyond their law, bolts that are drawn out without an end or tie nothing, dashpots that carry what nothing else does, and blocks that pass
-//! through each other across the ends of a periodic model.
+//! beyond their law, bolts that are drawn out without an end or tie nothing, and dashpots that carry what nothing else does.
 //!
 //! Nothing here changes a state. What it finds the run notes, warns of or stops for.
 
 use riprap_geom::{Mat3, Vec3};
 
-use crate::kernel::grid::Role;
-use crate::kernel::{Body, Peak, Planes, Shape, peak, planes, turn};
 use crate::laws::bolt::BarState;
 use crate::laws::tetrahedron::{Gradient, Strain, tensor};
 use crate::push::bolts::install;
@@ -17,10 +14,6 @@ use crate::read::fields::principal;
 use crate::read::tetrahedra::strain;
 use crate::setup::{BoundaryKind, Kinematics};
 use crate::state::bolts::{Bolt, chord};
-
-/// Overlap across the ends of a periodic model from which on it is more than that of blocks that lie against each other, over the radius of the
-/// largest ball in the thinner one.
-const THROUGH: f64 = 0.01;
 
 /// Share of the weight that a support along some direction must bear to count as one.
 const BORNE: f64 = 0.1;
@@ -212,74 +205,6 @@ impl View<'_> {
             }
         }
         viscous
-    }
-
-    /// Two blocks that lie in each other across the ends of a periodic model, where found contact does not act.
-    #[must_use]
-    pub fn through_ends(&self) -> Option<[u32; 2]> {
-        let (world, shapes) = (self.world, &self.scratch.desk.shapes);
-        let roles = &world.found.roles;
-        let known = roles.len() == world.alive.len() && shapes.len() == world.solids.len();
-        if !known || !roles.contains(&Role::Active) {
-            return None;
-        }
-        let ends = |axis: usize| Some((axis, world.setup.periodic[axis]?));
-        (0..3).filter_map(ends).find_map(|(axis, length)| {
-            let reach = |b: usize| {
-                let pose = world.pose(b);
-                let along = |v: &Vec3| pose.place(*v)[axis];
-                let all = shapes[world.solid[b] as usize].vertices.iter().map(along);
-                all.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| {
-                    [low.min(x), high.max(x)]
-                })
-            };
-            let blocks = (0..roles.len()).filter(|b| roles[*b] != Role::Absent);
-            let blocks: Vec<(usize, [f64; 2])> = blocks.map(|b| (b, reach(b))).collect();
-            let low = blocks.iter().fold(f64::INFINITY, |m, b| m.min(b.1[0]));
-            let high = blocks.iter().fold(f64::NEG_INFINITY, |m, b| m.max(b.1[1]));
-            let left = blocks.iter().filter(|b| b.1[0] + length < high);
-            let right: Vec<_> = blocks.iter().filter(|b| b.1[1] - length > low).collect();
-            left.flat_map(|a| right.iter().map(move |b| (a, *b)))
-                .filter(|(a, b)| {
-                    let seeks = [a.0, b.0].iter().any(|k| roles[*k] == Role::Active);
-                    seeks && a.1[0] + length < b.1[1] && b.1[0] < a.1[1] + length
-                })
-                .find(|(a, b)| {
-                    let mut shift = Vec3::ZERO;
-                    shift[axis] = length;
-                    let of = [a.0, b.0].map(|k| &shapes[world.solid[k] as usize]);
-                    let depth = self.common_ball([a.0, b.0], of, shift);
-                    depth > THROUGH * of[0].inradius.min(of[1].inradius) && !self.joined(a.0, b.0)
-                })
-                .map(|(a, b)| [a.0 as u32, b.0 as u32])
-        })
-    }
-
-    /// Whether a joint ties two blocks: across the ends it may be closed by what presses it.
-    fn joined(&self, a: usize, b: usize) -> bool {
-        let pair = [a as u32, b as u32];
-        let mut ends = self.world.patches.ends.iter();
-        ends.any(|ends| *ends == pair || [ends[1], ends[0]] == pair)
-    }
-
-    /// Radius of the largest ball in two blocks, the first of them moved by `shift` (m), m; 0 where there is none.
-    fn common_ball(&self, blocks: [usize; 2], shapes: [&Shape; 2], shift: Vec3) -> f64 {
-        let poses = blocks.map(|b| self.world.pose(b));
-        let mut normals = [Vec::new(), Vec::new()];
-        let turns = [0, 1].map(|s: usize| turn(shapes[s], poses[s].rotation, &mut normals[s]));
-        let moved = [shift, Vec3::ZERO];
-        let bodies = [0, 1].map(|s| Body {
-            shape: shapes[s],
-            normals: &normals[s],
-            turn: turns[s],
-            position: poses[s].position + moved[s],
-        });
-        let mut lists = Planes::default();
-        lists.gather_all([&bodies[0], &bodies[1]], planes::origin(&bodies[0], &bodies[1]));
-        match peak(&lists, 4.0 * (shapes[0].radius + shapes[1].radius)) {
-            Peak::Overlap { depth, .. } => depth,
-            Peak::Apart { .. } | Peak::Unsure => 0.0,
-        }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use riprap_geom::Vec3;
 
+use crate::kernel::PairKey;
 use crate::kernel::cells::{CellPatch, Spot};
 use crate::query::view::View;
 use crate::state::deformable::DeformableMemory;
@@ -12,6 +13,8 @@ use crate::state::found::ContactPatch;
 pub struct Contact {
     /// The blocks; the smaller number first.
     pub ends: [u32; 2],
+    /// From the second block to the image of it that touches the first, m: zero but across the ends of a periodic model.
+    pub shift: Vec3,
     /// Force of the first on the second without dashpots, N.
     pub force: Vec3,
     /// Its point from the centroids of both, m.
@@ -27,10 +30,23 @@ pub struct Contact {
 }
 
 impl Contact {
+    /// Where a place of the second block (m) is as the first one meets it.
+    #[must_use]
+    pub fn placed(&self, at: Vec3) -> Vec3 {
+        if self.shift == Vec3::ZERO { at } else { at + self.shift }
+    }
+
     /// The same, told from the other block.
     fn turned(self) -> Self {
         let Self { ends: [i, j], arms: [a, b], .. } = self;
-        Self { ends: [j, i], force: -self.force, arms: [b, a], normal: -self.normal, ..self }
+        Self {
+            ends: [j, i],
+            shift: -self.shift,
+            force: -self.force,
+            arms: [b, a],
+            normal: -self.normal,
+            ..self
+        }
     }
 }
 
@@ -59,18 +75,21 @@ impl View<'_> {
         let touching = pairs.filter(|(_, slot)| slot.touching);
         touching.flat_map(|(pair, _)| {
             pair.patches.iter().map(|patch| {
-                let contact = self.contact(pair.ends, patch);
+                let contact = self.contact(&pair.key(), patch);
                 // Terrain comes first, whatever its number.
                 if pair.ends[0] < pair.ends[1] { contact } else { contact.turned() }
             })
         })
     }
 
-    fn contact(&self, ends: [u32; 2], patch: &ContactPatch) -> Contact {
+    fn contact(&self, key: &PairKey, patch: &ContactPatch) -> Contact {
+        let &PairKey { ends, image } = key;
+        let shift = image.shift(&self.world.setup.periodic);
         let &ContactPatch { ref memory, force, area, depth, .. } = patch;
         // A touch without a normal acts where the pressure does; its blocks hardly overlap.
-        let arms = if memory.normal == Vec3::ZERO { self.midway(ends) } else { memory.arms };
-        Contact { ends, force, arms, normal: memory.normal, area, depth, sliding: memory.sliding }
+        let arms = if memory.normal == Vec3::ZERO { self.midway(key) } else { memory.arms };
+        let (normal, sliding) = (memory.normal, memory.sliding);
+        Contact { ends, shift, force, arms, normal, area, depth, sliding }
     }
 
     /// A contact of which one block at least deforms: its point is the centre of the pressure. `centres`: where the tetrahedra of each block
@@ -90,10 +109,11 @@ impl View<'_> {
                 from_centre + centres[side] - self.position(ends[side] as usize)
             })
         } else {
-            self.midway(ends)
+            self.midway(&PairKey::plain(ends))
         };
         Contact {
             ends,
+            shift: Vec3::ZERO,
             force: patch.force,
             arms,
             normal: memory.normal,
@@ -104,18 +124,21 @@ impl View<'_> {
     }
 
     /// From the centroids of two blocks to the middle between them, m.
-    fn midway(&self, ends: [u32; 2]) -> [Vec3; 2] {
-        let [a, b] = ends.map(|b| self.position(b as usize));
+    fn midway(&self, key: &PairKey) -> [Vec3; 2] {
+        let periods = &self.world.setup.periodic;
+        let [a, b] =
+            [0, 1].map(|side| key.place(side, self.position(key.ends[side] as usize), periods));
         [0.5 * (b - a), 0.5 * (a - b)]
     }
 
     /// Found contacts of block `b`, with the force on it, N.
     pub fn contacts_of(&self, b: usize) -> impl Iterator<Item = (Contact, Vec3)> + '_ {
         let b = b as u32;
-        self.contacts().filter_map(move |contact| match contact.ends {
-            [_, j] if j == b => Some((contact, contact.force)),
-            [i, _] if i == b => Some((contact, -contact.force)),
-            _ => None,
+        self.contacts().flat_map(move |contact| {
+            let [i, j] = contact.ends;
+            // A block that meets its own image feels both sides.
+            let sides = [(j, contact.force), (i, -contact.force)].into_iter();
+            sides.filter(move |(end, _)| *end == b).map(move |(_, force)| (contact, force))
         })
     }
 

@@ -324,7 +324,7 @@ riprap_core::fields! {
     "model.max_speed" "m/s" Model Scalar true "Largest speed of a free block." |v, _| largest(free(v), |b| v.velocity(b).length());
     "model.max_closing" "-" Model Scalar true "Largest closing of a joint, a contact or a held face over the inscribed radius of the thinner block (in contacts of deformable blocks over the distance of the centre from the surface): how far blocks are pressed into each other. A run is stopped at 1." |v, _| one(v.worst_overlap().map_or(0.0, |(x, _, _)| x));
     "model.momentum" "N s" Model Vector3 true "Momentum of all blocks." |v, _| v.momentum();
-    "model.angular_momentum" "N m s" Model Vector3 true "Angular momentum of all blocks about the local origin (about reference positions with small kinematics)." |v, _| v.angular_momentum();
+    "model.angular_momentum" "N m s" Model Vector3 true "Angular momentum of all blocks about the local origin (blocks in joints with small kinematics at their reference positions)." |v, _| v.angular_momentum();
     "cavity.pressure" "Pa" Cavity Scalar false "Pressure in the cavity." |v, of| of_cavity(v, of, |c| c.pressure);
     "cavity.volume" "m3" Cavity Scalar false "Volume of the gas (of the cavity, for a pressure history)." |v, of| of_cavity(v, of, |c| c.volume);
     "cavity.expansion" "-" Cavity Scalar false "Volume of the gas over that of the charge, V/V0." |v, of| of_cavity(v, of, |c| c.volume / c.charge_volume());

@@ -31,7 +31,7 @@ impl View<'_> {
     #[must_use]
     pub fn contact_place(&self, contact: &Contact) -> Vec3 {
         let [i, j] = contact.ends.map(|b| self.position(b as usize));
-        0.5 * (i + contact.arms[0] + j + contact.arms[1])
+        0.5 * (i + contact.arms[0] + contact.placed(j) + contact.arms[1])
     }
 
     /// Force of the standing water on all faces of a block, N; nothing on one that was removed or split.

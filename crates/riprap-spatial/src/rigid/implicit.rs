@@ -45,7 +45,7 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
         let kept = world.found.pairs.iter().filter_map(|pair| {
             let patch = pair.leading().filter(|patch| patch.memory.area > 0.0)?;
             let force = patch.force.dot(patch.memory.normal);
-            Some(Kept::of_explicit(pair.ends, &patch.memory, force))
+            Some(Kept::of_explicit(pair.key(), &patch.memory, force))
         });
         Box::new(Implicit { kept: kept.collect(), ..Implicit::default() })
     });
@@ -193,8 +193,8 @@ pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
     let solver = &scratch.implicit.solver;
     for ((k, pair), reply) in scratch.implicit.pairs.iter().zip(&solver.pairs).zip(&solver.replies)
     {
-        let ends = world.found.pairs[*k as usize].ends;
-        implicit.kept.extend(Kept::of(ends, pair, reply.shear, reply.torsion));
+        let key = world.found.pairs[*k as usize].key();
+        implicit.kept.extend(Kept::of(key, pair, reply.shear, reply.torsion));
         heat += reply.heat;
     }
     implicit.rubbed = heat;

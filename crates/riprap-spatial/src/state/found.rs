@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::broad::search::Search;
 use crate::kernel::offset::Offset;
-use crate::kernel::{Memory, Role};
+use crate::kernel::{Image, Memory, PairKey, Role};
 
 /// Found contacts of all rigid blocks; empty where no blocks can meet but those that patches join.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -16,7 +16,7 @@ pub struct FoundContacts {
     /// The candidates, sorted by their blocks; then each block that terrain acts on with each terrain, sorted by block.
     pub pairs: Vec<FoundPair>,
     /// Pairs near each other that joints held at the last look, so that they are no candidates; sorted.
-    pub held: Vec<[u32; 2]>,
+    pub held: Vec<PairKey>,
     /// What contacts of blocks that are built into each other store at the start at most, which no work has put in, J.
     pub at_start: f64,
     /// Longest step that the contacts allowed at the last evaluation, s; `None` before the first. State, so that a run that goes
@@ -37,6 +37,8 @@ pub struct FoundContacts {
 pub struct FoundPair {
     /// The blocks; the smaller number first, or terrain.
     pub ends: [u32; 2],
+    /// Which image of the second block it is in a periodic model.
+    pub image: Image,
     /// What goes on of the load of a joint that has let go (boxed: few have any).
     pub offset: Option<Box<Offset>>,
     /// Faces of both from which the walk of the last evaluation began; `None` for the peak.
@@ -55,6 +57,26 @@ pub struct FoundPair {
 }
 
 impl FoundPair {
+    /// A pair of which nothing is known yet.
+    #[must_use]
+    pub fn new(PairKey { ends, image }: PairKey) -> Self {
+        Self { ends, image, ..Self::default() }
+    }
+
+    /// The pair among all.
+    #[must_use]
+    pub fn key(&self) -> PairKey {
+        PairKey { ends: self.ends, image: self.image }
+    }
+
+    /// Adds a patch. Most pairs have one at most: a list of its own accord would take room for four.
+    pub fn push(&mut self, patch: ContactPatch) {
+        if self.patches.capacity() == 0 {
+            self.patches.reserve_exact(1);
+        }
+        self.patches.push(patch);
+    }
+
     /// The patch that presses most, the first of equal ones; `None` when apart.
     #[must_use]
     pub fn leading(&self) -> Option<&ContactPatch> {

@@ -4,7 +4,7 @@ use riprap_core::state_hash::StateHash;
 
 use crate::implicit::memory::Implicit;
 use crate::kernel::offset::Offset;
-use crate::kernel::{Memory, Pose};
+use crate::kernel::{Image, Memory, Pose};
 use crate::state::deform::{Deform, State};
 use crate::state::deformable::DeformableContact;
 use crate::state::found::FoundContacts;
@@ -115,6 +115,7 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
     hash.count(found.pairs.len() as u64);
     for pair in &found.pairs {
         hash.pair(pair.ends);
+        image(hash, pair.image);
         let touches = pair.depth > 0.0;
         hash.count(
             u64::from(touches)
@@ -160,11 +161,21 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
     }
 }
 
+/// Which image of its second block a pair has; nothing for the block itself.
+fn image(hash: &mut StateHash, image: Image) {
+    if image != Image::SELF {
+        for periods in image.0 {
+            hash.count(periods as u64);
+        }
+    }
+}
+
 /// Pairs that press in an implicit phase.
 fn implicit(hash: &mut StateHash, memory: &Implicit) {
     hash.count(memory.kept.len() as u64);
     for kept in &memory.kept {
-        hash.pair(kept.ends);
+        hash.pair(kept.key.ends);
+        image(hash, kept.key.image);
         hash.numbers(&kept.shear.to_array());
         hash.numbers(&kept.arm.to_array());
         hash.numbers(&[kept.torsion, kept.force, kept.area, kept.radius]);

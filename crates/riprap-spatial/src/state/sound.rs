@@ -33,7 +33,7 @@ impl World {
         self.patches_are_sound(blocks)?;
         let faces = self.faces.iter().map(|face| face.block);
         let pairs = self.found.pairs.iter().flat_map(|pair| pair.ends);
-        let held = self.found.held.iter().flatten().copied();
+        let held = self.found.held.iter().flat_map(|pair| pair.ends);
         let cavities = self.cavities.iter();
         let walls = cavities.clone().flat_map(|cavity| &cavity.walls);
         let walls = walls.map(|wall| wall.block);

@@ -80,13 +80,15 @@ pub(super) fn off(view: &View<'_>) -> Option<String> {
     })
 }
 
-/// That found contact does not act across the ends of a periodic model, where blocks are loose.
+/// That contact of deformable blocks does not act across the ends of a periodic model, where some can meet.
 pub(super) fn across_ends(view: &View<'_>) -> Option<String> {
     let world = view.spatial()?.world;
     let loose = spatial::meeting(world);
     let periodic = world.setup.periodic.iter().any(Option::is_some);
-    (loose.on && loose.seekers > 0 && periodic).then(|| {
-        "loose blocks are not detected across the periodic boundaries: they pass through each other there".to_owned()
+    (loose.on && loose.deformable && periodic).then(|| {
+        "contact of deformable blocks is not detected across the periodic boundaries: they pass through other blocks there; make the model longer \
+         than their travel, or the blocks rigid"
+            .to_owned()
     })
 }
 

@@ -83,7 +83,7 @@ impl Heap {
     fn candidates(&self, search: &Search, threads: usize) -> Candidates {
         let mut candidates = Candidates::default();
         let exec = Exec::new(threads).unwrap();
-        candidates.rebuild(&self.blocks(), search, |_, _| false, |_, _| false, &exec);
+        candidates.rebuild(&self.blocks(), search, &[None; 3], |_| false, |_| false, &exec);
         candidates
     }
 
@@ -161,8 +161,8 @@ fn no_pair_and_no_face_is_missed_after_motions_within_the_margins() {
                 heap.shake(&search, &mut chance);
                 for (i, j) in heap.overlapping() {
                     pairs += 1;
-                    let key = (i as u32, j as u32);
-                    let at = candidates.pairs.binary_search_by_key(&key, |c| (c.i, c.j));
+                    let key = [i as u32, j as u32];
+                    let at = candidates.pairs.binary_search_by_key(&key, |c| c.ends);
                     let pair = &candidates.pairs[at.expect("an overlapping pair is listed")];
                     let lists = pair.faces(&candidates.lists);
                     let (Peak::Overlap { depth, at, .. }, planes, _) = heap.peak(i, j) else {
@@ -210,7 +210,7 @@ fn listed_faces_give_what_all_faces_give_after_motions_within_the_margins() {
         for _ in 0..3 {
             heap.shake(&search, &mut chance);
             for pair in &candidates.pairs {
-                let ends = [pair.i, pair.j].map(|b| b as usize);
+                let ends = pair.ends.map(|b| b as usize);
                 let shapes = ends.map(|b| &heap.shapes[b]);
                 let placed = Placed::new(shapes, ends.map(|b| heap.pose[b]));
                 let whole = placed.find_all(&mut walker);
@@ -270,7 +270,7 @@ fn the_list_is_the_same_for_any_number_of_threads_and_after_a_restart() {
     assert!(first.pairs.len() > 1400);
     // Made again in the same room after another list.
     let mut again = heap.candidates(&Heap::new(&mut chance, 1400, 5.0).search(), 1);
-    again.rebuild(&heap.blocks(), &search, |_, _| false, |_, _| false, &Exec::serial());
+    again.rebuild(&heap.blocks(), &search, &[None; 3], |_| false, |_| false, &Exec::serial());
     assert_eq!((first.pairs, first.lists), (again.pairs, again.lists));
 }
 
@@ -295,7 +295,7 @@ fn the_order_of_the_blocks_changes_nothing_but_their_numbers() {
             .pairs
             .iter()
             .map(|c| {
-                let mut sides = [(name(c.i), 0), (name(c.j), 1)];
+                let mut sides = [(name(c.ends[0]), 0), (name(c.ends[1]), 1)];
                 sides.sort_unstable();
                 let faces = c.faces(&candidates.lists);
                 (sides.map(|(b, s)| (b, faces[s].to_vec())), c.ties)
@@ -314,14 +314,15 @@ fn states_follow_their_pairs() {
     let mut chance = Chance::new(5);
     let heap = Heap::new(&mut chance, 60, 1.0);
     let candidates = heap.candidates(&heap.search(), 1);
-    let keys: Vec<[u32; 2]> = candidates.pairs.iter().map(|c| [c.i, c.j]).collect();
+    let keys: Vec<[u32; 2]> = candidates.pairs.iter().map(|c| c.ends).collect();
     assert!(keys.len() > 30);
     // Every other pair was there before, and two that have gone.
     let mut old: Vec<([u32; 2], usize)> = keys.iter().copied().zip(1..).step_by(2).collect();
     old.insert(0, ([0, 0], 0));
     old.push(([99, 100], 99));
     let mut lost = Vec::new();
-    let states = candidates.carry(old, |_| 0, |pair, state| lost.push((pair, state)));
+    let old = old.into_iter().map(|(ends, state)| (PairKey::plain(ends), state));
+    let states = candidates.carry(old, |_| 0, |pair, state| lost.push((pair.ends, state)));
     let wanted: Vec<usize> = (1..=keys.len()).map(|k| k * (k % 2)).collect();
     assert_eq!(states, wanted);
     assert_eq!(lost, [([0, 0], 0), ([99, 100], 99)]);
@@ -406,7 +407,7 @@ fn time_of_the_search() {
             let exec = Exec::serial();
             let mut candidates = heap.candidates(&search, 1);
             let begin = std::time::Instant::now();
-            candidates.rebuild(&heap.blocks(), &search, |_, _| false, |_, _| false, &exec);
+            candidates.rebuild(&heap.blocks(), &search, &[None; 3], |_| false, |_| false, &exec);
             let whole = begin.elapsed().as_secs_f64();
             let (boxes, roles) = (&candidates.boxes, &heap.roles);
             let begin = std::time::Instant::now();

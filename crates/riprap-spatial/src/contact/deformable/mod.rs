@@ -18,7 +18,7 @@ pub(crate) mod search;
 
 pub(crate) use act::{act, depart};
 pub(crate) use part::part;
-pub(crate) use search::refresh;
+pub(crate) use search::{can_meet, refresh};
 
 use riprap_geom::polyhedron::GluedCells;
 

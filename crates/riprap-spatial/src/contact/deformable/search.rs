@@ -116,6 +116,11 @@ fn roles(world: &World) -> Vec<Role> {
     (0..n).map(role).collect()
 }
 
+/// Whether deformable blocks can meet others.
+pub(crate) fn can_meet(world: &World) -> bool {
+    world.deform.is_some() && roles(world).contains(&Role::Active)
+}
+
 /// Whether a point of a block will have left the margin of its block by the end of the coming step.
 fn outdated(world: &World, outside: &mut Vec<bool>, dt: f64, exec: &Exec) -> bool {
     let Some(deform) = world.deform.as_deref() else {

@@ -3,9 +3,10 @@
 use riprap_geom::polyhedron::{Polyhedron, from_half_spaces};
 use riprap_geom::{Quat, Vec3};
 
+use crate::kernel::peak::{Peak, peak};
 use crate::kernel::planes::{Planes, origin};
 use crate::kernel::surface::Walker;
-use crate::kernel::{Body, Found, Pair, Peak, Pose, Shape, Sums, peak, turn};
+use crate::kernel::{Body, Found, Pair, Pose, Shape, Sums, turn};
 
 /// A stream of random numbers (a linear congruence: good enough to place blocks).
 pub struct Chance(u64);

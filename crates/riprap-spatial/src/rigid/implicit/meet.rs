@@ -11,7 +11,7 @@ use crate::implicit::patch::Twist;
 use crate::implicit::solve::Solver;
 use crate::kernel::friction::Wrench;
 use crate::kernel::surface::Walker;
-use crate::kernel::{Body, Memory, Role, turn};
+use crate::kernel::{Body, Memory, PairKey, Role, turn};
 use crate::state::contact_scratch::{
     Acting, ContactScratch, Deepest, Exerted, PairGroup, Pressed, Slot,
 };
@@ -125,13 +125,20 @@ impl Placed {
         Self { normals }
     }
 
-    fn body<'a>(&'a self, world: &World, desk: &'a ContactScratch, b: u32) -> Body<'a> {
+    fn body<'a>(
+        &'a self,
+        world: &World,
+        desk: &'a ContactScratch,
+        key: &PairKey,
+        side: usize,
+    ) -> Body<'a> {
+        let b = key.ends[side];
         let pose = world.pose(b as usize);
         Body {
             shape: &desk.shapes[world.solid[b as usize] as usize],
             normals: &self.normals[desk.place[b as usize] as usize],
             turn: riprap_geom::Mat3::from_quat(pose.rotation),
-            position: pose.position,
+            position: key.place(side, pose.position, &world.setup.periodic),
         }
     }
 }
@@ -170,7 +177,7 @@ impl Looking<'_> {
         if world.pending > 0.0 {
             pair.start = pair.next;
         }
-        let bodies = pair.ends.map(|b| self.placed.body(world, contacts, b));
+        let bodies = [0, 1].map(|side| self.placed.body(world, contacts, &pair.key(), side));
         let candidate = &contacts.candidates.pairs[k];
         let margins: f64 = pair.ends.map(|b| world.found.search.margin[b as usize]).iter().sum();
         let listed = out <= LISTED * margins;
@@ -190,11 +197,7 @@ impl Looking<'_> {
         let ties = candidate.ties || !listed;
         match reach(walker, bodies, faces, ties, hint, out, law) {
             Reach::Apart(gap) => {
-                *pair = FoundPair {
-                    ends: pair.ends,
-                    gap: gap - ROUNDING * gap,
-                    ..FoundPair::default()
-                };
+                *pair = FoundPair { gap: gap - ROUNDING * gap, ..FoundPair::new(pair.key()) };
             }
             Reach::Lost => {
                 found.lost = true;
@@ -204,7 +207,7 @@ impl Looking<'_> {
                 pair.gap = 0.0;
                 pair.offset = None;
                 pair.next = hint.map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
-                if let Some(kept) = self.memory.and_then(|memory| memory.of(pair.ends)) {
+                if let Some(kept) = self.memory.and_then(|memory| memory.of(pair.key())) {
                     kept.recall(&mut near);
                 }
                 found.near = Some(near);
@@ -249,7 +252,7 @@ pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch, span: f64) {
         };
         pair.depth = reply.depth;
         pair.patches.clear();
-        pair.patches.push(ContactPatch {
+        pair.push(ContactPatch {
             key: [0; 2],
             memory: told(of, reply),
             stored: sprung(&of.law, of),

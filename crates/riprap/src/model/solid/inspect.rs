@@ -1,11 +1,14 @@
 //! Checks of the finished model in space: overlaps, who carries the in-situ stress, motion.
 
+use std::borrow::Cow;
+
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, Sliced, slice};
 
 use super::grid::grid_of;
 use super::shapes::{bounds, solid, volume};
 use super::triple;
+use super::turn::moved;
 use crate::model::builder::Builder;
 use crate::model::summary::passing;
 use crate::scenario::language::Space;
@@ -25,7 +28,16 @@ const MOST_LOOKS: usize = 2_000_000_000;
 struct Overlap {
     depth: f64,
     blocks: [u32; 2],
+    /// Whether one of them does as an image of itself, across the ends of a periodic model.
+    across: bool,
     at: Vec3,
+}
+
+/// A block at the start, or an image of one across the ends of a periodic model.
+struct Placed<'a> {
+    block: u32,
+    shape: Cow<'a, Shape>,
+    image: bool,
 }
 
 impl Builder<'_> {
@@ -90,22 +102,23 @@ impl Builder<'_> {
             Space::Spatial(space) => space.allow_overlap.as_ref().map_or(0.0, Quantity::si),
             Space::Planar(_) => 0.0,
         };
-        let blocks = self.doubtful(said);
-        let boxes: Vec<(Vec3, Vec3)> =
-            blocks.iter().map(|&b| bounds(&self.spatial.blocks[b as usize].shape)).collect();
-        let shape = |k: u32| &self.spatial.blocks[blocks[k as usize] as usize].shape;
-        let hull = |k: u32| match shape(k) {
-            Shape::Polyhedron(_) => Some(Hull::of(shape(k))),
+        let blocks = self.placed(said);
+        let boxes: Vec<(Vec3, Vec3)> = blocks.iter().map(|b| bounds(&b.shape)).collect();
+        let hull = |b: &Placed| match &*b.shape {
+            Shape::Polyhedron(_) => Some(Hull::of(&b.shape)),
             // Two bricks are their boxes; a brick among polyhedra is rare. What lies in terrain is reported by `on_terrain`.
             // Glued parts are looked at part by part.
             Shape::Brick { .. } | Shape::Terrain(_) | Shape::Glued(_) => None,
         };
-        let hulls: Vec<Option<Hull>> = (0..blocks.len() as u32).map(hull).collect();
+        let hulls: Vec<Option<Hull>> = blocks.iter().map(hull).collect();
         let mut bad: Vec<Overlap> = Vec::new();
         let searched = deep_pairs(&boxes, said, |pair| {
             let [i, j] = pair.map(|k| k as usize);
             let hulls = [hulls[i].as_ref(), hulls[j].as_ref()];
-            bad.extend(self.overlap([blocks[i], blocks[j]], hulls, said));
+            // Two images lie in each other as what they are images of.
+            if !(blocks[i].image && blocks[j].image) {
+                bad.extend(self.overlap([&blocks[i], &blocks[j]], hulls, said));
+            }
             bad.len() < MOST_BAD
         });
         if searched == Search::GivenUp {
@@ -123,12 +136,20 @@ impl Builder<'_> {
         let deepest = bad.first().map_or(0.0, |worst| worst.depth);
         for overlap in bad.iter().take(NAMED) {
             let [first, second] = overlap.blocks.map(|b| self.directory.name(b));
-            let message = format!(
-                "blocks `{first}` and `{second}` overlap by {} at the start, near {}",
+            let across = if overlap.across { " across a periodic boundary" } else { "" };
+            let place = format!(
+                "by {}{across} at the start, near {}",
                 with_unit(overlap.depth, "m"),
                 triple(overlap.at + self.spatial.origin, "m")
             );
             let span = self.table_span(overlap.blocks[1]);
+            if first == second {
+                let message = format!("block `{first}` overlaps itself {place}");
+                let help = "make the period longer, or the block shorter";
+                self.error_at("geometry.overlap", span, message, help);
+                continue;
+            }
+            let message = format!("blocks `{first}` and `{second}` overlap {place}");
             let help = format!(
                 "move one of them; or accept the overlap with allow_overlap = \"{}\" in [space.spatial] and let a first phase with kind = \"static\" \
                  separate them; if it ejects them, use a smaller `normal_stiffness`",
@@ -142,6 +163,45 @@ impl Builder<'_> {
                 format!("{least}{} more pairs of blocks overlap at the start", bad.len() - NAMED);
             self.found.push(Diagnostic::error("geometry.overlap", message));
         }
+    }
+
+    /// What may lie in others: blocks, and in periodic models that are longer than a period images of them.
+    fn placed(&self, said: f64) -> Vec<Placed<'_>> {
+        let blocks = &self.spatial.blocks;
+        let own = |block: u32| Placed {
+            block,
+            shape: Cow::Borrowed(&blocks[block as usize].shape),
+            image: false,
+        };
+        let (low, high) = self.model_bounds();
+        let size = high - low;
+        // How many images of a block there are along each axis on either side.
+        let counts = self.spatial.periodic.map(|period| period.unwrap_or(f64::INFINITY));
+        let counts = [0, 1, 2].map(|k| ((1.0 - ACCEPTED) * size[k] / counts[k]).floor() as i32);
+        if counts == [0; 3] || !self.spatial.found_contacts {
+            return self.doubtful(said).into_iter().map(own).collect();
+        }
+        let each = |k: usize| -counts[k]..=counts[k];
+        let steps = each(0)
+            .flat_map(|x| each(1).flat_map(move |y| each(2).map(move |z| [x, y, z])))
+            .filter(|step| *step > [0; 3]);
+        let shift = |step: [i32; 3]| {
+            let along = |k: usize| f64::from(step[k]) * self.spatial.periodic[k].unwrap_or(0.0);
+            Vec3::new(along(0), along(1), along(2))
+        };
+        let there = (0..blocks.len() as u32).filter(|b| !blocks[*b as usize].shape.is_terrain());
+        let mut all: Vec<Placed> = there.clone().map(own).collect();
+        for shift in steps.map(shift) {
+            for block in there.clone() {
+                let shape = &blocks[block as usize].shape;
+                let (from, to) = bounds(shape);
+                if (from + shift).cmple(high).all() && (to + shift).cmpge(low).all() {
+                    let shape = Cow::Owned(moved(shape, shift));
+                    all.push(Placed { block, shape, image: true });
+                }
+            }
+        }
+        all
     }
 
     /// Blocks that may lie in others: not those of a grid that no other table reaches into.
@@ -228,8 +288,13 @@ impl Builder<'_> {
     }
 
     /// How deep two blocks lie in each other, if that is too deep.
-    fn overlap(&self, [i, j]: [u32; 2], hulls: [Option<&Hull>; 2], said: f64) -> Option<Overlap> {
-        let [a, b] = [i, j].map(|k| &self.spatial.blocks[k as usize].shape);
+    fn overlap(
+        &self,
+        placed: [&Placed; 2],
+        hulls: [Option<&Hull>; 2],
+        said: f64,
+    ) -> Option<Overlap> {
+        let ([i, j], [a, b]) = (placed.map(|p| p.block), placed.map(|p| &*p.shape));
         let ((min_a, max_a), (min_b, max_b)) = (bounds(a), bounds(b));
         let (low, high) = (min_a.max(min_b), max_a.min(max_b));
         let accepted = said.max(ACCEPTED * libm::cbrt(volume(a).min(volume(b))));
@@ -250,9 +315,12 @@ impl Builder<'_> {
             let widths = ours.iter().flat_map(|a| theirs.iter().map(|b| common_width(a, b)));
             depth = depth.min(widths.fold(0.0, f64::max));
         }
-        (depth > accepted && !(self.held(i) && self.held(j))).then(|| Overlap {
+        // What is held may lie in other blocks that are, but no block can be longer than the period.
+        let held = i != j && self.held(i) && self.held(j);
+        (depth > accepted && !held).then(|| Overlap {
             depth,
             blocks: [i.min(j), i.max(j)],
+            across: placed.iter().any(|p| p.image),
             at: 0.5 * (low + high),
         })
     }

@@ -538,6 +538,39 @@ fn a_large_grid_is_built_soon() {
     assert!(text.contains("overlap by 0.5 m"), "{text}");
 }
 
+/// What lies in other blocks across the end of a periodic model, and what is longer than it.
+#[test]
+fn overlaps_across_a_periodic_boundary_are_refused() {
+    let brick = |name: &str, corner: &str, long: &str| {
+        format!(
+            "[[blocks]]\nname = \"{name}\"\nmaterial = \"rock\"\n\
+             brick = {{ size = [\"{long} m\", \"1 m\", \"1 m\"], corner = [\"{corner} m\", \"0 m\", \"0 m\"] }}\n"
+        )
+    };
+    let model = |rest: &str| {
+        let periodic =
+            "space.spatial.periodic = [\"4 m\", \"none\", \"none\"]\nspace.spatial.gravity";
+        try_solid(&format!("{}{rest}{TAIL}", SPACE.replace("space.spatial.gravity", periodic)))
+    };
+    let refused = |rest: &str| model(rest).expect_err("should be refused").render();
+    let two = |corner: &str| format!("{}{}", brick("a", "0", "1"), brick("b", corner, "1"));
+    let text = refused(&two("3.25"));
+    let wanted = "blocks `a` and `b` overlap by 0.25 m across a periodic boundary";
+    assert!(text.contains(wanted), "{text}");
+    let text = refused(&two("4.25"));
+    assert!(text.contains("overlap by 0.75 m across"), "{text}");
+    let text = refused(&brick("floor", "0", "4.5"));
+    let wanted = "block `floor` overlaps itself by 0.5 m across a periodic boundary";
+    assert!(text.contains(wanted), "{text}");
+    assert!(text.contains("make the period longer, or the block shorter"), "{text}");
+    // They touch there, or lie more than a period apart.
+    for good in [two("3"), two("5.5"), brick("floor", "0", "4")] {
+        if let Err(error) = model(&good) {
+            panic!("{}", error.render());
+        }
+    }
+}
+
 /// The boxes around such blocks overlap far more often than the blocks do: counting boxes refused them.
 #[test]
 fn slender_blocks_of_joint_sets_are_no_overlap() {

@@ -379,8 +379,6 @@ pub struct Noted {
     pub strained: Option<Noticed>,
     /// The bolt that was drawn out by most of its length.
     pub drawn: Option<Noticed>,
-    /// The first two blocks that met across the ends of a periodic model.
-    pub through: Option<Noticed>,
     /// Since when forces of a static phase have been balanced by dashpots: step, and what they carried over all forces then.
     pub sinking: Option<(u64, f64)>,
 }

@@ -82,9 +82,7 @@ impl Simulation {
         let others = residual.chain(deepest);
         let given = overruled::words(&self.view()).into_iter();
         let given = given.chain(meeting::only_dashpots(&self.view()));
-        // What was seen to happen says more than that it may.
-        let seen = cursor.noted.through.is_some();
-        let across = meeting::across_ends(&self.view()).filter(|_| !seen);
+        let across = meeting::across_ends(&self.view());
         let off = given.chain(meeting::off(&self.view())).chain(across);
         let all = off.chain(unconverged).chain(ends).chain(others);
         let supports = self

@@ -32,28 +32,10 @@ impl Simulation {
         let view = self.view();
         let drawn = view.most_drawn().filter(|d| d.by > DRAWN * d.length && d.force > 0.0);
         let drawn = drawn.filter(|d| !d.breaks);
-        let through = self.through_ends();
         let noted = &mut self.cursor.noted;
         if let Some(found) = drawn {
             keep(&mut noted.drawn, found.by / found.length, || drawn_words(&found, step, time));
         }
-        if let (Some([a, b]), None) = (through, &noted.through) {
-            let words = format!(
-                "blocks `{a}` and `{b}` pass through each other across a periodic boundary (step {step}, t = {time:.4e} s): loose blocks are not \
-                 detected there; make the model longer than their travel"
-            );
-            noted.through = Some(Noticed { size: 1.0, words });
-        }
-    }
-
-    /// Names of blocks that lie in each other across the ends of a periodic model, as long as none have been noted.
-    fn through_ends(&self) -> Option<[String; 2]> {
-        if self.cursor.noted.through.is_some() {
-            return None;
-        }
-        let view = self.view();
-        let found = view.spatial()?.through_ends()?;
-        Some(found.map(|b| view.name(b)))
     }
 
     /// Notes the block that has turned farthest for its kinematics.
@@ -145,7 +127,7 @@ impl Simulation {
                 100.0 * ((1.0 + t.angle * t.angle).sqrt() - 1.0),
             )
         });
-        let others = [&noted.strained, &noted.drawn, &noted.through];
+        let others = [&noted.strained, &noted.drawn];
         let others = others.into_iter().flatten().map(|n| n.words.clone());
         turned.into_iter().chain(others).collect()
     }

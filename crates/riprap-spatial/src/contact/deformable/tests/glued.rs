@@ -140,18 +140,19 @@ fn a_bounce_in_a_u_keeps_energy_and_momenta() {
         run.evaluate();
         let start = run.view().kinetic_energy();
         let before = [run.view().momentum(), run.view().angular_momentum()];
-        let (mut worst, mut pressed) = (0.0_f64, 0.0_f64);
+        let (mut worst, mut pressed, mut drift) = (0.0_f64, 0.0_f64, [0.0_f64; 2]);
         run.watch(0.12, |run| {
+            let now = [run.view().momentum(), run.view().angular_momentum()];
+            for k in 0..2 {
+                drift[k] = drift[k].max((now[k] - before[k]).length() / before[k].length());
+            }
             let balance = run.view().balance();
             worst = worst.max((balance.residual() / start).abs());
             pressed = pressed.max(balance.contact_normal / start);
         });
         assert!(pressed > 0.01, "{pressed}");
-        // Apart again: while they press, velocities of blocks and nodes belong to instants half a step apart.
-        let after = [run.view().momentum(), run.view().angular_momentum()];
-        for (now, then) in after.iter().zip(before) {
-            assert!((*now - then).length() < 1e-12 * then.length(), "{now} {then}");
-        }
+        // Also while they press, and before the U has turned enough for finite rotations.
+        assert!(drift.iter().all(|drift| *drift < 1e-12), "{drift:?}");
         worst
     };
     let [coarse, fine] = [4e-5, 2e-5].map(collision);
