@@ -117,7 +117,7 @@ fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
 }
 
 /// Turns the blocks that are in a pair to where they are now.
-fn place(world: &World, desk: &mut ContactScratch, exec: &Exec) {
+pub(crate) fn place(world: &World, desk: &mut ContactScratch, exec: &Exec) {
     let ContactScratch { blocks, shapes, poses, turns, normals, first_normal, turning, .. } = desk;
     if poses.len() != blocks.len() || normals.len() != first_normal[blocks.len()] as usize {
         *poses = vec![Pose::at(Vec3::ZERO); blocks.len()];

@@ -4,11 +4,11 @@
 
 use riprap_geom::Vec3;
 
-use crate::implicit::pair::{Pair, Pressure};
+use crate::implicit::pair::Pair;
 use crate::implicit::patch::Piece;
 use crate::kernel::planes::origin;
 use crate::kernel::surface::{self, Walker};
-use crate::kernel::{Body, ContactLaw, Found};
+use crate::kernel::{ContactLaw, Found};
 
 /// Faces that look less than this along the direction of their pair are left out: strips at the edges of bricks.
 const GLANCING: f64 = 0.02;
@@ -18,23 +18,20 @@ pub(crate) enum Reach {
     /// They are at least so far apart, m.
     Apart(f64),
     /// They may press within the step; places in the lists of the faces of the piece to start from next time.
-    Near(Box<Pair>, Option<[u16; 2]>),
+    Near(Option<[u16; 2]>),
     /// No surface can be found.
     Lost,
 }
 
-/// Pieces of two blocks with faces `out` (m) further out.
+/// Pieces of two blocks with faces `out` (m) further out, put into `near`.
 pub(crate) fn reach(
     walker: &mut Walker,
-    bodies: [&Body; 2],
-    faces: [&[u16]; 2],
-    ties: bool,
-    hint: Option<[u16; 2]>,
+    pair: &surface::Pair,
     out: f64,
     law: ContactLaw,
+    near: &mut Pair,
 ) -> Reach {
-    let pair = surface::Pair { bodies, faces, ties, hint, witnesses: &[] };
-    let sums = match walker.find_inflated(&pair, out) {
+    let sums = match walker.find_inflated(pair, out) {
         Found::Apart(gap) => return Reach::Apart(gap + 2.0 * out),
         Found::FullyPenetrated(_) => return Reach::Lost,
         Found::Touching(sums) => sums,
@@ -44,45 +41,41 @@ pub(crate) fn reach(
         return Reach::Lost;
     }
     let direction = sums.force / size;
-    let (mut pieces, mut corners) = (Vec::new(), Vec::new());
-    walker.show_pieces(|planes, [f, g], frame, polygon, share| {
+    let from = origin(pair.bodies[0], pair.bodies[1]);
+    near.begin(direction, pair.bodies.map(|body| body.position - from), law);
+    for ([f, g], frame, polygon, share) in walker.kept() {
+        let planes = &walker.planes;
         let facing = [planes.normal(f).dot(direction), -planes.normal(g).dot(direction)];
         if facing.iter().any(|c| *c < GLANCING) {
-            return;
+            continue;
         }
         let [w, u, v] = polygon.slope;
-        let from = corners.len();
-        corners.extend(polygon.s().iter().zip(polygon.t()).map(|(s, t)| [*s, *t]));
-        let weight = share * frame.normal.dot(direction);
-        let place = (frame.foot, frame.axes);
-        let depth = [w - out, -u, -v];
-        pieces.push(Piece::new(
-            direction,
+        let from = near.corners.len();
+        near.corners.extend(polygon.s().iter().zip(polygon.t()).map(|(s, t)| [*s, *t]));
+        near.pieces.push(Piece::new(
+            &[direction, near.across[0], near.across[1]],
             law.normal_stiffness,
             facing,
-            weight,
-            place,
-            depth,
-            from..corners.len(),
+            share * frame.normal.dot(direction),
+            (frame.foot, frame.axes),
+            [w - out, -u, -v],
+            from..near.corners.len(),
         ));
-    });
-    let from = origin(bodies[0], bodies[1]);
-    let first = farthest_axis(direction).cross(direction).normalize();
-    let near = Pair {
-        ends: [None; 2],
-        centres: bodies.map(|body| body.position - from),
-        given: [[Vec3::ZERO; 2]; 2],
-        direction,
-        across: [first, direction.cross(first)],
-        pieces,
-        corners,
-        law,
-        shear: Vec3::ZERO,
-        torsion: 0.0,
-        pressure: Pressure::default(),
-        area_before: 0.0,
-    };
-    Reach::Near(Box::new(near), sums.hint)
+    }
+    Reach::Near(sums.hint)
+}
+
+impl Pair {
+    /// Makes it a pair in this direction, with centroids at `centres` (m) from its origin, without pieces and memory.
+    fn begin(&mut self, direction: Vec3, centres: [Vec3; 2], law: ContactLaw) {
+        let first = farthest_axis(direction).cross(direction).normalize();
+        let (mut pieces, mut corners) =
+            (std::mem::take(&mut self.pieces), std::mem::take(&mut self.corners));
+        pieces.clear();
+        corners.clear();
+        let across = [first, direction.cross(first)];
+        *self = Self { centres, direction, across, pieces, corners, law, ..Self::default() };
+    }
 }
 
 /// The axis of space that is farthest from a direction.

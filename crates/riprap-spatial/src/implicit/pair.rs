@@ -4,7 +4,9 @@
 
 use riprap_geom::Vec3;
 
-use crate::implicit::patch::{Piece, Pressed, Stepping, Twist, dot};
+use crate::implicit::patch::{
+    Basis, Normal, Piece, Pressed, Stepping, Twist, dot, normal_part, whole,
+};
 use crate::kernel::ContactLaw;
 
 /// What friction is computed from: the pressure of the last solution.
@@ -24,7 +26,7 @@ pub(crate) struct Pressure {
 const ARM: f64 = 0.93;
 
 /// One pair in a step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Pair {
     /// Places of both blocks among those that move; `None` for one that does not answer.
     pub ends: [Option<u32>; 2],
@@ -52,6 +54,8 @@ pub(crate) struct Pair {
 /// What a pair answers at a twist.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Answer {
+    /// Whether there is any.
+    pub acts: bool,
     /// Wrench on the second block about the origin: N and N m.
     pub wrench: Twist,
     /// Rate of the impulse against the twist, kg and so on.
@@ -141,12 +145,15 @@ impl Pair {
     /// What it has done in a step that ends with this twist.
     pub(crate) fn reply(&self, twist: &Twist, step: &Stepping, spare: &mut Vec<[f64; 2]>) -> Reply {
         let mut reply = Reply::default();
+        let (basis, mut elastic) = (self.basis(), Normal::default());
+        let part = normal_part(&basis, twist);
         for piece in &self.pieces {
-            let pressed = piece.press(&self.corners, twist, step, 1.0, spare);
-            piece.add_wrench(&pressed, &mut reply.elastic);
+            let pressed = piece.press(&self.corners, &part, step, 1.0, spare);
+            piece.add_wrench(&pressed, &mut elastic);
             let most = piece.most(&self.corners, &pressed.pressure) / self.law.normal_stiffness;
             reply.depth = reply.depth.max(most);
         }
+        reply.elastic = whole(&basis, elastic);
         let Some(rubbing) = self.rubbing(twist, step, 1.0) else {
             return reply;
         };
@@ -169,6 +176,50 @@ impl Pair {
         if self.area_before > 0.0 { (area / self.area_before).min(1.0) } else { 1.0 }
     }
 
+    fn basis(&self) -> Basis {
+        [self.direction, self.across[0], self.across[1]]
+    }
+
+    /// That of the pressure alone.
+    fn pressing(
+        &self,
+        twist: &Twist,
+        step: &Stepping,
+        soft: f64,
+        with_rate: bool,
+        spare: &mut Vec<[f64; 2]>,
+    ) -> Answer {
+        let mut answer = Answer::default();
+        let (mut wrench, mut rate) = (Normal::default(), [Normal::default(); 3]);
+        let basis = self.basis();
+        let part = normal_part(&basis, twist);
+        for piece in &self.pieces {
+            let pressed = piece.press(&self.corners, &part, step, soft, spare);
+            if pressed.is_dry() {
+                continue;
+            }
+            answer.acts = true;
+            piece.add_wrench(&pressed, &mut wrench);
+            if with_rate {
+                piece.add_rate(&pressed, step, soft, &mut rate);
+            }
+        }
+        if answer.acts {
+            answer.wrench = whole(&basis, wrench);
+            if with_rate {
+                // By columns, then by rows.
+                let columns = rate.map(|row| whole(&basis, row));
+                for k in 0..6 {
+                    let rows = whole(&basis, columns.map(|column| column[k]));
+                    for i in 0..6 {
+                        answer.rate[i][k] = rows[i];
+                    }
+                }
+            }
+        }
+        answer
+    }
+
     /// Force and, where asked for, its rate.
     pub(crate) fn answer(
         &self,
@@ -178,17 +229,11 @@ impl Pair {
         with_rate: bool,
         spare: &mut Vec<[f64; 2]>,
     ) -> Answer {
-        let mut answer = Answer::default();
-        for piece in &self.pieces {
-            let pressed = piece.press(&self.corners, twist, step, soft, spare);
-            piece.add_wrench(&pressed, &mut answer.wrench);
-            if with_rate {
-                piece.add_rate(&pressed, step, soft, &mut answer.rate);
-            }
-        }
+        let mut answer = self.pressing(twist, step, soft, with_rate, spare);
         let Some(rubbing) = self.rubbing(twist, step, soft) else {
             return answer;
         };
+        answer.acts = true;
         let share = rubbing.share();
         for (y, screw) in rubbing.trial.iter().zip(&rubbing.screws) {
             for k in 0..6 {
@@ -226,8 +271,9 @@ impl Pair {
     ) -> Pressure {
         let mut found = Pressure::default();
         let (mut first, mut second, mut area_first) = (Vec3::ZERO, 0.0, Vec3::ZERO);
+        let twist = normal_part(&self.basis(), twist);
         for piece in &self.pieces {
-            let pressed = piece.press(&self.corners, twist, step, 1.0, spare);
+            let pressed = piece.press(&self.corners, &twist, step, 1.0, spare);
             let part = piece.shares(&pressed);
             found.force += part.force;
             first += part.force_first;

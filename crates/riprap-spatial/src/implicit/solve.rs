@@ -213,8 +213,11 @@ impl Solver {
             self.slope[k] = body.momentum_of(&minus(&self.motion[k], &body.free()));
         }
         for (k, pair) in self.pairs.iter().enumerate() {
-            let Answer { wrench, rate } =
+            let Answer { acts, wrench, rate } =
                 pair.answer(&self.twists[k], step, soft, true, &mut self.spare);
+            if !acts {
+                continue;
+            }
             let shifts = pair.centres;
             for side in 0..2 {
                 let Some(at) = pair.ends[side] else { continue };
@@ -288,7 +291,9 @@ impl Solver {
                     at[k] += share * change[k];
                 }
                 let answer = pair.answer(&at, step, soft, false, &mut spare);
-                sum -= step.span * dot(&answer.wrench, change);
+                if answer.acts {
+                    sum -= step.span * dot(&answer.wrench, change);
+                }
             }
             sum
         };

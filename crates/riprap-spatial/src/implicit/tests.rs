@@ -4,10 +4,11 @@ use riprap_geom::{Mat3, Quat, Vec3};
 
 use crate::implicit::geometry::{Reach, reach};
 use crate::implicit::memory::Kept;
+use crate::implicit::pair::Pair;
 use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Effort, Solver};
 use crate::kernel::kit::{Placed, all_faces};
-use crate::kernel::surface::Walker;
+use crate::kernel::surface::{self, Walker};
 use crate::kernel::{ContactLaw, Pose, Shape};
 
 struct Block {
@@ -101,20 +102,20 @@ impl Model {
                 let placed = Placed::new([&a.shape, &b.shape], [a.pose, b.pose]);
                 let lists = [all_faces(&a.shape), all_faces(&b.shape)];
                 let [x, y] = placed.bodies();
-                let found = reach(
-                    &mut self.walker,
-                    [&x, &y],
-                    [&lists[0], &lists[1]],
-                    true,
-                    None,
-                    out,
-                    self.law,
-                );
-                let mut pair = match found {
-                    Reach::Near(pair, _) => *pair,
+                let faces = [&lists[0][..], &lists[1][..]];
+                let surface = surface::Pair {
+                    bodies: [&x, &y],
+                    faces,
+                    ties: true,
+                    hint: None,
+                    witnesses: &[],
+                };
+                let mut pair = Pair::default();
+                match reach(&mut self.walker, &surface, out, self.law, &mut pair) {
+                    Reach::Near(_) => {}
                     Reach::Apart(_) => continue,
                     Reach::Lost => panic!("{i} and {j} have no surface"),
-                };
+                }
                 pair.ends = [place[i], place[j]];
                 pair.given = [a.motion, b.motion];
                 let numbers = [i as u32, j as u32];

@@ -26,8 +26,9 @@ use crate::rigid::kick::Acting;
 use crate::state::scratch::{NotSolved, Scratch};
 use crate::state::world::World;
 
-/// Accuracy of the velocities of a step, over the motion that gravity makes in it.
-const TOLERANCE: f64 = 1e-4;
+/// What the last round of Newton's method may change of the velocities of a step, over the motion that gravity makes in it. Rounds converge
+/// quadratically, and the last one is taken as a whole: what is left after it is far less.
+const TOLERANCE: f64 = 1e-2;
 /// Speed that is nothing, m/s: the accuracy without gravity.
 const STILL: f64 = 1e-4;
 
@@ -67,7 +68,7 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     scratch.implicit.failed = None;
     if !meet {
-        scratch.implicit.begin(world.alive.len());
+        scratch.implicit.begin(world.alive.len(), world.found.pairs.len());
         return;
     }
     let dt = match scratch.coming_dt {

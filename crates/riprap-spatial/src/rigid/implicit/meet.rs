@@ -10,13 +10,13 @@ use crate::implicit::pair::{Pair, Reply};
 use crate::implicit::patch::Twist;
 use crate::implicit::solve::Solver;
 use crate::kernel::friction::Wrench;
-use crate::kernel::surface::Walker;
-use crate::kernel::{Body, Memory, Role, turn};
+use crate::kernel::surface::{self, Walker};
+use crate::kernel::{Body, Memory, Role};
 use crate::state::contact_scratch::{
     Acting, ContactScratch, Deepest, Exerted, PairGroup, Pressed, Slot,
 };
 use crate::state::found::{ContactPatch, FoundPair};
-use crate::state::scratch::{ImplicitDesk, Scratch};
+use crate::state::scratch::{ImplicitDesk, NearPair, Scratch};
 use crate::state::world::World;
 
 /// Gap that every pair is looked at within, m.
@@ -34,28 +34,19 @@ const FLIGHT: f64 = 0.9;
 /// That margin over the radius of the block.
 const MARGIN: f64 = 0.4;
 
-/// What was found of a pair.
-#[derive(Clone, Debug, Default)]
-struct Found {
-    slot: Slot,
-    near: Option<Box<Pair>>,
-    /// Whether no surface was found between blocks that lie in each other.
-    lost: bool,
-}
-
 /// Finds the pairs within reach of a step of `dt` (s).
 pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    contact::place(world, &mut scratch.desk, &scratch.exec);
     let mut pairs = std::mem::take(&mut world.found.pairs);
-    let mut found = vec![Found::default(); pairs.len()];
     let mut workspaces = std::mem::take(&mut scratch.desk.workspaces);
-    let placed = Placed::of(world, &scratch.desk);
-    let looking =
-        Looking { world, memory: world.implicit.as_deref(), contacts: &scratch.desk, placed, dt };
+    let desk = &mut scratch.implicit;
+    desk.begin(world.alive.len(), pairs.len());
+    let looking = Looking { world, memory: world.implicit.as_deref(), contacts: &scratch.desk, dt };
     let width = scratch.width;
     let mut nothing = vec![(); pairs.len().div_ceil(GROUP)];
     scratch.exec.groups2(
         &mut pairs,
-        &mut found,
+        &mut desk.found,
         &mut nothing,
         &mut workspaces,
         |first, pairs, found, (), workspace| {
@@ -66,9 +57,8 @@ pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
         },
     );
     let mut longest = flight(world, &scratch.desk);
-    let (mut spare, desk) = (Vec::new(), &mut scratch.implicit);
-    desk.begin(world.alive.len());
-    for (k, found) in found.into_iter().enumerate() {
+    let mut spare = Vec::new();
+    for (k, found) in desk.found.iter_mut().enumerate() {
         let way = pairs[k].gap.max(0.0) + TRANSIT * scratch.desk.constants[k].inradius;
         if found.slot.nearing > 0.0 {
             longest = longest.min(way / found.slot.nearing);
@@ -77,11 +67,12 @@ pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
         if found.lost {
             desk.lost.push(k as u32);
         }
-        let Some(pair) = found.near else { continue };
-        desk.stored[0] += pair.stored(&mut spare);
-        desk.stored[1] += sprung(&pair.law, &pair);
-        desk.pairs.push(k as u32);
-        desk.solver.pairs.push(*pair);
+        if found.near {
+            desk.stored[0] += found.pair.stored(&mut spare);
+            desk.stored[1] += sprung(&found.pair.law, &found.pair);
+            desk.pairs.push(k as u32);
+            desk.solver.pairs.push(std::mem::take(&mut found.pair));
+        }
     }
     scratch.desk.workspaces = workspaces;
     world.found.pairs = pairs;
@@ -110,46 +101,33 @@ fn speed(world: &World, b: usize) -> f64 {
     world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
 }
 
-/// Normals of the blocks that are in a pair, turned to where they are now.
-struct Placed {
-    normals: Vec<Vec<Vec3>>,
-}
-
-impl Placed {
-    fn of(world: &World, desk: &ContactScratch) -> Self {
-        let mut normals = vec![Vec::new(); desk.blocks.len()];
-        for (b, normals) in desk.blocks.iter().zip(&mut normals) {
-            let b = *b as usize;
-            turn(&desk.shapes[world.solid[b] as usize], world.pose(b).rotation, normals);
-        }
-        Self { normals }
-    }
-
-    fn body<'a>(&'a self, world: &World, desk: &'a ContactScratch, b: u32) -> Body<'a> {
-        let pose = world.pose(b as usize);
-        Body {
-            shape: &desk.shapes[world.solid[b as usize] as usize],
-            normals: &self.normals[desk.place[b as usize] as usize],
-            turn: riprap_geom::Mat3::from_quat(pose.rotation),
-            position: pose.position,
-        }
-    }
-}
-
 /// What a look at the pairs needs.
 struct Looking<'a> {
     world: &'a World,
     memory: Option<&'a Implicit>,
+    /// Its blocks are where they are now.
     contacts: &'a ContactScratch,
-    placed: Placed,
     /// Length of the coming step, s.
     dt: f64,
 }
 
 impl Looking<'_> {
+    fn body(&self, b: u32) -> Body<'_> {
+        let desk = self.contacts;
+        let at = desk.place[b as usize] as usize;
+        let normals = desk.first_normal[at] as usize..desk.first_normal[at + 1] as usize;
+        Body {
+            shape: &desk.shapes[self.world.solid[b as usize] as usize],
+            normals: &desk.normals[normals],
+            turn: desk.turns[at],
+            position: desk.poses[at].position,
+        }
+    }
+
     /// Looks at pair `k`.
-    fn at(&self, k: usize, pair: &mut FoundPair, found: &mut Found, walker: &mut Walker) {
+    fn at(&self, k: usize, pair: &mut FoundPair, found: &mut NearPair, walker: &mut Walker) {
         let Self { world, contacts, dt, .. } = self;
+        (found.slot, found.near, found.lost) = (Slot::default(), false, false);
         let speeds = pair.ends.map(|b| speed(world, b as usize));
         let fall = world.gravity.length() * dt;
         found.slot.nearing = {
@@ -170,7 +148,7 @@ impl Looking<'_> {
         if world.pending > 0.0 {
             pair.start = pair.next;
         }
-        let bodies = pair.ends.map(|b| self.placed.body(world, contacts, b));
+        let bodies = pair.ends.map(|b| self.body(b));
         let candidate = &contacts.candidates.pairs[k];
         let margins: f64 = pair.ends.map(|b| world.found.search.margin[b as usize]).iter().sum();
         let listed = out <= LISTED * margins;
@@ -186,9 +164,10 @@ impl Looking<'_> {
             |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
         let hint = pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
         let law = constants.law(&contacts.rows);
-        let bodies = bodies.each_ref();
         let ties = candidate.ties || !listed;
-        match reach(walker, bodies, faces, ties, hint, out, law) {
+        let surface =
+            surface::Pair { bodies: bodies.each_ref(), faces, ties, hint, witnesses: &[] };
+        match reach(walker, &surface, out, law, &mut found.pair) {
             Reach::Apart(gap) => {
                 *pair = FoundPair {
                     ends: pair.ends,
@@ -200,14 +179,14 @@ impl Looking<'_> {
                 found.lost = true;
                 pair.depth = 2.0 * constants.inradius;
             }
-            Reach::Near(mut near, hint) => {
+            Reach::Near(hint) => {
                 pair.gap = 0.0;
                 pair.offset = None;
                 pair.next = hint.map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
                 if let Some(kept) = self.memory.and_then(|memory| memory.of(pair.ends)) {
-                    kept.recall(&mut near);
+                    kept.recall(&mut found.pair);
                 }
-                found.near = Some(near);
+                found.near = true;
             }
         }
     }
