@@ -102,7 +102,7 @@ fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> Pa
 }
 
 /// Notes the blocks that have gone over the rim of all terrain since the last evaluation.
-fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
+pub(crate) fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
     let left = workspaces.iter_mut().flat_map(|workspace| workspace.beside.drain(..));
     let mut left: Vec<u32> = left.collect();
     // Which thread has seen which of them is chance.

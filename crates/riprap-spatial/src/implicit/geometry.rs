@@ -6,9 +6,12 @@ use riprap_geom::Vec3;
 
 use crate::implicit::pair::Pair;
 use crate::implicit::patch::Piece;
+use crate::kernel::frame::Frame;
+use crate::kernel::piece::Polygon;
 use crate::kernel::planes::origin;
 use crate::kernel::surface::{self, Walker};
-use crate::kernel::{ContactLaw, Found};
+use crate::kernel::terrain::Under;
+use crate::kernel::{Body, ContactLaw, Found, Reached, Terrain};
 
 /// Faces that look less than this along the direction of their pair are left out: strips at the edges of bricks.
 const GLANCING: f64 = 0.02;
@@ -46,26 +49,65 @@ pub(crate) fn reach(
     for ([f, g], frame, polygon, share) in walker.kept() {
         let planes = &walker.planes;
         let facing = [planes.normal(f).dot(direction), -planes.normal(g).dot(direction)];
-        if facing.iter().any(|c| *c < GLANCING) {
-            continue;
-        }
-        let [w, u, v] = polygon.slope;
-        let from = near.corners.len();
-        near.corners.extend(polygon.s().iter().zip(polygon.t()).map(|(s, t)| [*s, *t]));
-        near.pieces.push(Piece::new(
-            &[direction, near.across[0], near.across[1]],
-            law.normal_stiffness,
-            facing,
-            share * frame.normal.dot(direction),
-            (frame.foot, frame.axes),
-            [w - out, -u, -v],
-            from..near.corners.len(),
-        ));
+        near.add(facing, share, frame, polygon, out);
     }
     Reach::Near(sums.hint)
 }
 
+/// Pieces of a block on each facet of terrain near it, the surface and its faces `out` (m) further out: a pair each, put into `near`, and how many
+/// there are. A facet is a plane, so that its pieces push along its normal.
+pub(crate) fn reach_ground(
+    under: &mut Under,
+    terrain: &Terrain,
+    body: &Body,
+    out: f64,
+    law: ContactLaw,
+    near: &mut Vec<Pair>,
+) -> (Reach, usize) {
+    match under.find_inflated(terrain, body, out) {
+        Reached::Apart(gap) => return (Reach::Apart(gap), 0),
+        Reached::FullyPenetrated(_) => return (Reach::Lost, 0),
+        Reached::Touching => {}
+    }
+    let mut count = 0;
+    for on in &under.facets {
+        if near.len() == count {
+            near.push(Pair::default());
+        }
+        let pair = &mut near[count];
+        let direction = on.slope.normalize();
+        pair.begin(direction, [Vec3::ZERO; 2], law);
+        pair.key = [u32::from(on.piece), on.facet];
+        for (face, frame, polygon) in under.pieces(on.facet) {
+            let facing = [on.slope.dot(direction), -body.normals[face].dot(direction)];
+            pair.add(facing, 1.0, frame, polygon, out);
+        }
+        count += usize::from(!pair.pieces.is_empty());
+    }
+    (Reach::Near(None), count)
+}
+
 impl Pair {
+    /// Adds a piece of faces whose normals have the components `facing` along and against the direction of the pair, as it was found with
+    /// faces `out` (m) further out.
+    fn add(&mut self, facing: [f64; 2], share: f64, frame: &Frame, polygon: &Polygon, out: f64) {
+        if facing.iter().any(|c| *c < GLANCING) {
+            return;
+        }
+        let [w, u, v] = polygon.slope;
+        let from = self.corners.len();
+        self.corners.extend(polygon.s().iter().zip(polygon.t()).map(|(s, t)| [*s, *t]));
+        self.pieces.push(Piece::new(
+            &self.basis(),
+            self.law.normal_stiffness,
+            facing,
+            share * frame.normal.dot(self.direction),
+            (frame.foot, frame.axes),
+            [w - out, -u, -v],
+            from..self.corners.len(),
+        ));
+    }
+
     /// Makes it a pair in this direction, with centroids at `centres` (m) from its origin, without pieces and memory.
     fn begin(&mut self, direction: Vec3, centres: [Vec3; 2], law: ContactLaw) {
         let first = farthest_axis(direction).cross(direction).normalize();

@@ -31,6 +31,8 @@ pub(crate) struct Pair {
     /// Places of both blocks among those that move; `None` for one that does not answer.
     pub ends: [Option<u32>; 2],
     /// From the origin of the pair to the centroids, m.
+    /// Which patch of the two it is.
+    pub key: [u32; 2],
     pub centres: [Vec3; 2],
     /// Motion of the blocks that do not answer: velocity and spin.
     pub given: [[Vec3; 2]; 2],
@@ -176,7 +178,7 @@ impl Pair {
         if self.area_before > 0.0 { (area / self.area_before).min(1.0) } else { 1.0 }
     }
 
-    fn basis(&self) -> Basis {
+    pub(crate) fn basis(&self) -> Basis {
         [self.direction, self.across[0], self.across[1]]
     }
 

@@ -24,6 +24,7 @@ use crate::implicit::solve::{Body, Unsolved};
 use crate::joint::patch::turned_inertia;
 use crate::rigid::kick::Acting;
 use crate::state::scratch::{NotSolved, Scratch};
+use crate::state::found::FoundPair;
 use crate::state::world::World;
 
 /// What the last round of Newton's method may change of the velocities of a step, over the motion that gravity makes in it. Rounds converge
@@ -43,12 +44,18 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
         contact::release_loose(world, scratch);
     }
     world.implicit = implicit.then(|| {
-        let kept = world.found.pairs.iter().filter_map(|pair| {
-            let patch = pair.leading().filter(|patch| patch.memory.area > 0.0)?;
-            let force = patch.force.dot(patch.memory.normal);
-            Some(Kept::of_explicit(pair.ends, &patch.memory, force))
-        });
-        Box::new(Implicit { kept: kept.collect(), ..Implicit::default() })
+        let of_pair = |pair: &FoundPair| {
+            let ends = pair.ends;
+            let pressed = pair.patches.iter().filter(|patch| patch.memory.area > 0.0);
+            let kept = pressed.map(move |patch| {
+                let force = patch.force.dot(patch.memory.normal);
+                Kept::of_explicit(ends, patch.key, &patch.memory, force)
+            });
+            kept.collect::<Vec<_>>()
+        };
+        let mut kept: Vec<_> = world.found.pairs.iter().flat_map(of_pair).collect();
+        kept.sort_unstable_by_key(Kept::place);
+        Box::new(Implicit { kept, ..Implicit::default() })
     });
     let (works, pairs) = (&mut world.works, &mut world.found.pairs);
     for pair in pairs {
@@ -109,7 +116,7 @@ fn lay_out(world: &World, scratch: &mut Scratch) {
     let kick = scratch.kick(world);
     let mut desk = std::mem::take(&mut scratch.implicit);
     let ends = desk.pairs.iter().map(|k| world.found.pairs[*k as usize].ends);
-    let mut blocks: Vec<u32> = ends.flatten().collect();
+    let mut blocks: Vec<u32> = ends.flatten().filter(|b| !world.is_terrain(*b as usize)).collect();
     blocks.sort_unstable();
     blocks.dedup();
     for &b in &blocks {
@@ -203,3 +210,5 @@ pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
     world.found.unsettled[0] += u64::from(scratch.implicit.unsettled);
     world.found.unsettled[1] += 1;
 }
+    // Pairs with terrain come last, whatever their numbers.
+    implicit.kept.sort_unstable_by_key(Kept::place);

@@ -100,10 +100,10 @@ pub(crate) struct ImplicitDesk {
 #[derive(Debug, Default)]
 pub(crate) struct NearPair {
     pub(crate) slot: Slot,
-    /// Whether they may press within the step.
-    pub(crate) near: bool,
-    /// The pair then; else memory that the next one uses.
-    pub(crate) pair: Pair,
+    /// Patches on which they may press within the step.
+    pub(crate) near: usize,
+    /// Those first; what stands behind is memory that others will use.
+    pub(crate) patches: Vec<Pair>,
     /// Whether no surface was found between blocks that lie in each other.
     pub(crate) lost: bool,
 }
@@ -114,8 +114,10 @@ impl ImplicitDesk {
         self.found.resize_with(pairs, NearPair::default);
         // Pairs of the step before give their memory back.
         for (k, pair) in self.pairs.drain(..).zip(self.solver.pairs.drain(..)) {
-            if let Some(found) = self.found.get_mut(k as usize) {
-                found.pair = pair;
+            let free = self.found.get_mut(k as usize).filter(|found| found.near > 0);
+            if let Some(found) = free {
+                found.near -= 1;
+                found.patches[found.near] = pair;
             }
         }
         self.solver.begin();
