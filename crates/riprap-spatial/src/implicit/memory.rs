@@ -65,7 +65,7 @@ impl Kept {
     /// Of a pair after its step; `None` where it does not press, or has rebounded.
     pub(crate) fn of(ends: [u32; 2], pair: &Pair, shear: Vec3, torsion: f64) -> Option<Self> {
         let Pressure { force, centre, area, radius } = pair.pressure;
-        (force > 0.0).then(|| Self {
+        (force > 0.0 && !pair.strikes).then(|| Self {
             ends,
             key: pair.key,
             shear,

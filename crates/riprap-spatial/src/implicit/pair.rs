@@ -25,14 +25,17 @@ pub(crate) struct Pressure {
 /// Mean arm of friction over the radius of gyration of the area.
 const ARM: f64 = 0.93;
 
+/// Stiffness of an impact over that of a mass in the step: the rebound is as given but for the inverse of it.
+const RIGID: f64 = 1e4;
+
 /// One pair in a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pair {
+    /// Which patch of the two it is.
+    pub key: [u32; 2],
     /// Places of both blocks among those that move; `None` for one that does not answer.
     pub ends: [Option<u32>; 2],
     /// From the origin of the pair to the centroids, m.
-    /// Which patch of the two it is.
-    pub key: [u32; 2],
     pub centres: [Vec3; 2],
     /// Motion of the blocks that do not answer: velocity and spin.
     pub given: [[Vec3; 2]; 2],
@@ -51,6 +54,8 @@ pub(crate) struct Pair {
     pub pressure: Pressure,
     /// Wet area of the step before, m².
     pub area_before: f64,
+    /// Whether it rebounds in this step.
+    pub strikes: bool,
 }
 
 /// What a pair answers at a twist.
@@ -113,6 +118,33 @@ impl Pair {
         self.area_before = pressure.area;
     }
 
+    /// How fast the blocks come nearer to each other at the pressure centre, m/s.
+    pub(crate) fn approach(&self, twist: &Twist) -> f64 {
+        let [x, y, z, p, q, r] = *twist;
+        let at_centre = Vec3::new(x, y, z) + Vec3::new(p, q, r).cross(self.pressure.centre);
+        -at_centre.dot(self.direction)
+    }
+
+    /// Makes it an impact: where the pieces press in the solution `end`, points leave each other with a share of the speed at which they approach in
+    /// `start`, whatever the depth. `mass` (kg) is that of the lighter block.
+    pub(crate) fn strike(
+        &mut self,
+        end: &Twist,
+        start: &Twist,
+        mass: f64,
+        step: &Stepping,
+        spare: &mut Vec<[f64; 2]>,
+    ) {
+        let stiffness = self.law.normal_stiffness * self.pressure.area;
+        let harder = (RIGID * mass / (step.dt * step.span * stiffness)).max(1.0);
+        let basis = self.basis();
+        let twists = [normal_part(&basis, end), normal_part(&basis, start)];
+        for piece in &mut self.pieces {
+            piece.strike(&mut self.corners, twists, self.law.rebound, harder, step, spare);
+        }
+        self.strikes = true;
+    }
+
     fn rubbing(&self, twist: &Twist, step: &Stepping, soft: f64) -> Option<Rubbing> {
         let p = &self.pressure;
         let stiffness = soft * self.law.shear_stiffness * p.area;
@@ -156,6 +188,10 @@ impl Pair {
             reply.depth = reply.depth.max(most);
         }
         reply.elastic = whole(&basis, elastic);
+        if self.strikes {
+            // Its pressure is that of an impulse.
+            reply.depth = 0.0;
+        }
         let Some(rubbing) = self.rubbing(twist, step, 1.0) else {
             return reply;
         };

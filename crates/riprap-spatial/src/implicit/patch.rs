@@ -215,6 +215,27 @@ impl Piece {
         Pressed { moments, load, pressure }
     }
 
+    /// Makes it an impact with the share `rebound` of the approach at the start, as hard as `harder` times its stiffness; `twists` are those of the
+    /// solution without it and of the start. It presses where it does in that solution.
+    pub(crate) fn strike(
+        &mut self,
+        corners: &mut Vec<[f64; 2]>,
+        [end, start]: [Normal; 2],
+        rebound: f64,
+        harder: f64,
+        step: &Stepping,
+        spare: &mut Vec<[f64; 2]>,
+    ) {
+        let Pressed { pressure, .. } = self.press(corners, &end, step, 1.0, spare);
+        wet(&corners[self.corners.clone()], &pressure, spare);
+        let from = corners.len();
+        corners.extend_from_slice(spare);
+        self.corners = from..corners.len();
+        self.kappa *= harder;
+        let kappa = self.kappa;
+        self.pressure = self.screws.map(|screw| -step.dt * kappa * rebound * dot3(&screw, &start));
+    }
+
     /// Energy in its pressure where nothing moves, J.
     pub(crate) fn stored(&self, corners: &[[f64; 2]], spare: &mut Vec<[f64; 2]>) -> f64 {
         let at_rest = Stepping { span: 0.0, dt: 0.0 };

@@ -51,6 +51,7 @@ fn law(stiffness: f64, friction: f64) -> ContactLaw {
         friction,
         cohesion: 0.0,
         damping_ratio: 0.0,
+        rebound: 0.0,
     }
 }
 
@@ -127,8 +128,8 @@ impl Model {
             }
         }
         let stepping = Stepping { span: dt, dt };
-        let speed = self.gravity.length() * dt + 1e-4;
-        self.effort = self.solver.solve(&stepping, speed, 1e-5).unwrap();
+        let fall = self.gravity.length() * dt + 1e-4;
+        self.effort = self.solver.solve(&stepping, fall, 1e-5 * fall).unwrap();
         self.rounds += self.effort.rounds;
         let pairs = self.solver.pairs.iter().zip(&self.solver.replies).zip(ends);
         self.kept = pairs

@@ -49,6 +49,8 @@ pub struct ContactLaw {
     pub cohesion: f64,
     /// Share of critical damping.
     pub damping_ratio: f64,
+    /// Speed after an impact over that before it, in implicit steps.
+    pub rebound: f64,
 }
 
 impl ContactLaw {

@@ -23,13 +23,18 @@ use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Unsolved};
 use crate::joint::patch::turned_inertia;
 use crate::rigid::kick::Acting;
-use crate::state::scratch::{NotSolved, Scratch};
 use crate::state::found::FoundPair;
 use crate::state::world::World;
+use crate::state::scratch::{NotSolved, Scratch};
 
-/// What the last round of Newton's method may change of the velocities of a step, over the motion that gravity makes in it. Rounds converge
-/// quadratically, and the last one is taken as a whole: what is left after it is far less.
-const TOLERANCE: f64 = 1e-2;
+/// What the last round of Newton's method may change of the velocities of a step, over the motion that gravity makes in it.
+const TOLERANCE: f64 = 1e-3;
+/// Share of the velocities of the blocks that counts beside that motion: the faster they are, the less a part of it matters.
+const MOVING: f64 = 0.1;
+/// The same in steps that seek an equilibrium.
+const AT_REST: f64 = 1e-7;
+/// Mass damping over the inverse of the step from which on a step has forgotten the velocities before it.
+const FORGETTING: f64 = 1.9;
 /// Speed that is nothing, m/s: the accuracy without gravity.
 const STILL: f64 = 1e-4;
 
@@ -89,9 +94,15 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     let found = Instant::now();
     scratch.profile.add("pieces", found - start);
     lay_out(world, scratch);
-    let speed = world.gravity.length() * dt + STILL;
     let solver = &mut scratch.implicit.solver;
-    scratch.implicit.failed = match solver.solve(&step, speed, TOLERANCE) {
+    let fall = world.gravity.length() * dt + STILL;
+    let exact = if scratch.damping.mass * step.span >= FORGETTING {
+        // The longer the step the more gravity would do in it: what is sought is an equilibrium.
+        AT_REST * fall
+    } else {
+        TOLERANCE * (fall + MOVING * solver.mean_speed())
+    };
+    scratch.implicit.failed = match solver.solve(&step, fall, exact) {
         Ok(effort) => {
             scratch.implicit.unsettled = !effort.settled;
             None
@@ -206,9 +217,9 @@ pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
         heat += reply.heat;
     }
     implicit.rubbed = heat;
+    // Pairs with terrain come last, whatever their numbers.
+    implicit.kept.sort_unstable_by_key(Kept::place);
     world.works.friction += heat;
     world.found.unsettled[0] += u64::from(scratch.implicit.unsettled);
     world.found.unsettled[1] += 1;
 }
-    // Pairs with terrain come last, whatever their numbers.
-    implicit.kept.sort_unstable_by_key(Kept::place);

@@ -176,17 +176,6 @@ impl Builder<'_> {
             );
             refuse(message, "leave out `damping.local`; `damping.mass` works in both");
         }
-        let rebounds = self.parsed.scenario.interfaces.iter().find(|(_, interface)| {
-            interface.restitution.as_ref().is_some_and(|wanted| wanted.si() > 0.0)
-        });
-        if let Some((interface, _)) = rebounds {
-            let message = format!(
-                "phase `{name}` is implicit: impacts do not rebound in its steps, and `interfaces.{interface}.restitution` has no effect"
-            );
-            let note = Diagnostic::warning("phase.restitution", message).at(name.span.clone());
-            let help = "use integration = \"explicit\" where rebounds matter";
-            self.found.push(note.help(help));
-        }
     }
 
     /// Time over which the forces of removed blocks fade, s. It must pass: where blocks relax, it does in load steps.

@@ -113,16 +113,6 @@ fn keys_that_have_no_meaning_in_an_implicit_phase_are_refused() {
 }
 
 #[test]
-fn a_rebound_that_would_be_lost_is_reported() {
-    let rebounds = TWO.replace("friction_angle", "restitution = 0.4\nfriction_angle");
-    let warnings = model(&rebounds).expect("good").warnings;
-    let found = warnings.iter().find(|warning| warning.code == "phase.restitution");
-    let message = &found.expect("a warning").message;
-    assert!(message.contains("`interfaces.default.restitution` has no effect"), "{message}");
-    assert!(model(TWO).expect("good").warnings.iter().all(|w| w.code != "phase.restitution"));
-}
-
-#[test]
 fn a_share_of_the_stable_step_has_no_effect_in_an_implicit_phase() {
     let said = |text: &str| {
         let warnings = model(text).expect("good").warnings;
