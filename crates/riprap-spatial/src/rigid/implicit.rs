@@ -10,6 +10,7 @@
 
 mod meet;
 pub(crate) mod obstacle;
+pub(crate) mod settling;
 #[cfg(test)]
 mod tests;
 
@@ -24,8 +25,8 @@ use crate::implicit::solve::{Body, Unsolved};
 use crate::joint::patch::turned_inertia;
 use crate::rigid::kick::Acting;
 use crate::state::found::FoundPair;
-use crate::state::world::World;
 use crate::state::scratch::{NotSolved, Scratch};
+use crate::state::world::World;
 
 /// What the last round of Newton's method may change of the velocities of a step, over the motion that gravity makes in it.
 const TOLERANCE: f64 = 1e-3;
@@ -216,9 +217,9 @@ pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
         implicit.kept.extend(Kept::of(ends, pair, reply.shear, reply.torsion));
         heat += reply.heat;
     }
-    implicit.rubbed = heat;
     // Pairs with terrain come last, whatever their numbers.
     implicit.kept.sort_unstable_by_key(Kept::place);
+    implicit.rubbed = heat;
     world.works.friction += heat;
     world.found.unsettled[0] += u64::from(scratch.implicit.unsettled);
     world.found.unsettled[1] += 1;
