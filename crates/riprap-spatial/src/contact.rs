@@ -50,7 +50,7 @@ use crate::state::lineage::Origin;
 use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
-pub(crate) use acting::{act, sum};
+pub(crate) use acting::{act, note_left, place, sum};
 use held::Joints;
 pub use relaw::change_laws;
 pub(crate) use release::{holding, release, release_loose};

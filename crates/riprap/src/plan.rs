@@ -240,6 +240,10 @@ pub enum TimeStep {
 /// Length of an implicit step where none is given, s.
 pub const IMPLICIT_STEP: f64 = 1e-3;
 
+/// Longest step of a static implicit phase where none is given, s. Masses stand against the motion in a step as much as over its square, so that a long
+/// one goes to equilibrium at once.
+pub const STATIC_STEP: f64 = 1.0;
+
 /// Steps that a phase, and the ramp of its gravity, are given at least where nothing bounds the step.
 const FEWEST_STEPS: f64 = 100.0;
 

@@ -148,6 +148,8 @@ pub struct JointLaw {
     pub damping: f64,
     /// Dashpots of found contacts under this law, as a share of critical damping.
     pub contact_damping: f64,
+    /// Speed after an impact over that before it, where the scene gives it: in implicit steps, which no dashpots act in.
+    pub rebound: f64,
     /// Where those along the patch act.
     pub dashpots: Dashpots,
 }

@@ -103,7 +103,7 @@ fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> Pa
 }
 
 /// Notes the blocks that have gone over the rim of all terrain since the last evaluation.
-fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
+pub(crate) fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
     let left = workspaces.iter_mut().flat_map(|workspace| workspace.beside.drain(..));
     let mut left: Vec<u32> = left.collect();
     // Which thread has seen which of them is chance.
@@ -118,7 +118,7 @@ fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
 }
 
 /// Turns the blocks that are in a pair to where they are now.
-fn place(world: &World, desk: &mut ContactScratch, exec: &Exec) {
+pub(crate) fn place(world: &World, desk: &mut ContactScratch, exec: &Exec) {
     let ContactScratch { blocks, shapes, poses, turns, normals, first_normal, turning, .. } = desk;
     if poses.len() != blocks.len() || normals.len() != first_normal[blocks.len()] as usize {
         *poses = vec![Pose::at(Vec3::ZERO); blocks.len()];

@@ -170,5 +170,6 @@ fn of_row(interface: &InterfaceLaw) -> ContactLaw {
         friction,
         cohesion,
         damping_ratio: joint.contact_damping,
+        rebound: joint.rebound,
     }
 }

@@ -9,7 +9,7 @@ use crate::kernel::{ContactLaw, Memory, PairKey};
 /// Memory of all pairs that press, and of the ledger.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Implicit {
-    /// Pairs that pressed at the end of the last step, sorted by their blocks.
+    /// Pairs that pressed at the end of the last step, sorted by their blocks and patches.
     pub kept: Vec<Kept>,
     /// The ledger at the last evaluation; `None` before the first.
     pub books: Option<Books>,
@@ -20,8 +20,10 @@ pub struct Implicit {
 /// A pair at the end of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Kept {
-    /// The blocks.
-    pub key: PairKey,
+    /// The blocks, or terrain and a block.
+    pub pair: PairKey,
+    /// Which patch of theirs it is: the piece and the facet on terrain, else 0.
+    pub key: [u32; 2],
     /// Friction on the second block, N, and its torsion about the normal, N m.
     pub shear: Vec3,
     /// N m.
@@ -48,19 +50,24 @@ pub struct Books {
 }
 
 impl Implicit {
-    /// What is known of a pair.
-    pub(crate) fn of(&self, key: PairKey) -> Option<&Kept> {
-        let at = self.kept.binary_search_by_key(&key, |kept| kept.key).ok()?;
+    /// What is known of a patch of two blocks.
+    pub(crate) fn of(&self, pair: PairKey, key: [u32; 2]) -> Option<&Kept> {
+        let at = self.kept.binary_search_by_key(&(pair, key), Kept::place).ok()?;
         Some(&self.kept[at])
     }
 }
 
 impl Kept {
-    /// Of a pair after its step; `None` where it does not press.
-    pub(crate) fn of(key: PairKey, pair: &Pair, shear: Vec3, torsion: f64) -> Option<Self> {
+    pub(crate) fn place(&self) -> (PairKey, [u32; 2]) {
+        (self.pair, self.key)
+    }
+
+    /// Of a pair after its step; `None` where it does not press, or has rebounded.
+    pub(crate) fn of(of: PairKey, pair: &Pair, shear: Vec3, torsion: f64) -> Option<Self> {
         let Pressure { force, centre, area, radius } = pair.pressure;
-        (force > 0.0).then(|| Self {
-            key,
+        (force > 0.0 && !pair.strikes).then(|| Self {
+            pair: of,
+            key: pair.key,
             shear,
             torsion,
             force,
@@ -70,9 +77,10 @@ impl Kept {
         })
     }
 
-    /// Of an explicit contact that presses with a normal force (N).
-    pub(crate) fn of_explicit(key: PairKey, memory: &Memory, force: f64) -> Self {
+    /// Of a patch of an explicit contact that presses with a normal force (N).
+    pub(crate) fn of_explicit(pair: PairKey, key: [u32; 2], memory: &Memory, force: f64) -> Self {
         Self {
+            pair,
             key,
             shear: memory.shear,
             torsion: memory.torsion,

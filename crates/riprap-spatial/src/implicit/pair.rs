@@ -4,7 +4,9 @@
 
 use riprap_geom::Vec3;
 
-use crate::implicit::patch::{Piece, Pressed, Stepping, Twist, dot};
+use crate::implicit::patch::{
+    Basis, Normal, Piece, Pressed, Stepping, Twist, dot, normal_part, whole,
+};
 use crate::kernel::ContactLaw;
 
 /// What friction is computed from: the pressure of the last solution.
@@ -23,9 +25,14 @@ pub(crate) struct Pressure {
 /// Mean arm of friction over the radius of gyration of the area.
 const ARM: f64 = 0.93;
 
+/// Stiffness of an impact over that of a mass in the step: the rebound is as given but for the inverse of it.
+const RIGID: f64 = 1e4;
+
 /// One pair in a step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Pair {
+    /// Which patch of the two it is.
+    pub key: [u32; 2],
     /// Places of both blocks among those that move; `None` for one that does not answer.
     pub ends: [Option<u32>; 2],
     /// From the origin of the pair to the centroids, m.
@@ -47,11 +54,15 @@ pub(crate) struct Pair {
     pub pressure: Pressure,
     /// Wet area of the step before, m².
     pub area_before: f64,
+    /// Whether it rebounds in this step.
+    pub strikes: bool,
 }
 
 /// What a pair answers at a twist.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Answer {
+    /// Whether there is any.
+    pub acts: bool,
     /// Wrench on the second block about the origin: N and N m.
     pub wrench: Twist,
     /// Rate of the impulse against the twist, kg and so on.
@@ -107,6 +118,33 @@ impl Pair {
         self.area_before = pressure.area;
     }
 
+    /// How fast the blocks come nearer to each other at the pressure centre, m/s.
+    pub(crate) fn approach(&self, twist: &Twist) -> f64 {
+        let [x, y, z, p, q, r] = *twist;
+        let at_centre = Vec3::new(x, y, z) + Vec3::new(p, q, r).cross(self.pressure.centre);
+        -at_centre.dot(self.direction)
+    }
+
+    /// Makes it an impact: where the pieces press in the solution `end`, points leave each other with a share of the speed at which they approach in
+    /// `start`, whatever the depth. `mass` (kg) is that of the lighter block.
+    pub(crate) fn strike(
+        &mut self,
+        end: &Twist,
+        start: &Twist,
+        mass: f64,
+        step: &Stepping,
+        spare: &mut Vec<[f64; 2]>,
+    ) {
+        let stiffness = self.law.normal_stiffness * self.pressure.area;
+        let harder = (RIGID * mass / (step.dt * step.span * stiffness)).max(1.0);
+        let basis = self.basis();
+        let twists = [normal_part(&basis, end), normal_part(&basis, start)];
+        for piece in &mut self.pieces {
+            piece.strike(&mut self.corners, twists, self.law.rebound, harder, step, spare);
+        }
+        self.strikes = true;
+    }
+
     fn rubbing(&self, twist: &Twist, step: &Stepping, soft: f64) -> Option<Rubbing> {
         let p = &self.pressure;
         let stiffness = soft * self.law.shear_stiffness * p.area;
@@ -141,11 +179,18 @@ impl Pair {
     /// What it has done in a step that ends with this twist.
     pub(crate) fn reply(&self, twist: &Twist, step: &Stepping, spare: &mut Vec<[f64; 2]>) -> Reply {
         let mut reply = Reply::default();
+        let (basis, mut elastic) = (self.basis(), Normal::default());
+        let part = normal_part(&basis, twist);
         for piece in &self.pieces {
-            let pressed = piece.press(&self.corners, twist, step, 1.0, spare);
-            piece.add_wrench(&pressed, &mut reply.elastic);
+            let pressed = piece.press(&self.corners, &part, step, 1.0, spare);
+            piece.add_wrench(&pressed, &mut elastic);
             let most = piece.most(&self.corners, &pressed.pressure) / self.law.normal_stiffness;
             reply.depth = reply.depth.max(most);
+        }
+        reply.elastic = whole(&basis, elastic);
+        if self.strikes {
+            // Its pressure is that of an impulse.
+            reply.depth = 0.0;
         }
         let Some(rubbing) = self.rubbing(twist, step, 1.0) else {
             return reply;
@@ -169,6 +214,50 @@ impl Pair {
         if self.area_before > 0.0 { (area / self.area_before).min(1.0) } else { 1.0 }
     }
 
+    pub(crate) fn basis(&self) -> Basis {
+        [self.direction, self.across[0], self.across[1]]
+    }
+
+    /// That of the pressure alone.
+    fn pressing(
+        &self,
+        twist: &Twist,
+        step: &Stepping,
+        soft: f64,
+        with_rate: bool,
+        spare: &mut Vec<[f64; 2]>,
+    ) -> Answer {
+        let mut answer = Answer::default();
+        let (mut wrench, mut rate) = (Normal::default(), [Normal::default(); 3]);
+        let basis = self.basis();
+        let part = normal_part(&basis, twist);
+        for piece in &self.pieces {
+            let pressed = piece.press(&self.corners, &part, step, soft, spare);
+            if pressed.is_dry() {
+                continue;
+            }
+            answer.acts = true;
+            piece.add_wrench(&pressed, &mut wrench);
+            if with_rate {
+                piece.add_rate(&pressed, step, soft, &mut rate);
+            }
+        }
+        if answer.acts {
+            answer.wrench = whole(&basis, wrench);
+            if with_rate {
+                // By columns, then by rows.
+                let columns = rate.map(|row| whole(&basis, row));
+                for k in 0..6 {
+                    let rows = whole(&basis, columns.map(|column| column[k]));
+                    for i in 0..6 {
+                        answer.rate[i][k] = rows[i];
+                    }
+                }
+            }
+        }
+        answer
+    }
+
     /// Force and, where asked for, its rate.
     pub(crate) fn answer(
         &self,
@@ -178,17 +267,11 @@ impl Pair {
         with_rate: bool,
         spare: &mut Vec<[f64; 2]>,
     ) -> Answer {
-        let mut answer = Answer::default();
-        for piece in &self.pieces {
-            let pressed = piece.press(&self.corners, twist, step, soft, spare);
-            piece.add_wrench(&pressed, &mut answer.wrench);
-            if with_rate {
-                piece.add_rate(&pressed, step, soft, &mut answer.rate);
-            }
-        }
+        let mut answer = self.pressing(twist, step, soft, with_rate, spare);
         let Some(rubbing) = self.rubbing(twist, step, soft) else {
             return answer;
         };
+        answer.acts = true;
         let share = rubbing.share();
         for (y, screw) in rubbing.trial.iter().zip(&rubbing.screws) {
             for k in 0..6 {
@@ -226,8 +309,9 @@ impl Pair {
     ) -> Pressure {
         let mut found = Pressure::default();
         let (mut first, mut second, mut area_first) = (Vec3::ZERO, 0.0, Vec3::ZERO);
+        let twist = normal_part(&self.basis(), twist);
         for piece in &self.pieces {
-            let pressed = piece.press(&self.corners, twist, step, 1.0, spare);
+            let pressed = piece.press(&self.corners, &twist, step, 1.0, spare);
             let part = piece.shares(&pressed);
             found.force += part.force;
             first += part.force_first;

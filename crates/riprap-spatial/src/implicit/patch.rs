@@ -24,10 +24,27 @@ use riprap_geom::Vec3;
 /// Relative motion of the second block against the first at the origin of their pair: velocity (m/s) and spin (rad/s).
 pub(crate) type Twist = [f64; 6];
 
-/// A wrench per unit of virtual twist, about the origin of a pair.
-fn screw(direction: Vec3, arm: Vec3) -> Twist {
-    let turn = arm.cross(direction);
-    [direction.x, direction.y, direction.z, turn.x, turn.y, turn.z]
+/// The part of a twist or wrench that pressure knows: along the direction of the pair, and about two axes across it.
+pub(crate) type Normal = [f64; 3];
+
+/// The direction of a pair and two unit vectors across it.
+pub(crate) type Basis = [Vec3; 3];
+
+/// What of a twist changes the pressure.
+pub(crate) fn normal_part([n, a, b]: &Basis, twist: &Twist) -> Normal {
+    let [x, y, z, p, q, r] = *twist;
+    let (v, w) = (Vec3::new(x, y, z), Vec3::new(p, q, r));
+    [v.dot(*n), w.dot(*a), w.dot(*b)]
+}
+
+/// The whole twist or wrench of a part.
+pub(crate) fn whole([n, a, b]: &Basis, [along, first, second]: Normal) -> Twist {
+    let (force, moment) = (along * *n, first * *a + second * *b);
+    [force.x, force.y, force.z, moment.x, moment.y, moment.z]
+}
+
+fn dot3(a: &Normal, b: &Normal) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 pub(crate) fn dot(a: &Twist, b: &Twist) -> f64 {
@@ -53,7 +70,7 @@ pub(crate) struct Piece {
     /// Pressure where nothing moves: `2 kn (h0, h1, h2)`, Pa and Pa/m.
     pressure: [f64; 3],
     /// Change of the pressure with the twist, over `-dt kappa`.
-    screws: [Twist; 3],
+    screws: [Normal; 3],
     /// Stiffness along the direction of the pair, Pa/m.
     kappa: f64,
     /// Share of its area that counts, and how far it faces the direction of the pair.
@@ -69,6 +86,10 @@ pub(crate) struct Piece {
 pub(crate) struct Moments([f64; 6]);
 
 impl Moments {
+    fn is_dry(&self) -> bool {
+        self.0[0] == 0.0
+    }
+
     /// Of a convex polygon, by a fan from its first corner.
     fn of(corners: &[[f64; 2]]) -> Self {
         let mut sum = [0.0; 6];
@@ -122,11 +143,18 @@ pub(crate) struct Pressed {
     pub pressure: [f64; 3],
 }
 
+impl Pressed {
+    /// Whether nothing presses.
+    pub(crate) fn is_dry(&self) -> bool {
+        self.moments.is_dry()
+    }
+}
+
 impl Piece {
     /// A piece with its own `normal` and axes about `foot` (m, from the origin of the pair), the depth `[h0, h1, h2]` in it, on faces whose
     /// outward normals have the components `facing` along (first) and against (second block) the direction of the pair.
     pub(crate) fn new(
-        direction: Vec3,
+        basis: &Basis,
         stiffness: f64,
         facing: [f64; 2],
         weight: f64,
@@ -136,13 +164,14 @@ impl Piece {
     ) -> Self {
         let (foot, [along, across]) = place;
         let [f, g] = facing;
-        let zero = |arm: Vec3| {
-            let turn = arm.cross(direction);
-            [0.0, 0.0, 0.0, turn.x, turn.y, turn.z]
+        let [n, first, second] = *basis;
+        let screw = |force: f64, arm: Vec3| {
+            let turn = arm.cross(n);
+            [force, turn.dot(first), turn.dot(second)]
         };
         Self {
             pressure: depth.map(|h| 2.0 * stiffness * h),
-            screws: [screw(direction, foot), zero(along), zero(across)],
+            screws: [screw(1.0, foot), screw(0.0, along), screw(0.0, across)],
             kappa: 2.0 * stiffness * f * g / (f + g),
             weight,
             frame: [foot, along, across],
@@ -162,7 +191,7 @@ impl Piece {
     pub(crate) fn press(
         &self,
         corners: &[[f64; 2]],
-        twist: &Twist,
+        twist: &Normal,
         step: &Stepping,
         soft: f64,
         spare: &mut Vec<[f64; 2]>,
@@ -170,18 +199,47 @@ impl Piece {
         let mut pressure = [0.0; 3];
         for (p, (at_rest, screw)) in pressure.iter_mut().zip(self.pressure.iter().zip(&self.screws))
         {
-            *p = soft * (at_rest - step.dt * self.kappa * dot(screw, twist));
+            *p = soft * (at_rest - step.dt * self.kappa * dot3(screw, twist));
         }
-        wet(&corners[self.corners.clone()], &pressure, spare);
-        let moments = Moments::of(spare);
+        let corners = &corners[self.corners.clone()];
+        let pressed = corners.iter().filter(|c| pressure_at(&pressure, **c) > 0.0).count();
+        let moments = if pressed == 0 {
+            Moments::default()
+        } else if pressed == corners.len() {
+            Moments::of(corners)
+        } else {
+            wet(corners, &pressure, spare);
+            Moments::of(spare)
+        };
         let load = moments.times(&pressure).map(|x| self.weight * x);
         Pressed { moments, load, pressure }
+    }
+
+    /// Makes it an impact with the share `rebound` of the approach at the start, as hard as `harder` times its stiffness; `twists` are those of the
+    /// solution without it and of the start. It presses where it does in that solution.
+    pub(crate) fn strike(
+        &mut self,
+        corners: &mut Vec<[f64; 2]>,
+        [end, start]: [Normal; 2],
+        rebound: f64,
+        harder: f64,
+        step: &Stepping,
+        spare: &mut Vec<[f64; 2]>,
+    ) {
+        let Pressed { pressure, .. } = self.press(corners, &end, step, 1.0, spare);
+        wet(&corners[self.corners.clone()], &pressure, spare);
+        let from = corners.len();
+        corners.extend_from_slice(spare);
+        self.corners = from..corners.len();
+        self.kappa *= harder;
+        let kappa = self.kappa;
+        self.pressure = self.screws.map(|screw| -step.dt * kappa * rebound * dot3(&screw, &start));
     }
 
     /// Energy in its pressure where nothing moves, J.
     pub(crate) fn stored(&self, corners: &[[f64; 2]], spare: &mut Vec<[f64; 2]>) -> f64 {
         let at_rest = Stepping { span: 0.0, dt: 0.0 };
-        let Pressed { load, pressure, .. } = self.press(corners, &[0.0; 6], &at_rest, 1.0, spare);
+        let Pressed { load, pressure, .. } = self.press(corners, &[0.0; 3], &at_rest, 1.0, spare);
         let mut sum = 0.0;
         for (load, p) in load.iter().zip(&pressure) {
             sum += load * p;
@@ -191,14 +249,14 @@ impl Piece {
 
     /// Largest of a pressure in its polygon, Pa.
     pub(crate) fn most(&self, corners: &[[f64; 2]], pressure: &[f64; 3]) -> f64 {
-        let at = |[u, v]: &[f64; 2]| pressure[0] + pressure[1] * u + pressure[2] * v;
+        let at = |corner: &[f64; 2]| pressure_at(pressure, *corner);
         corners[self.corners.clone()].iter().map(at).fold(0.0, f64::max)
     }
 
-    /// Adds the wrench on the second block over which `pressed` acts, about the origin of the pair.
-    pub(crate) fn add_wrench(&self, pressed: &Pressed, to: &mut Twist) {
+    /// Adds the wrench on the second block about the origin of the pair.
+    pub(crate) fn add_wrench(&self, pressed: &Pressed, to: &mut Normal) {
         for (load, screw) in pressed.load.iter().zip(&self.screws) {
-            for k in 0..6 {
+            for k in 0..3 {
                 to[k] += load * screw[k];
             }
         }
@@ -210,19 +268,19 @@ impl Piece {
         pressed: &Pressed,
         step: &Stepping,
         soft: f64,
-        to: &mut [Twist; 6],
+        to: &mut [Normal; 3],
     ) {
         let scale = soft * step.span * step.dt * self.kappa * self.weight;
         for a in 0..3 {
-            let mut row = [0.0; 6];
+            let mut row = [0.0; 3];
             for b in 0..3 {
                 let g = scale * pressed.moments.entry(a, b);
-                for k in 0..6 {
+                for k in 0..3 {
                     row[k] += g * self.screws[b][k];
                 }
             }
-            for i in 0..6 {
-                for k in 0..6 {
+            for i in 0..3 {
+                for k in 0..3 {
                     to[i][k] += self.screws[a][i] * row[k];
                 }
             }
@@ -230,10 +288,14 @@ impl Piece {
     }
 }
 
+fn pressure_at(p: &[f64; 3], [u, v]: [f64; 2]) -> f64 {
+    p[0] + p[1] * u + p[2] * v
+}
+
 /// The part of a polygon where a linear pressure is above zero.
 fn wet(corners: &[[f64; 2]], p: &[f64; 3], to: &mut Vec<[f64; 2]>) {
     to.clear();
-    let at = |[u, v]: [f64; 2]| p[0] + p[1] * u + p[2] * v;
+    let at = |corner: [f64; 2]| pressure_at(p, corner);
     let Some(&last) = corners.last() else {
         return;
     };

@@ -62,6 +62,8 @@ pub(crate) struct Solver {
     step: Vec<[f64; 6]>,
     slope: Vec<[f64; 6]>,
     twists: Vec<Twist>,
+    /// Twists at the start of the step, where any pair rebounds.
+    starts: Vec<Twist>,
     changes: Vec<Twist>,
     spare: Vec<[f64; 2]>,
 }
@@ -97,18 +99,65 @@ impl Solver {
         self.replies.clear();
     }
 
-    /// Solves the step; `tolerance` is relative to the motion that `speed` (m/s) means.
+    /// Mean speed of the bodies as their energy has it, those that turn included, m/s.
+    pub(crate) fn mean_speed(&self) -> f64 {
+        let (mut energy, mut mass) = (0.0, 0.0);
+        for (body, motion) in self.bodies.iter().zip(&self.motion) {
+            energy += dot(&body.momentum_of(motion), motion);
+            mass += body.mass;
+        }
+        if mass > 0.0 { (energy / mass).sqrt() } else { 0.0 }
+    }
+
+    /// Solves the step. The last round may change velocities by `exact` (m/s) in the mean; blocks that come together more slowly than `rest` (m/s) do not
+    /// rebound.
     pub(crate) fn solve(
         &mut self,
         step: &Stepping,
-        speed: f64,
-        tolerance: f64,
+        rest: f64,
+        exact: f64,
     ) -> Result<Effort, Unsolved> {
         self.lay_out();
+        self.find_twists();
+        self.starts.clear();
+        if self.pairs.iter().any(|pair| pair.law.rebound > 0.0) {
+            self.starts.extend_from_slice(&self.twists);
+        }
         let mut effort = Effort::default();
+        self.solve_with_friction(step, exact, &mut effort)?;
+        if self.strike(step, rest) {
+            self.solve_with_friction(step, exact, &mut effort)?;
+        }
+        Ok(effort)
+    }
+
+    /// Makes impacts of the pairs that have come to press in the solution, and approached each other faster than gravity makes them in a
+    /// step; whether there are any.
+    fn strike(&mut self, step: &Stepping, rest: f64) -> bool {
+        let mut any = false;
+        for (k, start) in self.starts.iter().enumerate() {
+            let pair = &mut self.pairs[k];
+            let comes = pair.area_before == 0.0 && pair.pressure.force > 0.0;
+            if pair.law.rebound <= 0.0 || !comes || pair.approach(start) <= rest {
+                continue;
+            }
+            let masses = pair.ends.into_iter().flatten().map(|b| self.bodies[b as usize].mass);
+            let mass = masses.fold(f64::INFINITY, f64::min);
+            pair.strike(&self.twists[k], start, mass, step, &mut self.spare);
+            any = true;
+        }
+        any
+    }
+
+    fn solve_with_friction(
+        &mut self,
+        step: &Stepping,
+        exact: f64,
+        effort: &mut Effort,
+    ) -> Result<(), Unsolved> {
         for lag in 1..=LAGS {
             effort.lags = lag;
-            self.settle(step, speed, tolerance, &mut effort)?;
+            self.settle(step, exact, effort)?;
             let (mut all, mut changed) = (0.0, 0.0);
             self.next.clear();
             for (pair, twist) in self.pairs.iter().zip(&self.twists) {
@@ -130,7 +179,7 @@ impl Solver {
                 break;
             }
         }
-        Ok(effort)
+        Ok(())
     }
 
     fn reply(&mut self, step: &Stepping) {
@@ -164,15 +213,9 @@ impl Solver {
     }
 
     /// Newton's method at the friction limits of now.
-    fn settle(
-        &mut self,
-        step: &Stepping,
-        speed: f64,
-        tolerance: f64,
-        effort: &mut Effort,
-    ) -> Result<(), Unsolved> {
+    fn settle(&mut self, step: &Stepping, exact: f64, effort: &mut Effort) -> Result<(), Unsolved> {
         let mass: f64 = self.bodies.iter().map(|b| b.mass).sum();
-        let enough = tolerance * tolerance * mass * speed * speed;
+        let enough = mass * exact * exact;
         let mut soft = 1.0_f64;
         let mut rounds = 0;
         self.find_twists();
@@ -214,8 +257,11 @@ impl Solver {
             self.slope[k] = body.momentum_of(&minus(&self.motion[k], &body.free()));
         }
         for (k, pair) in self.pairs.iter().enumerate() {
-            let Answer { wrench, rate } =
+            let Answer { acts, wrench, rate } =
                 pair.answer(&self.twists[k], step, soft, true, &mut self.spare);
+            if !acts {
+                continue;
+            }
             let shifts = pair.centres;
             for side in 0..2 {
                 let Some(at) = pair.ends[side] else { continue };
@@ -292,7 +338,9 @@ impl Solver {
                     at[k] += share * change[k];
                 }
                 let answer = pair.answer(&at, step, soft, false, &mut spare);
-                sum -= step.span * dot(&answer.wrench, change);
+                if answer.acts {
+                    sum -= step.span * dot(&answer.wrench, change);
+                }
             }
             sum
         };

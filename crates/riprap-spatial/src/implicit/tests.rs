@@ -4,10 +4,11 @@ use riprap_geom::{Mat3, Quat, Vec3};
 
 use crate::implicit::geometry::{Reach, reach};
 use crate::implicit::memory::Kept;
+use crate::implicit::pair::Pair;
 use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Effort, Solver};
 use crate::kernel::kit::{Placed, all_faces};
-use crate::kernel::surface::Walker;
+use crate::kernel::surface::{self, Walker};
 use crate::kernel::{ContactLaw, PairKey, Pose, Shape};
 
 struct Block {
@@ -50,6 +51,7 @@ fn law(stiffness: f64, friction: f64) -> ContactLaw {
         friction,
         cohesion: 0.0,
         damping_ratio: 0.0,
+        rebound: 0.0,
     }
 }
 
@@ -101,24 +103,24 @@ impl Model {
                 let placed = Placed::new([&a.shape, &b.shape], [a.pose, b.pose]);
                 let lists = [all_faces(&a.shape), all_faces(&b.shape)];
                 let [x, y] = placed.bodies();
-                let found = reach(
-                    &mut self.walker,
-                    [&x, &y],
-                    [&lists[0], &lists[1]],
-                    true,
-                    None,
-                    out,
-                    self.law,
-                );
-                let mut pair = match found {
-                    Reach::Near(pair, _) => *pair,
+                let faces = [&lists[0][..], &lists[1][..]];
+                let surface = surface::Pair {
+                    bodies: [&x, &y],
+                    faces,
+                    ties: true,
+                    hint: None,
+                    witnesses: &[],
+                };
+                let mut pair = Pair::default();
+                match reach(&mut self.walker, &surface, out, self.law, &mut pair) {
+                    Reach::Near(_) => {}
                     Reach::Apart(_) => continue,
                     Reach::Lost => panic!("{i} and {j} have no surface"),
-                };
+                }
                 pair.ends = [place[i], place[j]];
                 pair.given = [a.motion, b.motion];
                 let numbers = PairKey::plain([i as u32, j as u32]);
-                if let Some(old) = self.kept.iter().find(|k| k.key == numbers) {
+                if let Some(old) = self.kept.iter().find(|k| k.pair == numbers) {
                     old.recall(&mut pair);
                 }
                 ends.push(numbers);
@@ -126,8 +128,8 @@ impl Model {
             }
         }
         let stepping = Stepping { span: dt, dt };
-        let speed = self.gravity.length() * dt + 1e-4;
-        self.effort = self.solver.solve(&stepping, speed, 1e-5).unwrap();
+        let fall = self.gravity.length() * dt + 1e-4;
+        self.effort = self.solver.solve(&stepping, fall, 1e-5 * fall).unwrap();
         self.rounds += self.effort.rounds;
         let pairs = self.solver.pairs.iter().zip(&self.solver.replies).zip(ends);
         self.kept = pairs

@@ -37,7 +37,7 @@ const HOLD: f64 = 8.0;
 const STIFFEST: f64 = 100.0;
 
 /// Parameters of a contact.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ContactLaw {
     /// Normal stiffness kn, Pa/m: force over area and depth of a flat contact.
     pub normal_stiffness: f64,
@@ -49,6 +49,8 @@ pub struct ContactLaw {
     pub cohesion: f64,
     /// Share of critical damping.
     pub damping_ratio: f64,
+    /// Speed after an impact over that before it, in implicit steps.
+    pub rebound: f64,
 }
 
 impl ContactLaw {

@@ -76,6 +76,15 @@ struct Tie {
     offset: f64,
 }
 
+/// A piece as it was made.
+#[derive(Clone, Debug, Default)]
+struct Kept {
+    polygon: Polygon,
+    frame: Frame,
+    /// How much of it counts.
+    share: f64,
+}
+
 /// Workspace for evaluating pairs one after the other; kept, so that a pair takes no memory.
 #[derive(Clone, Debug, Default)]
 pub struct Walker {
@@ -104,6 +113,10 @@ pub struct Walker {
     radius: f64,
     /// How far all faces are moved outward, m.
     inflation: f64,
+    /// Whether pieces are kept as they are made.
+    keeping: bool,
+    /// The pieces themselves, in the order of `pieces`; the list only grows, so that a pair takes no memory.
+    kept: Vec<Kept>,
     largest_weight: f64,
     sums: Sums,
 }
@@ -129,33 +142,18 @@ impl Walker {
     }
 
     /// As [`Walker::find`] with all faces of both blocks `by` (m) further out: depths are larger by as much, and blocks that are less than twice
-    /// that apart have a surface too.
+    /// that apart have a surface too. Its pieces are kept.
     pub(crate) fn find_inflated(&mut self, pair: &Pair, by: f64) -> Found {
-        self.inflation = by;
+        (self.inflation, self.keeping) = (by, true);
         let found = self.find(pair);
-        self.inflation = 0.0;
+        (self.inflation, self.keeping) = (0.0, false);
         found
     }
 
-    /// Shows the pieces of the pair evaluated last, with the numbers of their planes and the share of them that counts. It must have been
-    /// evaluated with the same inflation.
-    pub(crate) fn show_pieces(
-        &mut self,
-        mut show: impl FnMut(&Planes, [usize; 2], &Frame, &Polygon, f64),
-    ) {
-        let count = self.pieces.len();
-        let mut polygon = Polygon::default();
-        for k in 0..count {
-            let piece = self.pieces[k];
-            let numbers = self.numbers(piece);
-            if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
-                && let Some(share) = self.make(&frame, piece, &mut polygon)
-            {
-                show(&self.planes, numbers, &frame, &polygon, share);
-            }
-        }
-        // Those that were made again.
-        self.pieces.truncate(count);
+    /// The pieces of the pair that was last evaluated with faces further out: the numbers of their planes, and the share of them that counts.
+    pub(crate) fn kept(&self) -> impl Iterator<Item = ([usize; 2], &Frame, &Polygon, f64)> {
+        let pieces = self.pieces.iter().zip(&self.kept);
+        pieces.map(|(piece, kept)| (self.numbers(*piece), &kept.frame, &kept.polygon, kept.share))
     }
 
     /// Tests for separation and walks from the peak; a verdict when there is no surface.
@@ -372,6 +370,14 @@ impl Walker {
         if left {
             for number in numbers {
                 self.met[number] = true;
+            }
+            if self.keeping {
+                if self.kept.len() == self.pieces.len() {
+                    self.kept.push(Kept::default());
+                }
+                let kept = &mut self.kept[self.pieces.len()];
+                kept.polygon.copy(to);
+                (kept.frame, kept.share) = (*frame, share);
             }
             self.pieces.push(piece);
         }

@@ -39,6 +39,8 @@ pub(crate) use under::Under;
 pub(crate) const DEPTH: f64 = 1.0;
 /// Triangles belong to one facet if they lie in the plane of its first one within this share of that one's longest edge.
 const FLAT: f64 = 1e-9;
+/// Way of a corner over that of the faces that meet there, where all go outward: none is sharper than that.
+const SHARPEST: f64 = 20.0;
 /// Workspace for rounding in a test that leaves faces out.
 const SLACK: f64 = 1.0 + 1e-9;
 
@@ -212,9 +214,32 @@ pub(crate) struct Treader {
     above: Vec<f64>,
     kept: Vec<Kept>,
     pieces: usize,
+    /// How far the surface and all faces of the block are moved outward, m.
+    inflation: f64,
 }
 
 impl Treader {
+    /// As [`Treader::find`] with the surface and all faces of the block `by` (m) further out: depths are larger by as much, and a block that is near
+    /// has a surface too.
+    pub(crate) fn find_inflated(
+        &mut self,
+        terrain: &Terrain,
+        body: &Body,
+        reach: f64,
+        by: f64,
+    ) -> Reached {
+        self.inflation = by;
+        let found = self.find(terrain, body, reach);
+        self.inflation = 0.0;
+        found
+    }
+
+    /// The pieces on a facet: the face of the block, the plane and the polygon.
+    pub(crate) fn pieces(&self, facet: u32) -> impl Iterator<Item = (usize, &Frame, &Polygon)> {
+        let pieces = self.kept[..self.pieces].iter().filter(move |p| p.facet == facet);
+        pieces.map(|p| (usize::from(p.face), &p.frame, &p.polygon))
+    }
+
     /// Finds the surface of a block. Of what is apart, nothing farther than `reach` (m) is looked at.
     pub(crate) fn find(&mut self, terrain: &Terrain, body: &Body, reach: f64) -> Reached {
         self.facets.clear();
@@ -237,6 +262,9 @@ impl Treader {
         for face in 0..body.shape.faces() {
             self.planes.push(body, face as u16, body.position);
         }
+        self.planes.inflate(self.inflation);
+        // So far a corner goes when the faces that meet there go outward.
+        let outward = SHARPEST * self.inflation;
         let mut gap = reach;
         for k in 0..self.near.len() {
             let cell = &terrain.cells[self.near[k] as usize];
@@ -249,8 +277,9 @@ impl Treader {
             let least = self.heights(cell.slope, offset);
             // Heights are c times those straight up: over the length of the slope they are distances from the plane.
             gap = gap.min(beside.max(least / cell.steepness));
-            if beside <= 0.0 && least < 0.0 {
-                self.tread(cell, &corners, offset, -least, body);
+            let way = outward * (1.0 + cell.steepness);
+            if beside <= way && least < way {
+                self.tread(cell, &corners, offset, way - least, body);
             }
         }
         if self.pieces > 0 {
@@ -305,7 +334,7 @@ impl Treader {
 
     /// The pieces of a triangle with all faces of the block that can be nearest there; `deepest` is the largest depth of a corner.
     fn tread(&mut self, cell: &Cell, corners: &[Vec3; 3], offset: f64, deepest: f64, body: &Body) {
-        self.planes.set(0, cell.slope, offset);
+        self.planes.set(0, cell.slope, offset + self.inflation);
         // Where face g is nearest at the depth p <= deepest, its point below that place is no farther than p: it is no more than
         // that above the plane.
         let highest = deepest * cell.steepness * SLACK;
@@ -341,7 +370,7 @@ impl Treader {
                 sums: Sums::default(),
                 all: 0.0,
                 slope: cell.slope,
-                offset: self.planes.d[0],
+                offset: self.planes.d[0] - self.inflation,
             });
             self.facets.len() - 1
         });

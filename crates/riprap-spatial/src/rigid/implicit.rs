@@ -10,6 +10,7 @@
 
 mod meet;
 pub(crate) mod obstacle;
+pub(crate) mod settling;
 #[cfg(test)]
 mod tests;
 
@@ -23,11 +24,18 @@ use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Unsolved};
 use crate::joint::patch::turned_inertia;
 use crate::rigid::kick::Acting;
+use crate::state::found::FoundPair;
 use crate::state::scratch::{NotSolved, Scratch};
 use crate::state::world::World;
 
-/// Accuracy of the velocities of a step, over the motion that gravity makes in it.
-const TOLERANCE: f64 = 1e-4;
+/// What the last round of Newton's method may change of the velocities of a step, over the motion that gravity makes in it.
+const TOLERANCE: f64 = 1e-3;
+/// Share of the velocities of the blocks that counts beside that motion: the faster they are, the less a part of it matters.
+const MOVING: f64 = 0.1;
+/// The same in steps that seek an equilibrium.
+const AT_REST: f64 = 1e-7;
+/// Mass damping over the inverse of the step from which on a step has forgotten the velocities before it.
+const FORGETTING: f64 = 1.9;
 /// Speed that is nothing, m/s: the accuracy without gravity.
 const STILL: f64 = 1e-4;
 
@@ -42,12 +50,18 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
         contact::release_loose(world, scratch);
     }
     world.implicit = implicit.then(|| {
-        let kept = world.found.pairs.iter().filter_map(|pair| {
-            let patch = pair.leading().filter(|patch| patch.memory.area > 0.0)?;
-            let force = patch.force.dot(patch.memory.normal);
-            Some(Kept::of_explicit(pair.key(), &patch.memory, force))
-        });
-        Box::new(Implicit { kept: kept.collect(), ..Implicit::default() })
+        let of_pair = |pair: &FoundPair| {
+            let of = pair.key();
+            let pressed = pair.patches.iter().filter(|patch| patch.memory.area > 0.0);
+            let kept = pressed.map(move |patch| {
+                let force = patch.force.dot(patch.memory.normal);
+                Kept::of_explicit(of, patch.key, &patch.memory, force)
+            });
+            kept.collect::<Vec<_>>()
+        };
+        let mut kept: Vec<_> = world.found.pairs.iter().flat_map(of_pair).collect();
+        kept.sort_unstable_by_key(Kept::place);
+        Box::new(Implicit { kept, ..Implicit::default() })
     });
     let (works, pairs) = (&mut world.works, &mut world.found.pairs);
     for pair in pairs {
@@ -67,7 +81,7 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     scratch.implicit.failed = None;
     if !meet {
-        scratch.implicit.begin(world.alive.len());
+        scratch.implicit.begin(world.alive.len(), world.found.pairs.len());
         return;
     }
     let dt = match scratch.coming_dt {
@@ -81,9 +95,15 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     let found = Instant::now();
     scratch.profile.add("pieces", found - start);
     lay_out(world, scratch);
-    let speed = world.gravity.length() * dt + STILL;
     let solver = &mut scratch.implicit.solver;
-    scratch.implicit.failed = match solver.solve(&step, speed, TOLERANCE) {
+    let fall = world.gravity.length() * dt + STILL;
+    let exact = if scratch.damping.mass * step.span >= FORGETTING {
+        // The longer the step the more gravity would do in it: what is sought is an equilibrium.
+        AT_REST * fall
+    } else {
+        TOLERANCE * (fall + MOVING * solver.mean_speed())
+    };
+    scratch.implicit.failed = match solver.solve(&step, fall, exact) {
         Ok(effort) => {
             scratch.implicit.unsettled = !effort.settled;
             None
@@ -108,7 +128,7 @@ fn lay_out(world: &World, scratch: &mut Scratch) {
     let kick = scratch.kick(world);
     let mut desk = std::mem::take(&mut scratch.implicit);
     let ends = desk.pairs.iter().map(|k| world.found.pairs[*k as usize].ends);
-    let mut blocks: Vec<u32> = ends.flatten().collect();
+    let mut blocks: Vec<u32> = ends.flatten().filter(|b| !world.is_terrain(*b as usize)).collect();
     blocks.sort_unstable();
     blocks.dedup();
     for &b in &blocks {
@@ -197,6 +217,8 @@ pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
         implicit.kept.extend(Kept::of(key, pair, reply.shear, reply.torsion));
         heat += reply.heat;
     }
+    // Pairs with terrain come last, whatever their numbers.
+    implicit.kept.sort_unstable_by_key(Kept::place);
     implicit.rubbed = heat;
     world.works.friction += heat;
     world.found.unsettled[0] += u64::from(scratch.implicit.unsettled);

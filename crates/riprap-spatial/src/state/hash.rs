@@ -174,8 +174,11 @@ fn image(hash: &mut StateHash, image: Image) {
 fn implicit(hash: &mut StateHash, memory: &Implicit) {
     hash.count(memory.kept.len() as u64);
     for kept in &memory.kept {
-        hash.pair(kept.key.ends);
-        image(hash, kept.key.image);
+        hash.pair(kept.pair.ends);
+        image(hash, kept.pair.image);
+        if kept.key != [0; 2] {
+            hash.pair(kept.key);
+        }
         hash.numbers(&kept.shear.to_array());
         hash.numbers(&kept.arm.to_array());
         hash.numbers(&[kept.torsion, kept.force, kept.area, kept.radius]);

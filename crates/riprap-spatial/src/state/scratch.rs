@@ -7,13 +7,14 @@ use riprap_geom::Vec3;
 use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::implicit::pair::Pair;
 use crate::implicit::solve::Solver;
 use crate::kernel::cells::TetContactScratch;
 use crate::lanes::Width;
 use crate::laws::bolt::BoltScratch;
 use crate::ledger::Works;
 use crate::profile::Profile;
-use crate::state::contact_scratch::ContactScratch;
+use crate::state::contact_scratch::{ContactScratch, Slot};
 use crate::state::push::{Pushes, Wrench};
 use crate::state::sums::Sums;
 use crate::state::tiles::{Cut, Tiles};
@@ -75,6 +76,8 @@ pub struct Scratch {
 #[derive(Debug, Default)]
 pub(crate) struct ImplicitDesk {
     pub(crate) solver: Solver,
+    /// What was found of each pair of found contact.
+    pub(crate) found: Vec<NearPair>,
     /// Places in the list of found contacts of the pairs of the solver.
     pub(crate) pairs: Vec<u32>,
     /// The same of blocks that lie in each other without a surface on which they could press each other.
@@ -93,11 +96,31 @@ pub(crate) struct ImplicitDesk {
     pub(crate) failed: Option<NotSolved>,
 }
 
+/// What was found of a pair of blocks for an implicit step.
+#[derive(Debug, Default)]
+pub(crate) struct NearPair {
+    pub(crate) slot: Slot,
+    /// Patches on which they may press within the step.
+    pub(crate) near: usize,
+    /// Those first; what stands behind is memory that others will use.
+    pub(crate) patches: Vec<Pair>,
+    /// Whether no surface was found between blocks that lie in each other.
+    pub(crate) lost: bool,
+}
+
 impl ImplicitDesk {
-    /// Empties the lists, for a model of so many blocks.
-    pub(crate) fn begin(&mut self, blocks: usize) {
+    /// Empties the lists, for a model of so many blocks and `pairs` of them that can touch.
+    pub(crate) fn begin(&mut self, blocks: usize, pairs: usize) {
+        self.found.resize_with(pairs, NearPair::default);
+        // Pairs of the step before give their memory back.
+        for (k, pair) in self.pairs.drain(..).zip(self.solver.pairs.drain(..)) {
+            let free = self.found.get_mut(k as usize).filter(|found| found.near > 0);
+            if let Some(found) = free {
+                found.near -= 1;
+                found.patches[found.near] = pair;
+            }
+        }
         self.solver.begin();
-        self.pairs.clear();
         self.lost.clear();
         self.blocks.clear();
         self.place.clear();

@@ -9,7 +9,7 @@ use crate::plan::{
     Cutting, Damping, Deforming, Every, Gauge, History, Phase, PhaseKind, Relaxation, Relaxing,
     TimeStep, Until,
 };
-use crate::plan::{IMPLICIT_STEP, Integration, Rest};
+use crate::plan::{IMPLICIT_STEP, Integration, Rest, STATIC_STEP};
 use crate::planar::setup::ContactLaw;
 use crate::scenario::language::{self, CutAxis, Output, Reset};
 use crate::scenario::read::{Given, Provenance, with_unit};
@@ -46,9 +46,10 @@ impl Builder<'_> {
         let time_step = match read.time_step() {
             Some(dt) => TimeStep::Given { dt },
             None if integration == Integration::Implicit => {
-                let text = format!("{} or less", with_unit(IMPLICIT_STEP, "s"));
+                let dt = if kind == PhaseKind::Static { STATIC_STEP } else { IMPLICIT_STEP };
+                let text = format!("{} or less", with_unit(dt, "s"));
                 read.note("time_step", text, Provenance::Default, "");
-                TimeStep::Given { dt: IMPLICIT_STEP }
+                TimeStep::Given { dt }
             }
             None => {
                 let safety = read.safety();
@@ -59,7 +60,7 @@ impl Builder<'_> {
         };
         let max_residual = read.max_residual();
         if integration == Integration::Implicit {
-            self.refuse_implicit(said, kind);
+            self.refuse_implicit(said);
         }
         let mut read = self.reading(format!("phases.{}", said.name), said);
         let none = language::Damping::default();
@@ -161,35 +162,18 @@ impl Builder<'_> {
     }
 
     /// Reports what an implicit phase does not take of its own keys.
-    fn refuse_implicit(&mut self, said: &language::Phase, kind: PhaseKind) {
+    fn refuse_implicit(&mut self, said: &language::Phase) {
         let name = &said.name;
         let mut refuse = |message: String, help: &str| {
             let error = Diagnostic::error("phase.integration", message).at(name.span.clone());
             self.found.push(error.help(help));
         };
-        if kind == PhaseKind::Static {
-            let message =
-                format!("phase `{name}` is static and implicit: implicit phases are dynamic");
-            let help = "leave out `kind`: an implicit phase damps by itself and comes to rest; or use integration = \"explicit\"";
-            refuse(message, help);
-        }
         let local = said.damping.as_ref().and_then(|damping| damping.local.as_ref());
         if local.is_some_and(|local| local.si() > 0.0) {
             let message = format!(
                 "phase `{name}` is implicit and has local damping, which needs explicit steps"
             );
             refuse(message, "leave out `damping.local`; `damping.mass` works in both");
-        }
-        let rebounds = self.parsed.scenario.interfaces.iter().find(|(_, interface)| {
-            interface.restitution.as_ref().is_some_and(|wanted| wanted.si() > 0.0)
-        });
-        if let Some((interface, _)) = rebounds {
-            let message = format!(
-                "phase `{name}` is implicit: impacts do not rebound in its steps, and `interfaces.{interface}.restitution` has no effect"
-            );
-            let note = Diagnostic::warning("phase.restitution", message).at(name.span.clone());
-            let help = "use integration = \"explicit\" where rebounds matter";
-            self.found.push(note.help(help));
         }
     }
 

@@ -431,6 +431,24 @@ impl Engine {
         }
     }
 
+    /// Longest step of a static implicit phase, s: twice the last one, and such that no block moves far for its size in it.
+    #[must_use]
+    pub fn settling_step(&self) -> f64 {
+        match self {
+            Self::Planar(_) => f64::INFINITY,
+            Self::Spatial(e) => spatial::settling_step(&e.world),
+        }
+    }
+
+    /// Way of a block in the last step at most, over half its shortest edge.
+    #[must_use]
+    pub fn settling_way(&self) -> f64 {
+        match self {
+            Self::Planar(_) => f64::INFINITY,
+            Self::Spatial(e) => spatial::settling_way(&e.world),
+        }
+    }
+
     /// Blocks (twice the same one where it is one alone) whose contact has kept the last implicit step from a solution, and its rounds.
     #[must_use]
     pub fn not_solved(&self) -> Option<spatial::NotSolved> {

@@ -27,7 +27,9 @@ use super::engine::steer::{SteerError, Steered};
 use super::engine::{BuildError, Engine, Kind, Stable, View};
 use crate::exec::Exec;
 use crate::ledger::Balance;
-use crate::plan::{Damping, IMPLICIT_STEP, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until};
+use crate::plan::{
+    Damping, IMPLICIT_STEP, Integration, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until,
+};
 use crate::setup::Setup;
 
 /// Share of the unbalanced force that local damping takes in static phases, unless one is given.
@@ -210,8 +212,13 @@ impl Simulation {
             self.enter_phase()?;
         }
         let Some(phase) = self.phase().map(Rules::of) else {
-            let damping = self.plan.phases.last().map_or_else(Damping::default, |p| p.damping);
-            self.evaluate(&damping, self.cursor.closing_dt)?;
+            let (last, dt) = (self.plan.phases.last(), self.cursor.closing_dt);
+            let damping = match last {
+                Some(last) if settles(last) => self.forgetting(dt),
+                Some(last) => last.damping,
+                None => Damping::default(),
+            };
+            self.evaluate(&damping, dt)?;
             return Ok(Stage::Done);
         };
         // Before the forces are found: weight is that of the instant at which they are.
@@ -366,7 +373,7 @@ impl Simulation {
     /// Finds the forces for the coming step, which is halved where an implicit one does not converge.
     fn evaluate_step(&mut self, phase: &Rules) -> Result<(), RunError> {
         for _ in 0..HALVINGS {
-            match self.engine.evaluate(&phase.damping, self.dt) {
+            match self.engine.evaluate(&self.damping(phase), self.dt) {
                 Ok(()) => return Ok(()),
                 Err(_) if self.engine.not_solved().is_some_and(|failed| failed.rounds > 0) => {
                     self.dt *= 0.5;
@@ -377,7 +384,18 @@ impl Simulation {
                 Err(block) => return Err(self.no_force(block)),
             }
         }
-        self.evaluate(&phase.damping, self.dt)
+        self.evaluate(&self.damping(phase), self.dt)
+    }
+
+    /// Damping in the coming step.
+    fn damping(&self, phase: &Rules) -> Damping {
+        if phase.settles { self.forgetting(self.dt) } else { phase.damping }
+    }
+
+    /// Damping that makes blocks forget their velocities in the coming step of `dt` (s): what is solved is the equilibrium of what they
+    /// reach, with masses against too long a way.
+    fn forgetting(&self, dt: f64) -> Damping {
+        Damping { mass: 4.0 / (self.view().last_dt() + dt), ..Damping::default() }
     }
 
     /// Applies what the phase changes; the energy this adds is booked as an edit.
@@ -435,10 +453,13 @@ impl Simulation {
             return Ok(());
         };
         let relaxes = phase.deform.is_some_and(|d| d.relax.is_some());
-        if relaxes || !self.forces_jump(&before, phase) {
+        // Velocities of a static phase are those of its steps, and no motion that goes on.
+        let settled = settles(&before) && self.view().last_dt() > 0.0;
+        if relaxes || !(settled || self.forces_jump(&before, phase)) {
             return Ok(());
         }
-        let ended = self.engine.end_motion(&damping_of(&before));
+        let damping = if settled { self.forgetting(0.0) } else { damping_of(&before) };
+        let ended = self.engine.end_motion(&damping);
         ended.map_err(|block| self.no_force(block))
     }
 
@@ -525,7 +546,9 @@ impl Simulation {
         };
         let limit = self.engine.step_limit(phase.time_step);
         let mut dt = wanted;
-        if limit < dt {
+        if phase.settles {
+            dt = wanted.min(limit).min(self.engine.settling_step());
+        } else if limit < dt {
             dt = limit;
             self.cursor.shortened += 1;
             let why = self.engine.limited_by(phase.time_step);
@@ -559,6 +582,8 @@ struct Rules {
     /// Time before which it cannot end at rest, s.
     ramp: Option<f64>,
     relax: Option<Relaxing>,
+    /// Whether implicit steps seek an equilibrium.
+    settles: bool,
 }
 
 /// The longer of two times that may be given.
@@ -575,14 +600,23 @@ impl Rules {
             gravity_ramp: phase.gravity_ramp,
             ramp: longest(phase.gravity_ramp, phase.removal_ramp),
             relax: phase.deform.and_then(|d| d.relax),
+            settles: settles(phase),
         }
     }
 }
 
-/// Damping of a phase; static phases have local damping unless another is given.
+/// Whether a phase seeks its equilibrium by implicit steps.
+fn settles(phase: &Phase) -> bool {
+    phase.kind == PhaseKind::Static && phase.integration == Integration::Implicit
+}
+
+/// Damping of a phase; static phases of explicit steps have local damping unless another is given.
 #[must_use]
 pub fn damping_of(phase: &Phase) -> Damping {
     let mut damping = phase.damping;
+    if settles(phase) {
+        return damping;
+    }
     if phase.kind == PhaseKind::Static && damping.local == 0.0 && damping.mass == 0.0 {
         damping.local = STATIC_DAMPING;
     }

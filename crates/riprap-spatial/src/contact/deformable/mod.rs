@@ -66,6 +66,7 @@ pub(crate) fn between(
         friction,
         cohesion,
         damping_ratio: joint.contact_damping,
+        rebound: 0.0,
     })
 }
 

@@ -355,6 +355,7 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrai
                     friction: 0.0,
                     cohesion: 0.0,
                     damping_ratio: 0.0,
+                    rebound: 0.0,
                 },
             );
             PairConstants {

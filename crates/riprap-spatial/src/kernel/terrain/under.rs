@@ -56,6 +56,20 @@ impl Under {
         reached
     }
 
+    /// As [`Under::find`] for a convex block and what lies within its radius, with the surface and all faces `by` (m) further out.
+    pub(crate) fn find_inflated(&mut self, terrain: &Terrain, body: &Body, by: f64) -> Reached {
+        self.begin(1);
+        self.centres.push(Vec3::ZERO);
+        let reached = self.treaders[0].find_inflated(terrain, body, body.shape.radius + by, by);
+        self.facets.extend_from_slice(&self.treaders[0].facets);
+        reached
+    }
+
+    /// The pieces of a convex block on a facet: its face, the plane and the polygon.
+    pub(crate) fn pieces(&self, facet: u32) -> impl Iterator<Item = (usize, &Frame, &Polygon)> {
+        self.treaders[0].pieces(facet)
+    }
+
     /// The same for a block of glued parts.
     pub fn find_glued(
         &mut self,

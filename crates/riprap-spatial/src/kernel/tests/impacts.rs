@@ -196,6 +196,7 @@ fn law(stiffness: f64, friction: f64, damping_ratio: f64) -> ContactLaw {
         friction,
         cohesion: 0.0,
         damping_ratio,
+        rebound: 0.0,
     }
 }
 

@@ -4,19 +4,19 @@ use riprap_core::sums::GROUP;
 use riprap_geom::Vec3;
 
 use crate::contact;
-use crate::implicit::geometry::{Reach, reach};
+use crate::implicit::geometry::{Reach, reach, reach_ground};
 use crate::implicit::memory::{Implicit, sprung};
 use crate::implicit::pair::{Pair, Reply};
 use crate::implicit::patch::Twist;
 use crate::implicit::solve::Solver;
 use crate::kernel::friction::Wrench;
-use crate::kernel::surface::Walker;
-use crate::kernel::{Body, Memory, PairKey, Role, turn};
+use crate::kernel::surface;
+use crate::kernel::{Body, Memory, PairKey, Role, Terrain, turn};
 use crate::state::contact_scratch::{
-    Acting, ContactScratch, Deepest, Exerted, PairGroup, Pressed, Slot,
+    Acting, ContactScratch, Deepest, Exerted, PairGroup, PairKind, Pressed, Slot, Workspace,
 };
 use crate::state::found::{ContactPatch, FoundPair};
-use crate::state::scratch::{ImplicitDesk, Scratch};
+use crate::state::scratch::{ImplicitDesk, NearPair, Scratch};
 use crate::state::world::World;
 
 /// Gap that every pair is looked at within, m.
@@ -34,41 +34,32 @@ const FLIGHT: f64 = 0.9;
 /// That margin over the radius of the block.
 const MARGIN: f64 = 0.4;
 
-/// What was found of a pair.
-#[derive(Clone, Debug, Default)]
-struct Found {
-    slot: Slot,
-    near: Option<Box<Pair>>,
-    /// Whether no surface was found between blocks that lie in each other.
-    lost: bool,
-}
-
 /// Finds the pairs within reach of a step of `dt` (s).
 pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    contact::place(world, &mut scratch.desk, &scratch.exec);
     let mut pairs = std::mem::take(&mut world.found.pairs);
-    let mut found = vec![Found::default(); pairs.len()];
     let mut workspaces = std::mem::take(&mut scratch.desk.workspaces);
-    let placed = Placed::of(world, &scratch.desk);
-    let looking =
-        Looking { world, memory: world.implicit.as_deref(), contacts: &scratch.desk, placed, dt };
+    let desk = &mut scratch.implicit;
+    desk.begin(world.alive.len(), pairs.len());
+    let looking = Looking { world, memory: world.implicit.as_deref(), contacts: &scratch.desk, dt };
     let width = scratch.width;
     let mut nothing = vec![(); pairs.len().div_ceil(GROUP)];
     scratch.exec.groups2(
         &mut pairs,
-        &mut found,
+        &mut desk.found,
         &mut nothing,
         &mut workspaces,
         |first, pairs, found, (), workspace| {
             workspace.walker.cutter.limit_width(width);
+            workspace.under.limit_width(width);
             for (k, (pair, found)) in pairs.iter_mut().zip(found).enumerate() {
-                looking.at(first + k, pair, found, &mut workspace.walker);
+                looking.at(first + k, pair, found, workspace);
             }
         },
     );
     let mut longest = flight(world, &scratch.desk);
-    let (mut spare, desk) = (Vec::new(), &mut scratch.implicit);
-    desk.begin(world.alive.len());
-    for (k, found) in found.into_iter().enumerate() {
+    let mut spare = Vec::new();
+    for (k, found) in desk.found.iter_mut().enumerate() {
         let way = pairs[k].gap.max(0.0) + TRANSIT * scratch.desk.constants[k].inradius;
         if found.slot.nearing > 0.0 {
             longest = longest.min(way / found.slot.nearing);
@@ -77,12 +68,14 @@ pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
         if found.lost {
             desk.lost.push(k as u32);
         }
-        let Some(pair) = found.near else { continue };
-        desk.stored[0] += pair.stored(&mut spare);
-        desk.stored[1] += sprung(&pair.law, &pair);
-        desk.pairs.push(k as u32);
-        desk.solver.pairs.push(*pair);
+        for pair in &mut found.patches[..found.near] {
+            desk.stored[0] += pair.stored(&mut spare);
+            desk.stored[1] += sprung(&pair.law, pair);
+            desk.pairs.push(k as u32);
+            desk.solver.pairs.push(std::mem::take(pair));
+        }
     }
+    contact::note_left(world, &mut workspaces);
     scratch.desk.workspaces = workspaces;
     world.found.pairs = pairs;
     world.found.longest_step = Some(longest);
@@ -110,62 +103,51 @@ fn speed(world: &World, b: usize) -> f64 {
     world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
 }
 
-/// Normals of the blocks that are in a pair, turned to where they are now.
-struct Placed {
-    normals: Vec<Vec<Vec3>>,
-}
-
-impl Placed {
-    fn of(world: &World, desk: &ContactScratch) -> Self {
-        let mut normals = vec![Vec::new(); desk.blocks.len()];
-        for (b, normals) in desk.blocks.iter().zip(&mut normals) {
-            let b = *b as usize;
-            turn(&desk.shapes[world.solid[b] as usize], world.pose(b).rotation, normals);
-        }
-        Self { normals }
-    }
-
-    fn body<'a>(
-        &'a self,
-        world: &World,
-        desk: &'a ContactScratch,
-        key: &PairKey,
-        side: usize,
-    ) -> Body<'a> {
-        let b = key.ends[side];
-        let pose = world.pose(b as usize);
-        Body {
-            shape: &desk.shapes[world.solid[b as usize] as usize],
-            normals: &self.normals[desk.place[b as usize] as usize],
-            turn: riprap_geom::Mat3::from_quat(pose.rotation),
-            position: key.place(side, pose.position, &world.setup.periodic),
-        }
-    }
-}
-
 /// What a look at the pairs needs.
 struct Looking<'a> {
     world: &'a World,
     memory: Option<&'a Implicit>,
+    /// Its blocks are where they are now.
     contacts: &'a ContactScratch,
-    placed: Placed,
     /// Length of the coming step, s.
     dt: f64,
 }
 
 impl Looking<'_> {
+    fn body(&self, key: &PairKey, side: usize) -> Body<'_> {
+        let (desk, b) = (self.contacts, key.ends[side]);
+        let at = desk.place[b as usize] as usize;
+        let normals = desk.first_normal[at] as usize..desk.first_normal[at + 1] as usize;
+        Body {
+            shape: &desk.shapes[self.world.solid[b as usize] as usize],
+            normals: &desk.normals[normals],
+            turn: desk.turns[at],
+            position: key.place(side, desk.poses[at].position, &self.world.setup.periodic),
+        }
+    }
+
+    /// Bound of the speed at which points of two bodies come nearer to each other, m/s.
+    fn nearing(&self, [i, j]: [u32; 2], on_ground: bool) -> f64 {
+        let world = self.world;
+        if on_ground {
+            return speed(world, j as usize);
+        }
+        let [i, j] = [i, j].map(|b| b as usize);
+        let apart = world.bodies.velocity(i) - world.bodies.velocity(j);
+        let turning = |b: usize| world.bodies.spin(b).length() * world.solid_of(b).radius;
+        apart.length() + turning(i) + turning(j)
+    }
+
     /// Looks at pair `k`.
-    fn at(&self, k: usize, pair: &mut FoundPair, found: &mut Found, walker: &mut Walker) {
+    fn at(&self, k: usize, pair: &mut FoundPair, found: &mut NearPair, work: &mut Workspace) {
         let Self { world, contacts, dt, .. } = self;
-        let speeds = pair.ends.map(|b| speed(world, b as usize));
-        let fall = world.gravity.length() * dt;
-        found.slot.nearing = {
-            let [i, j] = pair.ends.map(|b| b as usize);
-            let apart = world.bodies.velocity(i) - world.bodies.velocity(j);
-            let turning = |b: usize| world.bodies.spin(b).length() * world.solid_of(b).radius;
-            apart.length() + turning(i) + turning(j)
-        };
+        (found.slot, found.near, found.lost) = (Slot::default(), 0, false);
         let constants = &contacts.constants[k];
+        let on_ground = matches!(constants.kind, PairKind::Terrain(_));
+        let [i, j] = pair.ends.map(|b| b as usize);
+        let speeds = [if on_ground { 0.0 } else { speed(world, i) }, speed(world, j)];
+        let fall = world.gravity.length() * dt;
+        found.slot.nearing = self.nearing(pair.ends, on_ground);
         let most = TRANSIT * constants.inradius;
         let out = (NEAR + AHEAD * dt * (speeds[0] + speeds[1] + fall)).min(most);
         if pair.gap > 0.0 {
@@ -177,9 +159,47 @@ impl Looking<'_> {
         if world.pending > 0.0 {
             pair.start = pair.next;
         }
-        let bodies = [0, 1].map(|side| self.placed.body(world, contacts, &pair.key(), side));
+        let (reached, count) = match constants.kind {
+            PairKind::Terrain(ground) => self.on_ground(ground.into(), k, pair, out, found, work),
+            PairKind::Convex | PairKind::Glued => self.convex(k, pair, out, found, work),
+        };
+        match reached {
+            Reach::Apart(gap) => {
+                *pair = FoundPair { gap: gap - ROUNDING * gap, ..FoundPair::new(pair.key()) };
+            }
+            Reach::Lost => {
+                found.lost = true;
+                pair.depth = 2.0 * constants.inradius;
+            }
+            Reach::Near(next) => {
+                pair.gap = 0.0;
+                pair.offset = None;
+                pair.next = next;
+                for patch in &mut found.patches[..count] {
+                    let kept = self.memory.and_then(|memory| memory.of(pair.key(), patch.key));
+                    if let Some(kept) = kept {
+                        kept.recall(patch);
+                    }
+                }
+                found.near = count;
+            }
+        }
+    }
+
+    /// Two convex blocks; how many patches they share.
+    fn convex(
+        &self,
+        k: usize,
+        pair: &FoundPair,
+        out: f64,
+        found: &mut NearPair,
+        work: &mut Workspace,
+    ) -> (Reach, usize) {
+        let contacts = self.contacts;
+        let bodies = [0, 1].map(|side| self.body(&pair.key(), side));
         let candidate = &contacts.candidates.pairs[k];
-        let margins: f64 = pair.ends.map(|b| world.found.search.margin[b as usize]).iter().sum();
+        let margins: f64 =
+            pair.ends.map(|b| self.world.found.search.margin[b as usize]).iter().sum();
         let listed = out <= LISTED * margins;
         let all: [Vec<u16>; 2] = match listed {
             true => Default::default(),
@@ -192,27 +212,47 @@ impl Looking<'_> {
         let place =
             |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
         let hint = pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
-        let law = constants.law(&contacts.rows);
-        let bodies = bodies.each_ref();
+        let law = contacts.constants[k].law(&contacts.rows);
         let ties = candidate.ties || !listed;
-        match reach(walker, bodies, faces, ties, hint, out, law) {
-            Reach::Apart(gap) => {
-                *pair = FoundPair { gap: gap - ROUNDING * gap, ..FoundPair::new(pair.key()) };
-            }
-            Reach::Lost => {
-                found.lost = true;
-                pair.depth = 2.0 * constants.inradius;
-            }
-            Reach::Near(mut near, hint) => {
-                pair.gap = 0.0;
-                pair.offset = None;
-                pair.next = hint.map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
-                if let Some(kept) = self.memory.and_then(|memory| memory.of(pair.key())) {
-                    kept.recall(&mut near);
-                }
-                found.near = Some(near);
-            }
+        let surface =
+            surface::Pair { bodies: bodies.each_ref(), faces, ties, hint, witnesses: &[] };
+        if found.patches.is_empty() {
+            found.patches.push(Pair::default());
         }
+        let reached = reach(&mut work.walker, &surface, out, law, &mut found.patches[0]);
+        match reached {
+            Reach::Near(hint) => {
+                let next = hint.map(|[f, g]| [faces[0][f as usize], faces[1][g as usize]]);
+                (Reach::Near(next), 1)
+            }
+            Reach::Apart(_) | Reach::Lost => (reached, 0),
+        }
+    }
+
+    /// A block on terrain; on how many facets it has patches.
+    fn on_ground(
+        &self,
+        ground: usize,
+        k: usize,
+        pair: &FoundPair,
+        out: f64,
+        found: &mut NearPair,
+        work: &mut Workspace,
+    ) -> (Reach, usize) {
+        let (world, contacts) = (self.world, self.contacts);
+        let b = pair.ends[1] as usize;
+        let pose = world.pose(b);
+        let shape = &contacts.shapes[world.solid[b] as usize];
+        let grounds = &contacts.terrain.grounds;
+        work.normals.clear();
+        let turn = turn(shape, pose.rotation, &mut work.normals);
+        let beside = |ground: &Terrain| ground.depth(pose.position).is_none();
+        if !world.found.left_terrain[b] && grounds.iter().all(beside) {
+            work.beside.push(b as u32);
+        }
+        let body = Body { shape, normals: &work.normals, turn, position: pose.position };
+        let law = contacts.constants[k].law(&contacts.rows);
+        reach_ground(&mut work.under, &grounds[ground], &body, out, law, &mut found.patches)
     }
 }
 
@@ -239,31 +279,37 @@ pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch, span: f64) {
             deepest = Deepest::deeper(deepest, Some(deep));
             continue;
         }
-        let near = near.next_if(|((at, _), _)| **at as usize == k);
-        let Some(((_, of), reply)) = near.filter(|((_, of), _)| of.pressure.force > 0.0) else {
-            pair.depth = 0.0;
-            pair.patches.clear();
-            continue;
-        };
-        let exerted = Exerted {
-            elastic: about_centroids(&reply.elastic, of),
-            spring: about_centroids(&reply.spring, of),
-            drag: Wrench::default(),
-        };
-        pair.depth = reply.depth;
+        pair.depth = 0.0;
         pair.patches.clear();
-        pair.push(ContactPatch {
-            key: [0; 2],
-            memory: told(of, reply),
-            stored: sprung(&of.law, of),
-            force: exerted.elastic.force + exerted.spring.force,
-            pressed: exerted.elastic.force.length(),
-            depth: reply.depth,
-            area: of.pressure.area,
-        });
+        let mut all: Option<Exerted> = None;
+        while let Some(((_, of), reply)) = near.next_if(|((at, _), _)| **at as usize == k) {
+            if of.pressure.force <= 0.0 {
+                continue;
+            }
+            let exerted = Exerted {
+                elastic: about_centroids(&reply.elastic, of),
+                spring: about_centroids(&reply.spring, of),
+                drag: Wrench::default(),
+            };
+            pair.depth = pair.depth.max(reply.depth);
+            pair.push(ContactPatch {
+                key: of.key,
+                memory: told(of, reply),
+                stored: sprung(&of.law, of),
+                force: exerted.elastic.force + exerted.spring.force,
+                pressed: exerted.elastic.force.length(),
+                depth: reply.depth,
+                area: of.pressure.area,
+            });
+            slot.area += of.pressure.area;
+            all = Some(all.map_or(exerted, |mut sum| {
+                sum.add(&exerted);
+                sum
+            }));
+        }
+        let Some(exerted) = all else { continue };
         slot.at = group.push(exerted);
         slot.touching = true;
-        slot.area = of.pressure.area;
         let deep = Deepest::new(pair.ends, Pressed::Contact, pair.depth, reach);
         deepest = Deepest::deeper(deepest, Some(deep));
     }

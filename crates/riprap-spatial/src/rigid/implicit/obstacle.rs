@@ -28,9 +28,6 @@ pub fn obstacle(world: &World) -> Option<Obstacle> {
     if let Some(source) = world.setup.sources.first() {
         return found(format!("source `{}` pushes from a cavity", source.name), "remove it");
     }
-    if let Some(name) = first(&|b| world.is_terrain(b)) {
-        return found(format!("block `{name}` is terrain"), "use a held block instead");
-    }
     if let Some(name) = first(&|b| world.is_glued(b)) {
         return found(format!("block `{name}` has glued `parts`"), "use convex blocks");
     }

@@ -1,6 +1,7 @@
 //! Implicit steps of a world: momentum, energy, threads, restart.
 
 use riprap_geom::Vec3;
+use riprap_geom::height_field::HeightField;
 
 use crate::contact::tests::joint;
 use crate::dynamics::damping::Damping;
@@ -8,7 +9,9 @@ use crate::exec::Exec;
 use crate::ledger::Balance;
 use crate::query::view::View;
 use crate::rigid::implicit::choose;
-use crate::setup::{BlockName, BlockSpec, InterfaceLaw, Material, Motion, Setup, Shape, Support};
+use crate::setup::{
+    BlockName, BlockSpec, InterfaceLaw, Material, Motion, Setup, Shape, Support, Surface,
+};
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use crate::step;
@@ -109,28 +112,95 @@ fn heap() -> Vec<BlockSpec> {
     blocks
 }
 
+/// The same on rough terrain, from which blocks rebound.
+fn heap_on_ground() -> Setup {
+    let mut setup = model(heap(), false, 9.81);
+    let line: Vec<f64> = (0..=16).map(|k| 0.5 * f64::from(k) - 4.0).collect();
+    let height = |i: usize, j: usize| 0.03 * ((i * 5 + j * 3) % 7) as f64 - 0.1;
+    let field = HeightField::grid(&line, &line, |i, j| Some(height(i, j))).unwrap();
+    setup.blocks[0].shape =
+        Shape::Terrain(Box::new(Surface { points: field.points, triangles: field.triangles }));
+    setup.interfaces[0].joint.rebound = 0.4;
+    setup
+}
+
 #[test]
 fn any_number_of_threads_and_a_restart_give_the_same_bits() {
-    let run = |threads: usize| {
-        let mut run = Run::new(model(heap(), true, 9.81), threads, 1e-3);
-        run.steps(600);
-        run
-    };
-    let one = run(1);
-    assert!(one.world.works.friction > 0.0);
-    for threads in [2, 5] {
-        assert_eq!(run(threads).world.hash(), one.world.hash(), "{threads} threads");
+    let on_floor: fn() -> Setup = || model(heap(), true, 9.81);
+    for setup in [on_floor, heap_on_ground] {
+        let run = |threads: usize| {
+            let mut run = Run::new(setup(), threads, 1e-3);
+            run.steps(600);
+            run
+        };
+        let one = run(1);
+        assert!(one.world.works.friction > 0.0);
+        for threads in [2, 3, 5] {
+            assert_eq!(run(threads).world.hash(), one.world.hash(), "{threads} threads");
+        }
+        let mut first = Run::new(setup(), 1, 1e-3);
+        first.steps(333);
+        // What a checkpoint holds, without any workspace; forces are found again.
+        let mut world = first.world.clone();
+        let scratch = Scratch::new(&mut world, Exec::new(3).unwrap());
+        let mut again = Run { world, scratch, dt: 1e-3 };
+        again.evaluate();
+        again.steps(267);
+        assert_eq!(again.world.hash(), one.world.hash());
+        assert_eq!(again.world.works, one.world.works);
     }
-    let mut first = Run::new(model(heap(), true, 9.81), 1, 1e-3);
-    first.steps(333);
-    // What a checkpoint holds, without any workspace; forces are found again.
-    let mut world = first.world.clone();
-    let scratch = Scratch::new(&mut world, Exec::new(3).unwrap());
-    let mut again = Run { world, scratch, dt: 1e-3 };
-    again.evaluate();
-    again.steps(267);
-    assert_eq!(again.world.hash(), one.world.hash());
-    assert_eq!(again.world.works, one.world.works);
+}
+
+/// Blocks that fall askew on two triangles in one plane: the motion is that on a brick.
+#[test]
+fn flat_terrain_is_a_floor() {
+    let motion = |terrain: bool| {
+        let falls =
+            || brick([0.1, 0.2, 0.3], [0.4, 0.5, 0.3], Vec3::new(1.0, 0.3, -1.0), Vec3::ZERO);
+        let floor = brick([0.0, 0.0, -0.5], [8.0, 8.0, 1.0], Vec3::ZERO, Vec3::ZERO);
+        let mut setup = model(vec![floor, falls()], !terrain, 9.81);
+        setup.blocks[1].spin = Vec3::new(0.4, 0.2, 1.0);
+        if terrain {
+            let line: Vec<f64> = (0..=13).map(|k| 8.0 / 13.0 * f64::from(k) - 4.0).collect();
+            let field = HeightField::grid(&line, &line, |_, _| Some(0.0)).unwrap();
+            let surface = Surface { points: field.points, triangles: field.triangles };
+            setup.blocks[0].shape = Shape::Terrain(Box::new(surface));
+        }
+        let mut run = Run::new(setup, 1, 1e-3);
+        run.steps(300);
+        let balance = run.balance();
+        assert!(balance.residual_relative().abs() < 1e-3, "{:e}", balance.residual_relative());
+        (run.world.pose(1).position, run.world.bodies.velocity(1), balance.works.friction)
+    };
+    let [floor, ground] = [false, true].map(motion);
+    // Pieces of a brick push along the normal that they have together, those of a facet along its own.
+    assert!((floor.0 - ground.0).length() < 1e-3, "{} {}", floor.0, ground.0);
+    assert!((floor.1 - ground.1).length() < 1e-2, "{} {}", floor.1, ground.1);
+    assert!((floor.2 / ground.2 - 1.0).abs() < 0.05, "{} {}", floor.2, ground.2);
+}
+
+/// Two free bricks that meet face to face part with the share of their speed that is given, and momentum stays.
+#[test]
+fn an_impact_rebounds_as_given() {
+    for rebound in [0.2, 0.5, 1.0] {
+        let blocks = vec![
+            brick([0.0; 3], [0.4, 0.4, 0.4], Vec3::new(1.0, 0.0, 0.0), Vec3::ZERO),
+            brick([0.5, 0.0, 0.0], [0.4, 0.4, 0.2], Vec3::ZERO, Vec3::ZERO),
+        ];
+        let mut setup = model(blocks, false, 0.0);
+        setup.interfaces[0].joint.rebound = rebound;
+        let mut run = Run::new(setup, 1, 1e-3);
+        let [p, _] = run.momentum();
+        run.steps(300);
+        let [a, b] = [0, 1].map(|b| run.world.bodies.velocity(b).x);
+        assert!((b - a - rebound).abs() < 1e-3 * rebound, "{rebound}: {a} {b}");
+        assert!((run.momentum()[0] - p).length() < 1e-12 * p.length());
+        let lost = run.balance().works.integrator;
+        // Of the energy of the relative motion of masses of 2 to 1.
+        let energy = 0.5 * 2500.0 * (0.064 * 0.032 / 0.096);
+        let most = energy * (1.0 - rebound * rebound);
+        assert!((lost - most).abs() < 1e-3 * energy, "{rebound}: {lost} {most}");
+    }
 }
 
 #[test]

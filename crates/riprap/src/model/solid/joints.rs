@@ -66,6 +66,7 @@ impl Builder<'_> {
             points: read.points(),
             damping,
             contact_damping,
+            rebound: said.restitution.as_ref().map_or(0.0, Quantity::si),
             dashpots,
         }
     }
@@ -166,4 +167,7 @@ pub(in crate::model) fn change_joint(law: &mut JointLaw, change: &InterfaceChang
     };
     law.damping = change.damping_ratio.si_or(law.damping);
     law.contact_damping = changed_damping(change).unwrap_or(law.contact_damping);
+    if changed_damping(change).is_some() {
+        law.rebound = change.restitution.as_ref().map_or(0.0, Quantity::si);
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::exec::Exec;
-use crate::plan::{IMPLICIT_STEP, Integration};
+use crate::plan::{IMPLICIT_STEP, Integration, STATIC_STEP};
 use crate::run::given_step;
 use crate::run::simulation::Simulation;
 
@@ -95,31 +95,15 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
 
 #[test]
 fn keys_that_have_no_meaning_in_an_implicit_phase_are_refused() {
-    let quiet = format!("{TWO}kind = \"static\"\n");
-    let local = format!("{TWO}damping.local = 0.5\n");
-    for (text, words) in [
-        (&quiet, "phase `rest` is static and implicit"),
-        (&local, "phase `rest` is implicit and has local damping"),
-    ] {
-        let said = refused(text);
-        assert!(said.contains(words) && said.contains("t.toml:"), "{said}");
-    }
+    let said = refused(&format!("{TWO}damping.local = 0.5\n"));
+    let words = "phase `rest` is implicit and has local damping";
+    assert!(said.contains(words) && said.contains("t.toml:"), "{said}");
     let plane = format!(
         "{HEAD}[[blocks]]\nname = \"a\"\nmaterial = \"rock\"\nrectangle = {{ size = [\"1 m\", \"1 m\"], corner = [\"0 m\", \"0 m\"] }}\n\
          [[phases]]\nname = \"rest\"\nuntil.time = \"1 s\"\nintegration = \"implicit\"\n"
     );
     let said = refused(&plane);
     assert!(said.contains("integration") && said.contains("space"), "{said}");
-}
-
-#[test]
-fn a_rebound_that_would_be_lost_is_reported() {
-    let rebounds = TWO.replace("friction_angle", "restitution = 0.4\nfriction_angle");
-    let warnings = model(&rebounds).expect("good").warnings;
-    let found = warnings.iter().find(|warning| warning.code == "phase.restitution");
-    let message = &found.expect("a warning").message;
-    assert!(message.contains("`interfaces.default.restitution` has no effect"), "{message}");
-    assert!(model(TWO).expect("good").warnings.iter().all(|w| w.code != "phase.restitution"));
 }
 
 #[test]
@@ -150,4 +134,32 @@ fn friction_that_does_not_settle_is_reported() {
     let slides = TWO.replace("corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] }", "corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] }\nvelocity = [\"2 m/s\", \"0 m/s\", \"0 m/s\"]");
     assert_ne!(slides, TWO);
     assert!(!run(&slides));
+}
+
+/// A static implicit phase comes to rest within few steps, with a ledger that closes; motion goes on from rest.
+#[test]
+fn a_static_phase_settles_in_few_steps() {
+    let quiet = TWO.replace(
+        "until.time = \"1 s\"",
+        "kind = \"static\"\nuntil = { unbalanced = 1e-6, steps = 100 }",
+    );
+    assert_ne!(quiet, TWO);
+    let run = |text: &str| {
+        let model = model(text).expect("good");
+        let mut simulation =
+            Simulation::new(model.setup, model.plan, Exec::serial()).expect("built");
+        simulation.run().expect("rests");
+        simulation
+    };
+    let still = run(&quiet);
+    assert_eq!(still.plan().phases[0].time_step, TimeStep::Given { dt: STATIC_STEP });
+    assert!(still.steps() < 30, "{}", still.steps());
+    let balance = still.view().balance();
+    assert!(balance.residual_relative().abs() < 1e-6, "{:e}", balance.residual_relative());
+    let moves = format!(
+        "{quiet}[[phases]]\nname = \"go\"\nuntil.time = \"10 ms\"\nintegration = \"implicit\"\n"
+    );
+    let gone = run(&moves);
+    assert_eq!(gone.steps(), still.steps() + 10);
+    assert!(gone.view().kinetic() < 1e-12, "{:e}", gone.view().kinetic());
 }

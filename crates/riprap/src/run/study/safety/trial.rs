@@ -5,7 +5,9 @@ use std::time::Instant;
 use super::rules::{Rules, Trial};
 use super::verdict::{self, Look, Mechanism, Watch};
 use crate::exec::Exec;
-use crate::plan::{Damping, Deforming, Phase, PhaseKind, Plan, Reduction, TimeStep};
+use crate::plan::{
+    Damping, Deforming, Integration, Phase, PhaseKind, Plan, Reduction, STATIC_STEP, TimeStep,
+};
 use crate::run::job::JobError;
 use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot};
 use crate::run::study::StudyError;
@@ -242,7 +244,11 @@ pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Pha
     let time_step = last.map(|phase| phase.time_step);
     let mut phase = Phase::settle("safety", rules.balance);
     phase.until.steps = Some(rules.steps);
+    if let Some(last) = last.filter(|last| last.integration == Integration::Implicit) {
+        phase.integration = last.integration;
+    }
     phase.time_step = match time_step {
+        _ if phase.integration == Integration::Implicit => TimeStep::Given { dt: STATIC_STEP },
         Some(TimeStep::Auto { safety }) => TimeStep::Auto { safety: safety.max(SHARE) },
         Some(TimeStep::Given { .. }) | None => phase.time_step,
     };
