@@ -207,13 +207,13 @@ fn twenty_bricks_rest_on_each_other() {
             model.step(dt);
         }
         for kept in &model.kept {
-            let [below, above] = kept.key.ends;
+            let [below, above] = kept.pair.ends;
             if above != below + 1 {
                 continue;
             }
             let weight = (20 - below) as f64 * 2000.0 * 0.25 * 0.12 * 0.065 * 10.0;
             let error = kept.force / weight - 1.0;
-            assert!(error.abs() < 1e-5, "{dt} {:?}: {error:e}", kept.key.ends);
+            assert!(error.abs() < 1e-5, "{dt} {:?}: {error:e}", kept.pair.ends);
         }
         let top = &model.blocks[20];
         assert!(top.pose.position.truncate().length() < 1e-8);

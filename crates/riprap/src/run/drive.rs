@@ -13,8 +13,8 @@ use thiserror::Error;
 use super::checks::Watch;
 use super::engine::Reading;
 use super::engine::steer::{SteerError, Steered};
-use super::recorder::{RecordError, Recorder};
-use super::simulation::{RunError, Simulation, Stage};
+use super::recorder::{RecordError, Recorded, Recorder};
+use super::simulation::{RunError, Simulation, Snapshot, Stage};
 use crate::ledger::{Balance, COLUMNS};
 use crate::plan::Window;
 use crate::record::checkpoint::Packing;
@@ -130,6 +130,14 @@ impl Pause {
     }
 }
 
+/// What a checkpoint of a pause holds: everything as it was before the forces of that instant were found and anything of it was recorded.
+#[derive(Debug)]
+struct Paused {
+    snapshot: Snapshot,
+    watches: Vec<Watch>,
+    recorded: Option<Recorded>,
+}
+
 /// A simulation under way, with its recorder and its checks.
 #[derive(Debug)]
 pub struct Drive {
@@ -142,6 +150,11 @@ pub struct Drive {
     saving: Duration,
     /// Set during a pause: the present state has been prepared, looked at and recorded.
     standing: bool,
+    /// During a pause: the state before its forces were found. A run goes on from it with the same bits; from the prepared one it would not,
+    /// because forces that are found a second time at one instant begin with what the first time left.
+    paused: Option<Box<Paused>>,
+    /// Events of the present instant have been recorded: they come again with forces that are found again.
+    told: bool,
     keeper: repeat::Keeper,
 }
 
@@ -165,6 +178,8 @@ impl Drive {
             saved: Instant::now(),
             saving: Duration::ZERO,
             standing: false,
+            paused: None,
+            told: false,
             keeper: repeat::Keeper::default(),
         })
     }
@@ -186,8 +201,6 @@ impl Drive {
     /// The name or the value ([`SteerError`]), the disk.
     pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), DriveError> {
         self.simulation.steer(name, to)?;
-        // The present forces are those of the value before.
-        self.standing = false;
         let (step, time) = (self.simulation.steps(), self.simulation.time());
         if let Some(recorder) = &mut self.recorder {
             let mut event = serde_json::json!({
@@ -199,6 +212,14 @@ impl Drive {
             }
             recorder.folder.event(&event)?;
         }
+        // The present forces are those of the value before: they are found again from where they were found first.
+        if let Some(mut paused) = self.paused.take() {
+            paused.snapshot.steer(name, to)?;
+            self.simulation.restore(paused.snapshot);
+            self.paused = Some(self.pause());
+            self.told = true;
+        }
+        self.standing = false;
         Ok(())
     }
 
@@ -228,11 +249,25 @@ impl Drive {
     }
 
     fn save(&mut self, packing: Packing) -> Result<(), OutputError> {
-        let watches = self.watches();
-        match &mut self.recorder {
-            Some(recorder) => recorder.checkpoint(&self.simulation, watches, packing),
-            None => Ok(()),
+        let Some(recorder) = &mut self.recorder else {
+            return Ok(());
+        };
+        if let Some(Paused { snapshot, watches, recorded: Some(recorded) }) = self.paused.as_deref()
+        {
+            return recorder.checkpoint(snapshot.as_ref(), watches, recorded, packing);
         }
+        let watches: Vec<Watch> = self.watched.iter().map(|w| w.watch.clone()).collect();
+        let recorded = recorder.recorded(self.simulation.steps());
+        recorder.checkpoint(self.simulation.snapshot_ref(), &watches, &recorded, packing)
+    }
+
+    fn pause(&self) -> Box<Paused> {
+        let step = self.simulation.steps();
+        Box::new(Paused {
+            snapshot: self.simulation.snapshot(),
+            watches: self.watches(),
+            recorded: self.recorder.as_ref().map(|recorder| recorder.recorded(step)),
+        })
     }
 
     /// Goes on to the pause (then `None`), to the end of the plan, until stopped, or until the physics gives up.
@@ -297,6 +332,8 @@ impl Drive {
             } else {
                 // Before the forces: what they set up for the coming step would have to be kept else.
                 self.keeper.keep(&self.simulation);
+                let reached = pause.reached(&self.simulation);
+                self.paused = reached.then(|| self.pause());
                 let stage = match self.simulation.prepare() {
                     Ok(stage) => stage,
                     Err(mut error) => {
@@ -308,18 +345,23 @@ impl Drive {
                         return Ok(Some(Ending::Unstable(error)));
                     }
                 };
+                if std::mem::take(&mut self.told) {
+                    self.simulation.take_events(true);
+                }
                 self.observe(stage)?;
                 if stage != Stage::Within {
+                    self.paused = None;
                     if self.phase_end(stage, look)? {
                         return Ok(Some(Ending::Finished));
                     }
                     continue;
                 }
-                if pause.reached(&self.simulation) {
+                if reached {
                     self.standing = true;
                     return Ok(None);
                 }
             }
+            self.paused = None;
             self.simulation.step();
             if self.after_step(look)? == Control::Stop {
                 return Ok(Some(Ending::Stopped));

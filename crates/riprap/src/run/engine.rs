@@ -91,6 +91,28 @@ pub enum State {
     Spatial(Box<spatial::world::World>),
 }
 
+impl State {
+    /// The same, to be written.
+    #[must_use]
+    pub fn as_ref(&self) -> StateRef<'_> {
+        match self {
+            Self::Planar(world) => StateRef::Planar(world),
+            Self::Spatial(world) => StateRef::Spatial(world),
+        }
+    }
+
+    /// Gives a load or a support another value.
+    ///
+    /// # Errors
+    /// A name of nothing, a value that it does not take.
+    pub(super) fn steer(&mut self, name: &str, to: Steered) -> Result<(), SteerError> {
+        match self {
+            Self::Planar(world) => steer::planar(world, name, to),
+            Self::Spatial(world) => steer::spatial(world, name, to),
+        }
+    }
+}
+
 /// A [`State`] to be written, of which nothing is copied: the same variants in the same order.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub enum StateRef<'a> {
@@ -192,6 +214,14 @@ impl Engine {
                 Self::Spatial(Box::new(Spatial { world: *world, scratch }))
             }
         }
+    }
+
+    /// Goes to a state of this model; timers go on.
+    pub fn restore(&mut self, state: State) {
+        let exec = either!(self, e => std::mem::replace(&mut e.scratch.exec, Exec::serial()));
+        let mut there = Self::resume(state, exec);
+        std::mem::swap(there.timers(), self.timers());
+        *self = there;
     }
 
     /// Which engine it is.
@@ -554,6 +584,10 @@ impl Engine {
     /// Kinetic and stored energy at the start, once known.
     pub fn start_energy(&mut self) -> &mut Option<f64> {
         either!(self, e => &mut e.world.start_energy)
+    }
+
+    fn timers(&mut self) -> &mut Profile {
+        either!(self, e => &mut e.scratch.profile)
     }
 
     /// Stage times.

@@ -326,27 +326,35 @@ impl Recorder {
         }
     }
 
-    /// Writes a checkpoint of the present state and of the checks.
+    /// What has been recorded until now, as a checkpoint of a step holds it.
+    #[must_use]
+    pub fn recorded(&self, step: u64) -> Recorded {
+        Recorded { marks: self.folder.marks(step), counts: self.counts.clone() }
+    }
+
+    /// Writes a checkpoint of a state and of the checks.
     ///
     /// # Errors
     /// The disk.
     pub fn checkpoint(
         &mut self,
-        simulation: &Simulation,
-        watches: Vec<Watch>,
+        snapshot: SnapshotRef<'_>,
+        watches: &[Watch],
+        recorded: &Recorded,
         packing: Packing,
     ) -> Result<(), OutputError> {
-        let step = simulation.steps();
-        let value = CheckpointRef {
-            origin: &self.origin,
-            snapshot: simulation.snapshot_ref(),
-            marks: &self.folder.marks(step),
-            counts: &self.counts,
-            watches: &watches,
-        };
-        self.folder.checkpoint_as(KIND, step, &value, packing)?;
+        let Recorded { marks, counts } = recorded;
+        let value = CheckpointRef { origin: &self.origin, snapshot, marks, counts, watches };
+        self.folder.checkpoint_as(KIND, marks.step, &value, packing)?;
         Ok(())
     }
+}
+
+/// How far the records of a run have come.
+#[derive(Clone, Debug)]
+pub struct Recorded {
+    marks: Marks,
+    counts: Counts,
 }
 
 /// The phases, each with the water table that stands in it: one that a phase sets stays until another one is set.

@@ -91,6 +91,16 @@ impl Simulation {
         Self::at(plan, cursor, Engine::resume(state, exec))
     }
 
+    /// Goes back to a snapshot of this run.
+    pub(crate) fn restore(&mut self, snapshot: Snapshot) {
+        let Snapshot { plan, cursor, state } = snapshot;
+        (self.plan, self.cursor) = (plan, cursor);
+        self.engine.restore(state);
+        self.standing = false;
+        self.stable = None;
+        self.reason = None;
+    }
+
     /// What a checkpoint holds. A run goes on from it with the same bits where it is taken between a step and the next
     /// [`Simulation::prepare`], or at the end of a phase.
     #[must_use]

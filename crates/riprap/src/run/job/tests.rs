@@ -272,3 +272,41 @@ fn checks_of_a_phase() {
     assert!(right.iter().all(|c| c.status == Status::Passed), "{right:?}");
     assert_eq!(wrong.status, Status::Failed);
 }
+
+/// A pause within a phase has found the forces of its instant: found again after a restart they began with what the first time had left, and
+/// a blast that was closed there went on with other bits.
+#[cfg(feature = "scenario")]
+#[test]
+fn a_run_that_is_closed_at_a_pause_goes_on_with_the_same_bits() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let changes = [
+        ("phases.0.until.time".to_owned(), "0.1 ms".to_owned()),
+        ("outputs.1.history.every".to_owned(), "1 us".to_owned()),
+    ];
+    let scene = crate::run::scene::Scene::load(&root.join("scenes/spatial/blast.toml"), &changes)
+        .unwrap_or_else(|wrong| panic!("{}", wrong.render()));
+    let folder = tempfile::tempdir().unwrap();
+    let run = |name: &str, pauses: &[u64]| {
+        let folder = folder.path().join(name);
+        let job = scene.prepare(&scene.plain()).unwrap_or_else(|w| panic!("{}", w.render())).job();
+        let mut live = Live::begin(job, &folder, Existing::Refuse, 1).unwrap();
+        for step in pauses {
+            let pause = Pause { step: Some(*step), time: None };
+            assert!(live.advance(pause, &mut |_| Control::Continue).unwrap().is_none());
+            live.close().unwrap();
+            live = Live::reopen(&folder, 1).unwrap();
+        }
+        let outcome = live.finish(&mut |_| Control::Continue).unwrap();
+        let read = |file: &str| std::fs::read_to_string(folder.join(file)).unwrap_or_default();
+        (
+            outcome.manifest.state_hash,
+            read("histories.csv"),
+            read("events.jsonl"),
+            read("energy.csv"),
+        )
+    };
+    let whole = run("whole", &[]);
+    assert!(whole.1.lines().count() > 20, "{}", whole.1);
+    assert_eq!(run("one", &[1]), whole);
+    assert_eq!(run("three", &[3, 11, 20]), whole);
+}

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::ledger::Unexplained;
 use crate::plan::Plan;
+use crate::run::engine::steer::{SteerError, Steered};
 use crate::run::engine::{Stable, State, StateRef, View};
 
 /// Where in the plan a run is.
@@ -335,6 +336,20 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
+    /// The same, to be written.
+    #[must_use]
+    pub fn as_ref(&self) -> SnapshotRef<'_> {
+        SnapshotRef { plan: &self.plan, cursor: &self.cursor, state: self.state.as_ref() }
+    }
+
+    /// Gives a load or a support another value.
+    ///
+    /// # Errors
+    /// A name of nothing, a value that it does not take.
+    pub(crate) fn steer(&mut self, name: &str, to: Steered) -> Result<(), SteerError> {
+        self.state.steer(name, to)
+    }
+
     /// Looks at the numbers that stand for blocks, rows, nodes and phases.
     ///
     /// # Errors

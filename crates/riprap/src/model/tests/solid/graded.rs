@@ -42,7 +42,7 @@ fn charges_have_room_in_graded_cells() {
     assert!(model.summary.fitted[0].contains(&format!("{count} graded cells")));
     let from = model.explained.iter().find(|e| e.key.ends_with("graded.from")).unwrap();
     // (6 x 0.016 m3/pi)^(1/3).
-    assert!(from.value.starts_with("0.3125"), "{from:?}");
+    assert!(from.value.starts_with("0.3126"), "{from:?}");
     // Shifted and turned, the room stays where the charge is.
     let turned = graded(KEYS)
         + "shift = [\"1 m\", \"0 m\", \"0 m\"]\nrotate = { axis = [0, 0, 1], angle = \"20 deg\" }\n";
@@ -128,7 +128,11 @@ fn graded_cells_do_not_depend_on_threads() {
         let model = try_solid(&scene).unwrap_or_else(|error| panic!("{error}"));
         let exec = Exec::new(threads).unwrap();
         let mut run = Simulation::new(model.setup, model.plan, exec).unwrap();
-        run.advance(20).unwrap();
+        // A snapshot is exact between a step and the forces of the next.
+        for _ in 0..20 {
+            run.prepare().unwrap();
+            run.step();
+        }
         if stop {
             let bytes = postcard::to_allocvec(&run.snapshot()).unwrap();
             let exec = Exec::new(threads).unwrap();
