@@ -345,11 +345,11 @@ fn uncorrelate(columns: &mut [Vec<f64>]) {
     let Ok(factor) = cholesky(&chance) else {
         return;
     };
-    for i in 0..n {
+    for (i, row) in factor.iter().enumerate() {
         let (before, from) = columns.split_at_mut(i);
         for (k, z) in from[0].iter_mut().enumerate() {
-            let others: f64 = (0..i).map(|j| factor[i][j] * before[j][k]).sum();
-            *z = (*z - others) / factor[i][i];
+            let others: f64 = row.iter().zip(before.iter()).map(|(share, of)| share * of[k]).sum();
+            *z = (*z - others) / row[i];
         }
     }
 }

@@ -97,6 +97,9 @@ pub struct Tornado {
     pub swings: Vec<(String, [f64; 2])>,
 }
 
+/// Causes of a result, the one with the longest bar first.
+type Bars<'a> = Vec<&'a (String, [f64; 2])>;
+
 /// Bars of one result at most.
 const BARS: usize = 12;
 const LEFT: f64 = 260.0;
@@ -115,11 +118,11 @@ const FRAME: f64 = 76.0;
 /// No results; files that cannot be written.
 pub fn tornado(title: &str, results: &[Tornado], out: &Path) -> Result<Vec<PathBuf>, PlotError> {
     let finite = |[low, high]: &[f64; 2]| low.is_finite() && high.is_finite();
-    let results: Vec<(&Tornado, Vec<&(String, [f64; 2])>)> = results
+    let results: Vec<(&Tornado, Bars<'_>)> = results
         .iter()
         .filter(|of| of.swings.iter().any(|(_, swing)| finite(swing) && swing[0] != swing[1]))
         .map(|of| {
-            let mut bars: Vec<_> = of.swings.iter().filter(|(_, swing)| finite(swing)).collect();
+            let mut bars: Bars<'_> = of.swings.iter().filter(|(_, swing)| finite(swing)).collect();
             let length = |swing: &[f64; 2]| (swing[1] - swing[0]).abs();
             bars.sort_by(|a, b| length(&b.1).total_cmp(&length(&a.1)));
             bars.truncate(BARS);

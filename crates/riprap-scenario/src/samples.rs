@@ -16,6 +16,9 @@ use super::units::{self, Dim};
 use super::vectors::InSpace;
 use crate::language::Space;
 
+/// A unit with its SI value.
+type Unit = (String, f64);
+
 /// A key with the distribution of its values, ready to be drawn from.
 struct Variable<'a> {
     key: &'a Name,
@@ -23,7 +26,7 @@ struct Variable<'a> {
     /// Shares between which the distribution is cut off.
     shares: [f64; 2],
     /// The unit that the scene gives values in, and its SI value; none for plain numbers.
-    unit: Option<(String, f64)>,
+    unit: Option<Unit>,
     /// What the key may be.
     kind: Option<KindInfo>,
 }
@@ -154,7 +157,7 @@ fn distribution(
     folder: &Path,
     said: &RandomValue,
     dim: Dim,
-) -> Result<(Distribution, Option<(String, f64)>), Box<Diagnostic>> {
+) -> Result<(Distribution, Option<Unit>), Box<Diagnostic>> {
     let unit = |of: &Quantity<Any>| of.unit().map(|(unit, one)| (unit.to_owned(), one));
     let moments = |said: &Moments| {
         let mean = said.mean.si();
@@ -287,8 +290,8 @@ mod tests {
             (angle("normal = { mean = \"30 deg\" }"), ten, "deviation"),
             (angle("csv = { file = \"none.csv\", column = \"phi\" }"), ten, "none.csv"),
             (angle("uniform = [\"20 deg\", \"30 deg\"]"), "samples = 0", "from 2 to 10000"),
-            (format!("\"interfaces.default.frction\" = {{ whole = [1, 2] }}"), ten, "there is no"),
-            (format!("\"blocks.stone.material\" = {{ whole = [1, 2] }}"), ten, "text"),
+            ("\"interfaces.default.frction\" = { whole = [1, 2] }".to_owned(), ten, "there is no"),
+            ("\"blocks.stone.material\" = { whole = [1, 2] }".to_owned(), ten, "text"),
         ] {
             let found = wrong(&distributions, monte_carlo);
             assert!(found.contains(words), "{distributions}: {found}");

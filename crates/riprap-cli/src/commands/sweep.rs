@@ -220,7 +220,7 @@ fn words(summary: &Summary) -> String {
     let (all, finished) = (summary.samples, summary.finished);
     match &summary.failure {
         Some(Failures { failed, probability, interval: [low, high], .. }) => {
-            let [p, low, high] = [*probability, *low, *high].map(|share| percent(share));
+            let [p, low, high] = [*probability, *low, *high].map(percent);
             text.push_str(&format!(
                 "{failed} of {finished} samples fail: probability of failure {p} (95 %: {low} to {high})\n"
             ));

@@ -29,9 +29,9 @@ pub struct Brick {
 #[serde(rename_all = "snake_case")]
 pub enum Grid {
     /// A box of bricks; x runs fastest, then y, then z.
-    Box(GridBox),
+    Box(Box<GridBox>),
     /// A box or a disk divided into convex cells: a turned lattice, or random ones.
-    Cells(GridCells),
+    Cells(Box<GridCells>),
 }
 
 /// A box divided into the Voronoi cells of points: of a square lattice with `turned` or `site`, random ones otherwise. A box

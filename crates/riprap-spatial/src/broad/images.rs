@@ -115,7 +115,7 @@ mod tests {
             let roles: Vec<Role> = (0..count)
                 .map(|k| [Role::Active, Role::Passive, Role::Active, Role::Absent][k % 4])
                 .collect();
-            let odd = |key: &PairKey| (key.ends[0] + key.ends[1]) % 5 == 0;
+            let odd = |key: &PairKey| (key.ends[0] + key.ends[1]).is_multiple_of(5);
             let reach = periods.map(|period| if period.is_some() { 14 } else { 0 });
             let mut wanted = Vec::new();
             for i in 0..count {

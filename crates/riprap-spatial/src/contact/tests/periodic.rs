@@ -8,6 +8,7 @@ use crate::contact::release::release_pairs;
 use crate::kernel::{Image, PairKey};
 use crate::rigid::implicit::choose;
 use crate::setup::{BlockSpec, Setup};
+use crate::state::found::FoundPair;
 use crate::state::patches::flag;
 
 /// Blocks in the air without weight; the first one is the floor, far below.
@@ -222,7 +223,7 @@ fn a_joint_across_the_ends_hands_over_to_its_image() {
         run.world.bodies.displacement[0][upper] = depth;
         run.evaluate();
         let pairs = &run.world.found.pairs;
-        assert_eq!(pairs.iter().map(|p| p.key()).collect::<Vec<PairKey>>(), [outer]);
+        assert_eq!(pairs.iter().map(FoundPair::key).collect::<Vec<PairKey>>(), [outer]);
         let toward = if upper == 2 { -1.0 } else { 1.0 };
         let force = pairs[0].force().x;
         assert!((force / (toward * 1e9 * depth) - 1.0).abs() < 1e-2, "{force}");

@@ -11,7 +11,8 @@ use super::shapes::{MOST_CELLS, box_of, whole};
 use super::turn::Turn;
 use crate::model::builder::Builder;
 use crate::scenario::language::{
-    Around, Block, CouplingWord, GasCavity, Geometry, Graded, Grid, GridCells, Place, Source,
+    Around, Block, CouplingWord, Explosive, GasCavity, Geometry, Graded, Grid, GridCells, Place,
+    Source,
 };
 use crate::scenario::quantity::Span;
 use crate::scenario::read::{Provenance, with_unit};
@@ -143,7 +144,7 @@ impl Builder<'_> {
     /// The place of a charge, and the room that it needs.
     fn room_of(&mut self, name: &Name, gas: &GasCavity, places: &mut Places) -> Option<()> {
         // What is missing is reported by the rules of the language, or with the source.
-        let density = self.explosive(gas).and_then(|explosive| explosive.charge_density());
+        let density = self.explosive(gas).and_then(Explosive::charge_density);
         let decoupled = matches!(&gas.coupling, Some(WordOr::Word(CouplingWord::Decoupled, _)));
         let mut enter = |name: String, span: Span, from: Vec3, to: Vec3, mass: Option<f64>| {
             places.finest.push(Finest::Segment(from, to));
