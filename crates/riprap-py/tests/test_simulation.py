@@ -183,7 +183,7 @@ def servo(out=None, gain=20.0):
         pushed = 0.0
         while sim.advance(steps=50):
             error = 0.2 - sim.value("block.velocity.x", of="stone").value
-            pushed = pushed + gain * error * 50 * sim.dt
+            pushed = pushed + 10.0 * gain * error * 50 * sim.dt
             sim.steer("push", factor=pushed + gain * error)
         speed = sim.value("block.velocity.x", of="stone").value
         return speed, pushed, sim.state_hash, sim.value("energy.residual_relative").value
@@ -209,7 +209,7 @@ def test_a_support_is_steered_by_its_velocity():
         assert abs(sim.value("block.velocity.x", of="stone").value - 0.1) < 1e-3
         assert abs(sim.value("block.displacement.x", of="table").value - 0.1) < 1e-3
         for name, options, words in [
-            ("pull", {"factor": 1.0}, "did you mean"),
+            ("pushh", {"factor": 1.0}, "did you mean"),
             ("table", {"factor": 1.0}, "is a support"),
             ("push", {"velocity": (1.0, 0.0)}, "is a load"),
             ("push", {"factor": math.nan}, "not finite"),

@@ -12,7 +12,7 @@
 //!   between them is left out.
 //!
 //! This says nothing of blocks that are apart: their listed planes alone can have a point in common far away from both.
-//! Whether two blocks touch is asked of all their planes ([`crate::kernel::peak()`]).
+//! Whether two blocks touch is asked of all their planes ([`crate::kernel::peak::peak()`]).
 
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
