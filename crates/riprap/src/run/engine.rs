@@ -11,7 +11,6 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 pub use reading::Reading;
-use steer::{SteerError, Steered};
 pub use view::{Drawn, Movement, View};
 
 use crate::exec::Exec;
@@ -98,17 +97,6 @@ impl State {
         match self {
             Self::Planar(world) => StateRef::Planar(world),
             Self::Spatial(world) => StateRef::Spatial(world),
-        }
-    }
-
-    /// Gives a load or a support another value.
-    ///
-    /// # Errors
-    /// A name of nothing, a value that it does not take.
-    pub(super) fn steer(&mut self, name: &str, to: Steered) -> Result<(), SteerError> {
-        match self {
-            Self::Planar(world) => steer::planar(world, name, to),
-            Self::Spatial(world) => steer::spatial(world, name, to),
         }
     }
 }
@@ -543,17 +531,6 @@ impl Engine {
             }
         }
         Ok(())
-    }
-
-    /// Gives a load or a support another value from now on; forces must be re-evaluated afterwards.
-    ///
-    /// # Errors
-    /// A name of nothing, a value that it does not take.
-    pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), SteerError> {
-        match self {
-            Self::Planar(e) => steer::planar(&mut e.world, name, to),
-            Self::Spatial(e) => steer::spatial(&mut e.world, name, to),
-        }
     }
 
     /// Takes what has happened since the last look, one JSON object each: joints broken, blocks split or

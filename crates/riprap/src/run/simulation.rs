@@ -12,6 +12,7 @@ mod ends;
 mod error;
 mod noted;
 mod shorter;
+mod steer;
 mod stop;
 #[cfg(all(test, feature = "scenario"))]
 mod tests;
@@ -23,7 +24,6 @@ pub use cursor::{
 pub use error::RunError;
 
 use self::shorter::Shorter;
-use super::engine::steer::{SteerError, Steered};
 use super::engine::{BuildError, Engine, Kind, Stable, View};
 use crate::exec::Exec;
 use crate::ledger::Balance;
@@ -89,16 +89,6 @@ impl Simulation {
     pub fn resume(snapshot: Snapshot, exec: Exec) -> Self {
         let Snapshot { plan, cursor, state } = snapshot;
         Self::at(plan, cursor, Engine::resume(state, exec))
-    }
-
-    /// Goes back to a snapshot of this run.
-    pub(crate) fn restore(&mut self, snapshot: Snapshot) {
-        let Snapshot { plan, cursor, state } = snapshot;
-        (self.plan, self.cursor) = (plan, cursor);
-        self.engine.restore(state);
-        self.standing = false;
-        self.stable = None;
-        self.reason = None;
     }
 
     /// What a checkpoint holds. A run goes on from it with the same bits where it is taken between a step and the next
@@ -296,56 +286,6 @@ impl Simulation {
     /// Takes what has happened since the last look; `again`: the step has been looked at before.
     pub fn take_events(&mut self, again: bool) -> Vec<serde_json::Value> {
         self.engine.take_events(again)
-    }
-
-    /// Gives a load or a support that the scene names another value from the present instant on, in place of its function of time. The
-    /// same changes at the same steps give the same bits.
-    ///
-    /// # Errors
-    /// A name of nothing, a value that it does not take.
-    ///
-    /// # Examples
-    ///
-    /// ```
-    /// use riprap::run::engine::steer::Steered;
-    /// use riprap::run::simulation::Simulation;
-    ///
-    /// let mut simulation = Simulation::from_toml(
-    ///     r#"
-    ///     riprap = 1
-    ///     title = "a pushed stone"
-    ///     [space.planar]
-    ///     gravity = ["0 m/s2", "0 m/s2"]
-    ///     [materials.rock]
-    ///     density = "2500 kg/m3"
-    ///     [interfaces.default]
-    ///     normal_stiffness = "1 GPa/m"
-    ///     friction_angle = "30 deg"
-    ///     [[blocks]]
-    ///     name = "stone"
-    ///     material = "rock"
-    ///     rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "0 m"] }
-    ///     [[loads]]
-    ///     name = "push"
-    ///     on.block = "stone"
-    ///     point = { force = ["2500 N/m", "0 N/m"] }
-    ///     [[phases]]
-    ///     name = "go"
-    ///     until = { time = "1 s" }
-    ///     time_step = "1 ms"
-    ///     "#,
-    /// )?;
-    /// // One metre per second squared, then nothing.
-    /// simulation.advance(100)?;
-    /// simulation.steer("push", Steered::Factor(0.0))?;
-    /// simulation.run()?;
-    /// assert!((simulation.field("block.velocity.x", &["stone"])? - 0.1).abs() < 1e-3);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), SteerError> {
-        self.engine.steer(name, to)?;
-        self.standing = false;
-        Ok(())
     }
 
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.

@@ -3,6 +3,7 @@
 use riprap_core::accounts::{Condition, Holder};
 use thiserror::Error;
 
+use super::{Engine, State};
 use crate::dynamics::TimeFunction;
 use crate::record::field::nearest;
 use crate::{planar, spatial};
@@ -64,15 +65,13 @@ pub enum SteerError {
     },
 }
 
-/// What is to be changed.
-enum Aim {
-    /// Loads on this account.
-    Loads(u16, f64),
-    /// The support of this number.
-    Support(usize, [f64; 3]),
-}
-
-fn aim(accounts: &[Condition], name: &str, to: Steered) -> Result<Aim, SteerError> {
+/// Changes the loads of that name; of a support gives its number and the velocity.
+fn change<'a>(
+    accounts: &[Condition],
+    loads: impl Iterator<Item = (Option<u16>, &'a mut TimeFunction)>,
+    name: &str,
+    to: Steered,
+) -> Result<Option<(usize, [f64; 3])>, SteerError> {
     let own = || name.to_owned();
     let finite = match to {
         Steered::Factor(factor) => factor.is_finite(),
@@ -83,14 +82,16 @@ fn aim(accounts: &[Condition], name: &str, to: Steered) -> Result<Aim, SteerErro
     }
     let Some(at) = accounts.iter().position(|of| of.name == name) else {
         let known = accounts.iter().map(|of| of.name.as_str());
-        return Err(SteerError::Unknown {
-            name: own(),
-            near: nearest(name, known).map(str::to_owned),
-        });
+        let near = nearest(name, known).map(str::to_owned);
+        return Err(SteerError::Unknown { name: own(), near });
     };
     match (accounts[at].holder, to) {
-        (Holder::Load, Steered::Factor(factor)) => Ok(Aim::Loads(at as u16, factor)),
-        (Holder::Support(k), Steered::Velocity(v)) => Ok(Aim::Support(usize::from(k), v)),
+        (Holder::Load, Steered::Factor(factor)) => {
+            let of_name = loads.filter(|(account, _)| account.map(usize::from) == Some(at));
+            of_name.for_each(|(_, time)| *time = TimeFunction::Constant(factor));
+            Ok(None)
+        }
+        (Holder::Support(k), Steered::Velocity(v)) => Ok(Some((usize::from(k), v))),
         (Holder::Load, Steered::Velocity(_)) => {
             Err(SteerError::Other { name: own(), word: "load", by: "a factor" })
         }
@@ -117,64 +118,70 @@ fn prescribe(
     Ok(())
 }
 
-/// In the plane.
-pub(super) fn planar(
-    world: &mut planar::world::World,
-    name: &str,
-    to: Steered,
-) -> Result<(), SteerError> {
-    use planar::setup::Motion;
-    let (support, velocity) = match aim(&world.setup.accounts, name, to)? {
-        Aim::Loads(account, factor) => {
-            let loads = world.setup.loads.iter_mut().filter(|load| load.account == Some(account));
-            loads.for_each(|load| load.time = TimeFunction::Constant(factor));
-            return Ok(());
-        }
-        Aim::Support(support, velocity) => (support, velocity),
-    };
-    let set = |motion: &mut Motion| match motion {
-        Motion::Velocity { x, y, .. } => prescribe(&mut [x, y], velocity, name),
-        Motion::Fixed { .. } | Motion::Acceleration { .. } => prescribe(&mut [], velocity, name),
-    };
-    set(&mut world.setup.supports[support].motion)?;
-    for b in world.held_by(support) {
-        if let Some(motion) = &mut world.motion[b] {
-            set(motion)?;
+impl Engine {
+    /// Gives a load or a support another value from now on; forces must be re-evaluated afterwards.
+    ///
+    /// # Errors
+    /// A name of nothing, a value that it does not take.
+    pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), SteerError> {
+        match self {
+            Self::Planar(e) => planar(&mut e.world, name, to),
+            Self::Spatial(e) => spatial(&mut e.world, name, to),
         }
     }
-    Ok(())
 }
 
-/// In space.
-pub(super) fn spatial(
-    world: &mut spatial::world::World,
-    name: &str,
-    to: Steered,
-) -> Result<(), SteerError> {
-    use spatial::setup::Motion;
-    let (support, velocity) = match aim(&world.setup.accounts, name, to)? {
-        Aim::Loads(account, factor) => {
-            let loads = world.setup.loads.iter_mut().filter(|load| load.account == Some(account));
-            loads.for_each(|load| load.time = TimeFunction::Constant(factor));
-            return Ok(());
+impl State {
+    /// Gives a load or a support another value.
+    ///
+    /// # Errors
+    /// A name of nothing, a value that it does not take.
+    pub(in crate::run) fn steer(&mut self, name: &str, to: Steered) -> Result<(), SteerError> {
+        match self {
+            Self::Planar(world) => planar(world, name, to),
+            Self::Spatial(world) => spatial(world, name, to),
         }
-        Aim::Support(support, velocity) => (support, velocity),
+    }
+}
+
+fn planar(world: &mut planar::world::World, name: &str, to: Steered) -> Result<(), SteerError> {
+    use planar::setup::Motion;
+    let loads = world.setup.loads.iter_mut().map(|load| (load.account, &mut load.time));
+    let Some((k, velocity)) = change(&world.setup.accounts, loads, name, to)? else {
+        return Ok(());
     };
-    let set = |motion: &mut Motion| match motion {
+    let mut held = world.held_by(k);
+    held.sort_unstable();
+    let of_blocks = world.motion.iter_mut().enumerate();
+    let of_blocks = of_blocks
+        .filter(|(b, _)| held.binary_search(b).is_ok())
+        .filter_map(|(_, m)| m.as_deref_mut());
+    let own = std::iter::once(&mut world.setup.supports[k].motion);
+    own.chain(of_blocks).try_for_each(|motion| match motion {
+        Motion::Velocity { x, y, .. } => prescribe(&mut [x, y], velocity, name),
+        Motion::Fixed { .. } | Motion::Acceleration { .. } => prescribe(&mut [], velocity, name),
+    })
+}
+
+fn spatial(world: &mut spatial::world::World, name: &str, to: Steered) -> Result<(), SteerError> {
+    use spatial::setup::Motion;
+    let loads = world.setup.loads.iter_mut().map(|load| (load.account, &mut load.time));
+    let Some((k, velocity)) = change(&world.setup.accounts, loads, name, to)? else {
+        return Ok(());
+    };
+    let held: Vec<usize> = world.held_by(k).collect();
+    if held.iter().any(|b| world.deforms(*b)) {
+        return Err(SteerError::Nodes { name: name.to_owned() });
+    }
+    let of_blocks = world.motion.iter_mut().enumerate();
+    let of_blocks = of_blocks
+        .filter(|(b, _)| held.binary_search(b).is_ok())
+        .filter_map(|(_, m)| m.as_deref_mut());
+    let own = std::iter::once(&mut world.setup.supports[k].motion);
+    own.chain(of_blocks).try_for_each(|motion| match motion {
         Motion::Velocity { translation: [x, y, z], .. } => {
             prescribe(&mut [x, y, z], velocity, name)
         }
         Motion::Fixed { .. } | Motion::Acceleration { .. } => prescribe(&mut [], velocity, name),
-    };
-    let held: Vec<usize> = world.held_by(support).collect();
-    if held.iter().any(|b| world.deforms(*b)) {
-        return Err(SteerError::Nodes { name: name.to_owned() });
-    }
-    set(&mut world.setup.supports[support].motion)?;
-    for b in held {
-        if let Some(motion) = &mut world.motion[b] {
-            set(motion)?;
-        }
-    }
-    Ok(())
+    })
 }
