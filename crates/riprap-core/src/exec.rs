@@ -131,7 +131,8 @@ impl Exec {
         let mut exec = Self::new(threads)?;
         // Work is cut alike on all, whatever machine each is on.
         let most = peers.gather((exec.threads as u64).to_le_bytes().to_vec()).map(|all| {
-            let number = |m: &Vec<u8>| m.as_chunks().0.first().map_or(1, |b| u64::from_le_bytes(*b));
+            let number =
+                |m: &Vec<u8>| m.as_chunks().0.first().map_or(1, |b| u64::from_le_bytes(*b));
             all.iter().map(|m| number(m)).max().unwrap_or(1)
         });
         exec.workers = peers.size() * most.unwrap_or(1) as usize;

@@ -35,6 +35,23 @@ pub trait Link: Debug + Send + Sync {
     /// # Errors
     /// The other rank is gone.
     fn receive(&self, from: usize) -> Result<Message, Gone>;
+
+    /// Sends `to[r]` to each rank r and waits for the message of each; its own for this one.
+    ///
+    /// # Errors
+    /// The number of a rank that is gone.
+    fn exchange(&self, to: &[Message]) -> Result<Vec<Message>, usize> {
+        let (rank, size) = (self.rank(), self.size());
+        // Not all to rank 0 first.
+        for other in (1..size).map(|k| (rank + k) % size) {
+            self.send(other, &to[other]).map_err(|Gone| other)?;
+        }
+        let from = |other: usize| match other == rank {
+            true => Ok(to[rank].clone()),
+            false => self.receive(other).map_err(|Gone| other),
+        };
+        (0..size).map(from).collect()
+    }
 }
 
 /// The other rank no longer answers.
@@ -46,7 +63,7 @@ pub struct Gone;
 pub enum Trouble {
     /// A rank has ended.
     #[error(
-        "rank {rank} of {size} has ended (it was killed, ran out of memory, or its machine is gone); the last checkpoint is whole"
+        "rank {rank} of {size} no longer answers; what it wrote before it ended says why, if anything does; the last checkpoint is whole"
     )]
     Gone {
         /// Which.
@@ -86,8 +103,10 @@ pub struct Traffic {
     pub messages: u64,
     /// Bytes in them.
     pub bytes: u64,
-    /// Time spent waiting for others.
+    /// Time spent sending and waiting for others.
     pub waiting: Duration,
+    /// Number of ranks.
+    pub ranks: usize,
 }
 
 #[derive(Debug, Default)]
@@ -131,7 +150,7 @@ impl Peers {
     /// What this rank has sent so far.
     #[must_use]
     pub fn traffic(&self) -> Traffic {
-        self.state().traffic
+        Traffic { ranks: self.size(), ..self.state().traffic }
     }
 
     /// The message of each rank to all, in the order of the ranks; `None` once there is trouble.
@@ -149,24 +168,17 @@ impl Peers {
     #[must_use]
     pub fn exchange(&self, to: Vec<Message>) -> Option<Vec<Message>> {
         assert_eq!(to.len(), self.size(), "a message for each rank");
-        let (rank, size) = (self.rank(), self.size());
         if self.state().trouble.is_some() {
             return None;
         }
-        // Not all to rank 0 first.
-        for other in (1..size).map(|k| (rank + k) % size) {
-            let sent = self.link.send(other, &to[other]);
-            self.book(&to[other]);
-            self.noted(other, sent)?;
-        }
         let begun = Instant::now();
-        let mut from = Vec::with_capacity(size);
-        for (other, own) in to.into_iter().enumerate() {
-            let message = if other == rank { Ok(own) } else { self.link.receive(other) };
-            from.push(self.noted(other, message)?);
+        let from = self.link.exchange(&to);
+        let rank = self.rank();
+        for (_, message) in to.iter().enumerate().filter(|(other, _)| *other != rank) {
+            self.book(message);
         }
         self.state().traffic.waiting += begun.elapsed();
-        Some(from)
+        from.map_err(|rank| self.note(Trouble::Gone { rank, size: self.size() })).ok()
     }
 
     /// What rank 0 says: the others get `order` of rank 0 in place of theirs, which they need not have; `None` once there is trouble.
@@ -359,7 +371,9 @@ mod tests {
             peers.trouble()
         });
         assert_eq!(troubles[0], Some(Trouble::Gone { rank: 1, size: 3 }));
-        assert!(troubles[0].as_ref().unwrap().to_string().starts_with("rank 1 of 3 has ended"));
+        assert!(
+            troubles[0].as_ref().unwrap().to_string().starts_with("rank 1 of 3 no longer answers")
+        );
         let troubles = each(3, |peers| {
             peers.agree("the state", if peers.rank() == 2 { "b" } else { "a" });
             peers.trouble().map(|t| t.to_string())
