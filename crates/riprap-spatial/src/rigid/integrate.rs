@@ -88,7 +88,7 @@ pub(crate) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
     let turning = match &mut scratch.share {
         Some(share) if world.implicit.is_none() => {
             share.book(spent);
-            share.motion(&scratch.tiles, world, turning)
+            share.motion(&scratch.tiles, world, (dt, turning))
         }
         _ => turning,
     };

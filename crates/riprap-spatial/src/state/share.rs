@@ -24,6 +24,7 @@ use riprap_geom::{Quat, Vec3};
 
 use crate::accounts::Account;
 use crate::ledger::Works;
+use crate::setup::rotation::rotation_vector;
 use crate::state::bodies::{Bodies, Turned};
 use crate::state::cuts::Cuts;
 use crate::state::face::Face;
@@ -259,16 +260,21 @@ impl Share {
         list.map(|(p, _)| Remembered::of(patches, p)).collect()
     }
 
-    /// Gives the motion of all blocks to all, and ends the step: the model is cut again where ranks are out of balance. Whether a block has
-    /// turned far.
-    pub(crate) fn motion(&mut self, tiles: &Tiles, world: &mut World, turning: bool) -> bool {
+    /// Gives the motion of all blocks in a step of `dt` (s) to all, and ends the step: the model is cut again where ranks are out of balance.
+    /// Whether a block has turned far. Velocities travel; what follows from them is found again, by the operations of
+    /// [`crate::rigid::integrate`].
+    pub(crate) fn motion(
+        &mut self,
+        tiles: &Tiles,
+        world: &mut World,
+        (dt, turning): (f64, bool),
+    ) -> bool {
         let own = self.items(tiles, self.peers.rank(), |tile| &tile.blocks);
         let spent = std::mem::take(&mut self.spent).as_secs_f64();
         let mut times = vec![spent; self.peers.size()];
         let mut message = vec![u8::from(turning)];
         put(&mut message, &[spent]);
-        let Bodies { displacement, velocity } = &world.bodies;
-        for list in displacement.iter().chain(velocity).chain([&world.peak_speed_squared]) {
+        for list in &world.bodies.velocity {
             put(&mut message, &list[own.clone()]);
         }
         for Turned { attitude: q, momentum: l } in world.turned[own].iter().flatten().map(|t| &**t)
@@ -283,9 +289,7 @@ impl Share {
             any |= *turning != 0;
             take(&mut rest, std::slice::from_mut(&mut times[from]));
             let blocks = self.items(tiles, from, |tile| &tile.blocks);
-            let Bodies { displacement, velocity } = &mut world.bodies;
-            let lists = displacement.iter_mut().chain(velocity);
-            for list in lists.chain([&mut world.peak_speed_squared]) {
+            for list in &mut world.bodies.velocity {
                 take(&mut rest, &mut list[blocks.clone()]);
             }
             for turned in world.turned[blocks].iter_mut().flatten() {
@@ -295,12 +299,49 @@ impl Share {
                 let attitude = Quat::from_xyzw(a, b, c, d);
                 **turned = Turned { attitude, momentum: Vec3::from_array(momentum) };
             }
+            for tile in &tiles.list[self.pieces(from)] {
+                for row in &tiles.rows[tile.rows.clone()] {
+                    follow_row(world, row.blocks.clone(), dt);
+                }
+                for b in &tiles.special[tile.special.clone()] {
+                    follow_block(world, *b as usize, dt);
+                }
+            }
         }
         if self.cuts.book(&times) {
             self.list(tiles);
         }
         any
     }
+}
+
+/// Moves a row of blocks of another rank.
+fn follow_row(world: &mut World, row: Range<usize>, dt: f64) {
+    let Bodies { displacement, velocity } = &mut world.bodies;
+    for (u, v) in displacement.iter_mut().zip(&*velocity) {
+        for (u, v) in u[row.clone()].iter_mut().zip(&v[row.clone()]) {
+            *u += dt * *v;
+        }
+    }
+    let [x, y, z, ..] = velocity;
+    for b in row {
+        let square = x[b] * x[b] + y[b] * y[b] + z[b] * z[b];
+        let peak = &mut world.peak_speed_squared[b];
+        *peak = if square > *peak { square } else { *peak };
+    }
+}
+
+/// Moves a single block of another rank.
+fn follow_block(world: &mut World, b: usize, dt: f64) {
+    let (v, w) = (world.bodies.velocity(b), world.bodies.spin(b));
+    let u = world.bodies.displacement(b) + dt * v;
+    let th = match &world.turned[b] {
+        Some(turned) => rotation_vector(turned.attitude),
+        None => world.bodies.rotation(b) + dt * w,
+    };
+    world.bodies.set_displacement(b, u, th);
+    let peak = &mut world.peak_speed_squared[b];
+    *peak = peak.max(v.length_squared());
 }
 
 /// What one of several ranks computes of a model at the start, and sends in a step.
@@ -332,8 +373,8 @@ pub fn parts(world: &World, ranks: usize) -> Vec<Part> {
     }
     let damped = world.classes.iter().any(|class| class.beta > 0.0);
     let sums = if damped { 12 } else { 6 };
-    // Displacement, velocity, peak speed.
-    let motion = 13;
+    // Velocity and spin.
+    let motion = 6;
     let contacts = usize::from(!world.found.pairs.is_empty());
     (0..ranks)
         .map(|rank| {
