@@ -8,7 +8,7 @@ use riprap::record::manifest::{Manifest, Work};
 use riprap::record::table::Table;
 use riprap::record::{RunFolder, checkpoint};
 use riprap::run::drive::{Control, Ending, Look};
-use riprap::run::job::Outcome;
+use riprap::run::job::{Outcome, Sent};
 use riprap::run::simulation::PhaseEnd;
 
 use crate::args::{Resume, Run};
@@ -202,10 +202,10 @@ fn works(manifest: &Manifest) -> String {
 
 /// What the ranks have sent each other.
 fn traffic(outcome: &Outcome) -> String {
-    let Some(sent) = outcome.traffic else {
+    let Some(Sent { traffic: sent, steps, wall_time: wall }) = outcome.sent else {
         return String::new();
     };
-    let (steps, wall) = (outcome.manifest.steps.max(1), outcome.manifest.wall_time);
+    let steps = steps.max(1);
     let waited = if wall > 0.0 { 100.0 * sent.waiting.as_secs_f64() / wall } else { 0.0 };
     format!(
         "ranks: {}; rank 0 sent {} messages and {} a step and waited {} % of the time\n",

@@ -67,7 +67,18 @@ pub struct Outcome {
     /// The ledger where a run stopped before its end, if its forces are known there.
     pub energies: Option<Energies>,
     /// What this rank has sent to others, where there are any.
-    pub traffic: Option<Traffic>,
+    pub sent: Option<Sent>,
+}
+
+/// What a rank has sent since it began or went on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sent {
+    /// Messages and bytes.
+    pub traffic: Traffic,
+    /// Steps.
+    pub steps: u64,
+    /// Wall time, s.
+    pub wall_time: f64,
 }
 
 /// The ledger at one state.
@@ -221,6 +232,8 @@ pub struct Live {
     manifest: Manifest,
     ending: Option<Ending>,
     notes: Vec<String>,
+    /// Steps and wall time (s) of the run when this began.
+    begun: (u64, f64),
 }
 
 impl Live {
@@ -410,7 +423,8 @@ impl Live {
         manifest: Manifest,
     ) -> Result<Self, JobError> {
         let drive = Drive::new(simulation, recorder, watches).map_err(DriveError::from)?;
-        Ok(Self { drive, manifest, ending: None, notes: Vec::new() })
+        let begun = (drive.simulation().steps(), manifest.wall_time);
+        Ok(Self { drive, manifest, ending: None, notes: Vec::new(), begun })
     }
 
     /// The simulation; between two calls of [`Live::advance`] its forces are those of the present positions.
@@ -507,7 +521,11 @@ impl Live {
         let simulation = self.drive.simulation();
         let peers = simulation.engine().exec().peers();
         Ok(Outcome {
-            traffic: peers.map(|peers| peers.traffic()),
+            sent: peers.map(|peers| Sent {
+                traffic: peers.traffic(),
+                steps: manifest.steps - self.begun.0,
+                wall_time: manifest.wall_time - self.begun.1,
+            }),
             energies: balance.map(|balance| energies(simulation, &balance)),
             ending,
             checks,
