@@ -184,6 +184,11 @@ fn the_first_water_works() {
     run_page("first-water.md");
 }
 
+#[test]
+fn the_page_on_many_machines_works() {
+    run_page("scale.md");
+}
+
 /// Pictures that a page's commands made are those that it shows.
 fn keep(folder: &TempDir, pictures: &[&str]) {
     for picture in pictures {
