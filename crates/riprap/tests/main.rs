@@ -18,6 +18,7 @@ mod planar_invariance;
 mod planar_joints;
 mod planar_services;
 mod planar_source_law;
+mod ranks;
 mod safety;
 mod spatial;
 mod spatial_steady;

@@ -1,6 +1,6 @@
 //! Runs: what they leave behind, how they end, how they go on.
 
-use super::bench::{Bench, FALL};
+use super::bench::{Bench, FALL, Said};
 
 /// Forces, masses and energies are those of the slice, with its units; the motion is the same to the bit.
 #[test]
@@ -483,4 +483,99 @@ fn parts_of_an_array_of_jobs_are_merged() {
     for part in ["0/3", "4/3", "1", "a/b"] {
         bench.run(&["sweep", "slope.toml", "--part", part]).expect(2).warns(&["3/20"]);
     }
+}
+
+/// Programs of a launcher would all write into one folder; what is one of a kind runs on.
+#[test]
+fn a_build_without_mpi_refuses_to_be_one_of_many() {
+    let bench = Bench::with_scene();
+    let under = |words: &[&str], variables: &[(&str, &str)]| {
+        let mut command = bench.command(words);
+        command.envs(variables.iter().copied());
+        Said::from(command.output().expect("start riprap"))
+    };
+    let run = ["run", "fall.toml", "-q", "--out", "a.run"];
+    if cfg!(not(feature = "mpi")) {
+        for variables in [
+            [("OMPI_COMM_WORLD_SIZE", "4"), ("OMPI_COMM_WORLD_RANK", "0")],
+            [("PMI_SIZE", "2"), ("PMI_RANK", "1")],
+            [("SLURM_STEP_NUM_TASKS", "2"), ("SLURM_PROCID", "0")],
+        ] {
+            let told = format!("{}={}", variables[0].0, variables[0].1);
+            under(&run, &variables).expect(2).warns(&[&told, "same folder", "--features mpi"]);
+            under(&["resume", "a.run"], &variables).expect(2).warns(&[&told]);
+            assert!(!bench.path("a.run").exists());
+        }
+    }
+    // A batch job with room for four tasks that has started none, and one of an array.
+    under(&run, &[("SLURM_NTASKS", "4"), ("SLURM_PROCID", "0"), ("SLURM_JOB_ID", "7")]).expect(0);
+    let sweep = bench.read("fall.toml")
+        + "\n[sweep]\n\"interfaces.default.friction_angle\" = [\"20 deg\", \"30 deg\"]\n";
+    bench.file("sweep.toml", sweep);
+    let part = ["sweep", "sweep.toml", "-q", "--out", "many", "--part", "2/2"];
+    under(&part, &[("SLURM_STEP_NUM_TASKS", "2"), ("SLURM_PROCID", "1")]).expect(0);
+}
+
+#[cfg(unix)]
+#[test]
+fn ranks_stop_and_go_on_together() {
+    let bench = Bench::with_long_scene();
+    let run = bench.start(&["run", "long.toml", "--out", "a.run", "--ranks", "3"]);
+    bench.wait_for("a history", || {
+        std::fs::metadata(bench.path("a.run/histories.csv")).is_ok_and(|m| m.len() > 2000)
+    });
+    run.signal("INT");
+    run.end().expect(130).warns(&["a checkpoint is in a.run"]).says(&["ranks: 3"]);
+    let before = bench.read("a.run/histories.csv").len();
+    let resumed = bench.start(&["resume", "a.run", "--ranks", "2"]);
+    bench.wait_for("more history", || bench.read("a.run/histories.csv").len() > before + 2000);
+    resumed.signal("TERM");
+    resumed.end().expect(130);
+    bench
+        .run(&["check", "long.toml", "--ranks", "2"])
+        .expect(0)
+        .says(&["ranks      2", "in the plane are not shared out"]);
+}
+
+/// `mpirun` with the program of this build, as root or not, with more ranks than cores.
+#[cfg(all(unix, feature = "mpi"))]
+fn mpirun(bench: &Bench, ranks: &str, words: &[&str]) -> std::process::Command {
+    let mut command = std::process::Command::new("mpirun");
+    command
+        .args(["-n", ranks, env!("CARGO_BIN_EXE_riprap")])
+        .args(words)
+        .current_dir(bench.path(""));
+    for (name, value) in [
+        ("OMPI_ALLOW_RUN_AS_ROOT", "1"),
+        ("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"),
+        ("OMPI_MCA_rmaps_base_oversubscribe", "1"),
+    ] {
+        command.env(name, value);
+    }
+    command
+}
+
+#[cfg(all(unix, feature = "mpi"))]
+#[test]
+fn ranks_by_mpi_leave_the_bytes_of_one() {
+    let bench = Bench::in_memory();
+    let lattice = include_str!("../../../../scenes/bench/lattice.toml");
+    let small = lattice.replace("\"22 m\"", "\"8 m\"").replace("steps = 100000", "steps = 60");
+    assert!(small.contains("\"8 m\"") && small.contains("steps = 60"));
+    bench.file("small.toml", small);
+    bench.run(&["run", "small.toml", "-q", "-j", "1", "--out", "one.run"]).expect(0);
+    let many = ["run", "small.toml", "-j", "1", "--out", "many.run"];
+    let said = Said::from(mpirun(&bench, "3", &many).output().expect("start mpirun"));
+    // One of them speaks.
+    assert_eq!(said.out.matches("done:").count(), 1, "{}", said.out);
+    said.expect(0).says(&["ranks: 3"]);
+    for file in ["energy.csv", "events.jsonl", "run.pvd", "final_states.csv"] {
+        let text = |run: &str| bench.read(&format!("{run}/{file}"));
+        assert!(text("one.run") == text("many.run"), "{file} differs");
+    }
+    let hash = |run: &str| bench.run(&["hash", run]).expect(0).out;
+    assert_eq!(hash("one.run"), hash("many.run"));
+    // What stops rank 0 ends all, with its message and exit code.
+    let again = Said::from(mpirun(&bench, "2", &many).output().expect("start mpirun"));
+    again.expect(2).warns(&["already contains a run"]);
 }

@@ -310,3 +310,45 @@ fn a_run_that_is_closed_at_a_pause_goes_on_with_the_same_bits() {
     assert_eq!(run("one", &[1]), whole);
     assert_eq!(run("three", &[3, 11, 20]), whole);
 }
+
+/// A rank with another model, or that ends, is named, and what was saved before stays whole.
+#[test]
+fn a_rank_that_differs_or_ends_stops_the_run() {
+    let dir = tempfile::tempdir().unwrap();
+    let heavier = |rank: usize| {
+        let mut job = falling();
+        if let (2, Setup::Planar(setup)) = (rank, &mut job.setup) {
+            setup.blocks[1].velocity.y = -1e-12;
+        }
+        job
+    };
+    let folder = dir.path().join("differs.run");
+    let wrong = ranks::run_each(&heavier, &folder, Existing::Refuse, [3, 1], &mut go).unwrap_err();
+    let words = wrong.to_string();
+    assert!(
+        words.starts_with("rank 2 of 3 differs from the others: the state at step 0"),
+        "{words}"
+    );
+    assert!(wrong.ranks().is_some() && !wrong.is_output());
+    assert!(!folder.join("checkpoints").read_dir().unwrap().any(|file| file.is_ok()));
+
+    let folder = dir.path().join("gone.run");
+    let lead =
+        |peers| run_among(falling(), &folder, Existing::Refuse, peers, 1, &mut go).map(|_| ());
+    let (led, _) = crate::exec::ranks(2, lead, |peers| {
+        let exec = Exec::among(peers, 1).unwrap();
+        let mut live = Live::begin_on(falling(), dir.path(), Existing::Refuse, exec).unwrap();
+        live.advance(Pause { step: Some(50), time: None }, &mut go).unwrap();
+    });
+    let words = led.unwrap_err().to_string();
+    assert!(words.starts_with("rank 1 of 2 no longer answers"), "{words}");
+    assert_eq!(Manifest::read(&folder).unwrap().ended, Ended::Running);
+    let done = resume(&folder, 1, &mut go).unwrap();
+    assert_eq!(done.ending, Ending::Finished);
+    let whole = watch_only(falling(), 1, &mut go).unwrap();
+    assert_eq!(done.manifest.state_hash, whole.manifest.state_hash);
+
+    // What rank 0 meets is told, not what the others make of its end.
+    let again = run_ranks(falling(), &folder, Existing::Refuse, [3, 1], &mut go).unwrap_err();
+    assert!(matches!(again, JobError::Folder(FolderError::Run { .. })), "{again}");
+}

@@ -1,0 +1,165 @@
+//! Several ranks leave the folder of one, byte for byte: scenes of every engine.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use riprap::record::folder::Existing;
+use riprap::record::manifest::Manifest;
+use riprap::run::drive::{Control, Ending, Look};
+use riprap::run::job::{Job, resume_ranks, run, run_ranks};
+use riprap::run::scene::Scene;
+
+/// A scene of the library, made small by changes of its keys.
+fn job(scene: &str, changes: &[(&str, &str)]) -> Job {
+    let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes")).join(scene);
+    let own = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
+    let changes: Vec<(String, String)> = changes.iter().map(own).collect();
+    let scene = Scene::load(&path, &changes).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    scene.prepare(&scene.plain()).unwrap_or_else(|e| panic!("{}: {e}", path.display())).job()
+}
+
+/// All files of a run but for its manifest, which holds wall times.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut left = vec![folder.to_owned()];
+    while let Some(at) = left.pop() {
+        for entry in std::fs::read_dir(at).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                left.push(path);
+            } else if path.file_name().is_some_and(|name| name != "manifest.json") {
+                let name = path.strip_prefix(folder).unwrap().to_owned();
+                found.insert(name, std::fs::read(path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+fn go(_: &mut Look<'_>) -> Control {
+    Control::Continue
+}
+
+/// Compares runs with these numbers of ranks with one without any.
+fn same_for_any_ranks(scene: &str, changes: &[(&str, &str)], ranks: &[usize]) {
+    let dir = tempfile::tempdir().unwrap();
+    let one = dir.path().join("one.run");
+    let alone = run(job(scene, changes), &one, Existing::Refuse, 1, &mut go).unwrap();
+    assert!(alone.manifest.steps > 5, "{scene}: {} steps", alone.manifest.steps);
+    let expected = files(&one);
+    assert!(expected.len() > 8, "{scene}: {:?}", expected.keys());
+    for &size in ranks {
+        let folder = dir.path().join(format!("{size}.run"));
+        let job = job(scene, changes);
+        let done = run_ranks(job, &folder, Existing::Refuse, [size, 1], &mut go).unwrap();
+        assert_eq!(done.ending, alone.ending, "{scene} on {size}");
+        assert_eq!(done.manifest.state_hash, alone.manifest.state_hash, "{scene} on {size}");
+        let found = files(&folder);
+        let names = |all: &BTreeMap<PathBuf, Vec<u8>>| all.keys().cloned().collect::<Vec<_>>();
+        assert_eq!(names(&found), names(&expected), "{scene} on {size}");
+        for (name, bytes) in &expected {
+            assert!(found[name] == *bytes, "{scene} on {size}: {} differs", name.display());
+        }
+    }
+}
+
+const BLAST: &str = "bench/blast_throw.toml";
+/// 726 bricks, of which a charge tears some off.
+const SMALL_BLAST: [(&str, &str); 5] = [
+    ("blocks.rock.grid.box.size", "[\"11 m\", \"11 m\", \"6 m\"]"),
+    ("blocks.rock.grid.box.corner", "[\"-5.5 m\", \"-5.5 m\", \"-6 m\"]"),
+    ("sources.charge.gas_cavity.mass", "\"600 kg\""),
+    ("phases.0.until.time", "\"4 ms\""),
+    ("phases.1.until.steps", "5"),
+];
+
+/// Joints that fail, gas, found contact, blocks that turn, supports.
+#[test]
+fn a_blast_has_the_bits_of_one_rank() {
+    same_for_any_ranks(BLAST, &SMALL_BLAST, &[1, 2, 3, 5, 8]);
+}
+
+/// Stones that come to lie on each other.
+#[test]
+fn rubble_has_the_bits_of_one_rank() {
+    let changes = [
+        ("blocks.rubble.pour.count", "80"),
+        ("phases.0.until.time", "\"450 ms\""),
+        ("phases.1.until.steps", "5"),
+    ];
+    same_for_any_ranks("bench/rubble.toml", &changes, &[2, 3, 8]);
+}
+
+/// Dashpots and stress at the start behind faces.
+#[test]
+fn viscous_faces_have_the_bits_of_one_rank() {
+    same_for_any_ranks("verify/spatial-rigid/viscous_in_situ.toml", &[], &[2, 3, 5, 8]);
+}
+
+#[test]
+fn blocks_that_split_have_the_bits_of_one_rank() {
+    same_for_any_ranks("verify/spatial-rigid/split_during_run.toml", &[], &[3, 8]);
+}
+
+#[test]
+fn seepage_has_the_bits_of_one_rank() {
+    same_for_any_ranks("verify/engineering/seepage_dam_space.toml", &[], &[2, 5]);
+}
+
+#[test]
+fn glued_stones_on_terrain_have_the_bits_of_one_rank() {
+    let changes = [("phases.0.until.time", "\"50 ms\"")];
+    same_for_any_ranks("verify/spatial-contact/glued_terrain.toml", &changes, &[3, 8]);
+}
+
+#[test]
+fn bolts_have_the_bits_of_one_rank() {
+    let changes = [("phases.0.until.time", "\"20 ms\"")];
+    same_for_any_ranks("spatial/bolted_wedge.toml", &changes, &[2, 3]);
+}
+
+#[test]
+fn rigid_and_deformable_blocks_have_the_bits_of_one_rank() {
+    let changes = [("phases.0.until.time", "\"10 us\"")];
+    same_for_any_ranks("fracture/hybrid_blast.toml", &changes, &[2, 3]);
+}
+
+#[test]
+fn implicit_steps_have_the_bits_of_one_rank() {
+    let changes = [("phases.1.until.time", "\"20 ms\"")];
+    same_for_any_ranks("verify/implicit/column.toml", &changes, &[2, 3]);
+}
+
+#[test]
+fn the_plane_has_the_bits_of_one_rank() {
+    same_for_any_ranks("verify/engineering/bolt_plane_anchor.toml", &[], &[2, 3]);
+}
+
+#[test]
+fn a_run_of_ranks_goes_on_with_any_other_number() {
+    let (scene, changes) = (BLAST, SMALL_BLAST);
+    let dir = tempfile::tempdir().unwrap();
+    let [one, many] = ["one.run", "many.run"].map(|name| dir.path().join(name));
+    let alone = run(job(scene, &changes), &one, Existing::Refuse, 1, &mut go).unwrap();
+    let mut stop = |_: &mut Look<'_>| Control::Stop;
+    let part = run_ranks(job(scene, &changes), &many, Existing::Refuse, [3, 1], &mut stop).unwrap();
+    assert_eq!(part.ending, Ending::Stopped);
+    assert!(part.manifest.steps < alone.manifest.steps);
+    let mut looks = 0;
+    let mut later = |_: &mut Look<'_>| {
+        looks += 1;
+        Control::stop_if(looks > 1)
+    };
+    let part = resume_ranks(&many, [2, 1], &mut later).unwrap();
+    assert_eq!(part.ending, Ending::Stopped);
+    let done = resume_ranks(&many, [5, 1], &mut go).unwrap();
+    assert_eq!(done.ending, Ending::Finished);
+    assert_eq!(done.manifest.state_hash, alone.manifest.state_hash);
+    assert_eq!(Manifest::read(&many).unwrap().state_hash, alone.manifest.state_hash);
+    let without = |mut all: BTreeMap<PathBuf, Vec<u8>>| {
+        // Which steps have checkpoints depends on when the run was stopped.
+        all.retain(|name, _| !name.starts_with("checkpoints"));
+        all
+    };
+    assert!(without(files(&one)) == without(files(&many)));
+}
