@@ -51,7 +51,9 @@ const TORN: f64 = 0.5;
 
 /// Lets patches go that no longer describe where their blocks touch; every [`CHECK_INTERVAL`] steps.
 pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
-    let look = world.pending > 0.0 && world.step.is_multiple_of(CHECK_INTERVAL);
+    // Implicit steps are as long as many explicit ones.
+    let due = world.implicit.is_some() || world.step.is_multiple_of(CHECK_INTERVAL);
+    let look = world.pending > 0.0 && due;
     if !world.setup.found_contacts || !look {
         return;
     }
@@ -81,11 +83,6 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
     pairs.sort_unstable();
     pairs.dedup();
     release_pairs(world, scratch, &pairs);
-}
-
-/// The first patch that more than pressure and friction holds.
-pub(crate) fn holding(world: &World) -> Option<usize> {
-    (0..world.patches.len()).find(|p| !is_loose(world, *p))
 }
 
 /// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are.

@@ -4,6 +4,7 @@
 
 use riprap_geom::Vec3;
 
+use crate::implicit::joint::Joint;
 use crate::implicit::patch::{
     Basis, Normal, Piece, Pressed, Stepping, Twist, dot, normal_part, whole,
 };
@@ -56,6 +57,8 @@ pub(crate) struct Pair {
     pub area_before: f64,
     /// Whether it rebounds in this step.
     pub strikes: bool,
+    /// The joint that ties the blocks, in place of the pieces of a contact.
+    pub joint: Option<Box<Joint>>,
 }
 
 /// What a pair answers at a twist.
@@ -179,6 +182,12 @@ impl Pair {
     /// What it has done in a step that ends with this twist.
     pub(crate) fn reply(&self, twist: &Twist, step: &Stepping, spare: &mut Vec<[f64; 2]>) -> Reply {
         let mut reply = Reply::default();
+        if let Some(joint) = &self.joint {
+            let mut answer = Answer::default();
+            joint.add(twist, step, 1.0, false, &mut answer);
+            reply.elastic = answer.wrench;
+            return reply;
+        }
         let (basis, mut elastic) = (self.basis(), Normal::default());
         let part = normal_part(&basis, twist);
         for piece in &self.pieces {
@@ -267,6 +276,11 @@ impl Pair {
         with_rate: bool,
         spare: &mut Vec<[f64; 2]>,
     ) -> Answer {
+        if let Some(joint) = &self.joint {
+            let mut answer = Answer::default();
+            joint.add(twist, step, soft, with_rate, &mut answer);
+            return answer;
+        }
         let mut answer = self.pressing(twist, step, soft, with_rate, spare);
         let Some(rubbing) = self.rubbing(twist, step, soft) else {
             return answer;

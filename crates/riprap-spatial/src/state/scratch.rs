@@ -80,7 +80,11 @@ pub(crate) struct ImplicitDesk {
     pub(crate) found: Vec<NearPair>,
     /// Places in the list of found contacts of the pairs of the solver.
     pub(crate) pairs: Vec<u32>,
-    /// The same of blocks that lie in each other without a surface on which they could press each other.
+    /// Patches of the pairs of the solver behind those.
+    pub(crate) joints: Vec<u32>,
+    /// Which blocks of the solver joints tie.
+    pub(crate) tied: Vec<bool>,
+    /// Places in the list of found contacts of blocks that lie in each other without a surface on which they could press each other.
     pub(crate) lost: Vec<u32>,
     /// The blocks of the solver.
     pub(crate) blocks: Vec<u32>,
@@ -121,6 +125,8 @@ impl ImplicitDesk {
             }
         }
         self.solver.begin();
+        self.joints.clear();
+        self.tied.clear();
         self.lost.clear();
         self.blocks.clear();
         self.place.clear();
