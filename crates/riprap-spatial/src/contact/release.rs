@@ -85,9 +85,11 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
     release_pairs(world, scratch, &pairs);
 }
 
-/// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are.
+/// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are. Those with stress in place stay: a contact
+/// knows none that its depth does not give.
 pub(crate) fn release_loose(world: &mut World, scratch: &mut Scratch) {
-    let loose = (0..world.patches.len()).filter(|p| is_loose(world, *p));
+    let stressed = |p: usize| world.patches.prestress.get(p).is_some_and(|t| *t != Vec3::ZERO);
+    let loose = (0..world.patches.len()).filter(|p| is_loose(world, *p) && !stressed(*p));
     let mut pairs: Vec<PairKey> = loose.map(|p| pair_of_patch(world, p).0).collect();
     pairs.sort_unstable();
     pairs.dedup();

@@ -9,6 +9,7 @@ use crate::implicit::patch::{
     Basis, Normal, Piece, Pressed, Stepping, Twist, dot, normal_part, whole,
 };
 use crate::kernel::ContactLaw;
+use crate::setup::rotation::rotation;
 
 /// What friction is computed from: the pressure of the last solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -119,6 +120,22 @@ impl Pair {
         self.torsion = torsion;
         self.pressure = pressure;
         self.area_before = pressure.area;
+    }
+
+    /// Corrects the springs along it for the way that turning blocks have gone in the step before, beyond that at the velocities of its start:
+    /// what sticks to a block that turns stays on its circle. `turned` are the turns of the blocks in that step (rad), `arms` from their
+    /// centroids to the pressure centre at its start (m).
+    pub(crate) fn follow(&mut self, turned: [Vec3; 2], arms: [Vec3; 2]) {
+        let beyond = |side: usize| {
+            let (turn, arm) = (turned[side], arms[side]);
+            if turn == Vec3::ZERO {
+                return Vec3::ZERO;
+            }
+            rotation(turn) * arm - arm - turn.cross(arm)
+        };
+        let way = beyond(1) - beyond(0);
+        let along = way - way.dot(self.direction) * self.direction;
+        self.shear -= self.law.shear_stiffness * self.area_before * along;
     }
 
     /// How fast the blocks come nearer to each other at the pressure centre, m/s.

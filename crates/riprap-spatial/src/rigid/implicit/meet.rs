@@ -178,11 +178,27 @@ impl Looking<'_> {
                     let kept = self.memory.and_then(|memory| memory.of(pair.key(), patch.key));
                     if let Some(kept) = kept {
                         kept.recall(patch);
+                        self.follow(pair.ends, kept.arm, patch, on_ground);
                     }
                 }
                 found.near = count;
             }
         }
+    }
+
+    /// Corrects a contact for the turns of its blocks in the last step; `arm` is that of the first one at its start, m.
+    fn follow(&self, ends: [u32; 2], arm: Vec3, patch: &mut Pair, on_ground: bool) {
+        let (world, dt) = (self.world, self.world.last_dt);
+        let [i, j] = ends.map(|b| b as usize);
+        let still = [Vec3::ZERO; 2];
+        let motion = |b: usize| [world.bodies.velocity(b), world.bodies.spin(b)];
+        let [first, second] = [if on_ground { still } else { motion(i) }, motion(j)];
+        // On terrain arms are those from the centroid of the block.
+        let between = match on_ground {
+            true => Vec3::ZERO,
+            false => patch.centres[0] - patch.centres[1] - dt * (first[0] - second[0]),
+        };
+        patch.follow([first[1], second[1]].map(|w| dt * w), [arm, arm + between]);
     }
 
     /// Two convex blocks; how many patches they share.
