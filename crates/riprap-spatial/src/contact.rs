@@ -27,6 +27,7 @@ pub(crate) mod limit;
 mod narrow;
 mod relaw;
 mod release;
+mod shared;
 mod stored;
 pub(crate) mod terrain;
 

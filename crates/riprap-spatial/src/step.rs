@@ -190,6 +190,11 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
     // A look between two steps must not age the memory; after an edit
     // the laws have to answer though nothing has moved.
     let live = world.pending > 0.0 || world.fresh;
+    let own = scratch.own(world);
+    let shared_out = scratch.share(world).is_some();
+    if let Some(share) = &mut scratch.share {
+        share.begin(&scratch.tiles, &world.patches);
+    }
     let (list, tiles) = (&mut world.patches, &scratch.tiles);
     let shared = Shared {
         poses: Poses { bodies: &world.bodies, turned: &world.turned },
@@ -221,8 +226,15 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
         lost: &mut scratch.lost,
     };
     let count = tiles.list.len();
-    scratch.exec.divided(work, count, |_, piece| forces::tile(&shared, piece));
-    sums::tree(&mut scratch.lost, Lost::add);
+    let begun = Instant::now();
+    scratch.exec.divided_own(work, count, own, |_, piece| forces::tile(&shared, piece));
+    match &mut scratch.share {
+        Some(share) if shared_out => {
+            share.book(begun.elapsed());
+            share.slots(&mut scratch.slots, &mut scratch.lost);
+        }
+        _ => sums::tree(&mut scratch.lost, Lost::add),
+    }
     if let Some(all) = scratch.lost.first() {
         world.works.dissipate(all.friction, all.fracture);
         if let Some(implicit) = world.implicit.as_deref_mut() {

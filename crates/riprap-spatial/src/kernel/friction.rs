@@ -140,7 +140,7 @@ pub struct Motion {
 }
 
 /// Force and moment on B; A gets the opposite force at the same point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Wrench {
     /// Force on B, N.
     pub force: Vec3,
