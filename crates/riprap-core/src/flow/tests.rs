@@ -276,7 +276,7 @@ fn random_networks_keep_their_mass() {
             state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 / (1_u64 << 53) as f64
     };
-    for _ in 0..20 {
+    for _ in 0..6 {
         let (n, junctions) = (30_u32, 25);
         let mut network = Network { cells: n + 1, first: vec![0], ..Network::default() };
         for j in 0..junctions {
