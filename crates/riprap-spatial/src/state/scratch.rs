@@ -8,6 +8,7 @@ use riprap_geom::Vec3;
 use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::flow::Desk;
 use crate::implicit::pair::Pair;
 use crate::implicit::solve::Solver;
 use crate::kernel::cells::TetContactScratch;
@@ -41,6 +42,8 @@ pub struct Scratch {
     pub drag: Sums,
     /// What pushes blocks and nodes from outside.
     pub pushes: Pushes,
+    /// Room for the flow of gas in cracks.
+    pub flow: Desk,
     /// Length of the step that the kick was found for, s.
     pub coming_dt: f64,
     /// Damping that the kick was found with.
