@@ -6,6 +6,7 @@
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
 //! - [`distribution`]: random numbers and what a count of failures says;
 //! - [`sparse`]: linear systems of bodies that share contacts;
+//! - [`flow`]: gas that flows through a network of cracks;
 //! - [`rhythm`]: how often something is done;
 //! - [`field`], [`frame`]: the vocabulary in which an engine tells what it can be asked, and one picture of its blocks.
 //!
@@ -22,6 +23,7 @@ pub mod dynamics;
 pub mod exec;
 pub mod failed;
 pub mod field;
+pub mod flow;
 pub mod frame;
 pub mod lanes;
 pub mod laws;

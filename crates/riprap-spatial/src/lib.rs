@@ -99,7 +99,7 @@ pub use rigid::implicit::choose as choose_integration;
 pub use rigid::implicit::obstacle::{Obstacle, obstacle};
 pub use rigid::implicit::settling::{settling_step, settling_way};
 pub use riprap_core::lanes;
-use riprap_core::{accounts, dynamics, exec, failed, field, frame, laws, ledger, profile};
+use riprap_core::{accounts, dynamics, exec, failed, field, flow, frame, laws, ledger, profile};
 pub use state::contact_scratch::{Deepest, Pressed};
 pub use state::scratch::NotSolved;
 pub use state::share::{Part, parts};

@@ -70,6 +70,7 @@ pub fn evaluate(
     // or its force would be missing for a step.
     let [meet, deformable] = stage(scratch, "search", |scratch| {
         contact::release(world, scratch);
+        implicit::adopt_released(world);
         crate::contact::deformable::part(world, scratch);
         let meet = contact::refresh(world, scratch);
         [meet, crate::contact::deformable::refresh(world, scratch)]
@@ -236,6 +237,12 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
     }
     if let Some(all) = scratch.lost.first() {
         world.works.dissipate(all.friction, all.fracture);
+        if let Some(implicit) = world.implicit.as_deref_mut() {
+            implicit.lost_in_joints += all.friction + all.fracture;
+        }
+    }
+    if world.implicit.is_some() {
+        implicit::joints::withdraw(scratch);
     }
 }
 

@@ -6,6 +6,7 @@ use crate::accounts::Entries;
 use crate::deform::relax;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::flow::Desk;
 use crate::kernel::cells::TetContactScratch;
 use crate::lanes::Width;
 use crate::ledger::Works;
@@ -34,6 +35,7 @@ impl Scratch {
             net: Sums::default(),
             drag: Sums::default(),
             pushes: Pushes::default(),
+            flow: Desk::default(),
             coming_dt: 0.0,
             damping: Damping::default(),
             rebuilds: 0,
@@ -120,6 +122,7 @@ impl Scratch {
         self.net = Sums::zeros(blocks);
         self.drag = Sums::default();
         self.pushes = Pushes::default();
+        self.flow = Desk::default();
         self.slots = [Sums::zeros(self.tiles.slots), Sums::default()];
         let interfaces = &world.setup.interfaces;
         let joint = |c: &PatchClass| &interfaces[c.row as usize].joint;

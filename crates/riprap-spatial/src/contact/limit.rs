@@ -23,6 +23,7 @@
 //! the smaller inscribed radius, and no block outruns the search that finds its pairs.
 
 use std::collections::BinaryHeap;
+use std::ops::Range;
 
 use riprap_geom::Vec3;
 
@@ -75,8 +76,12 @@ pub(super) fn longest_step(
         StepLimit { world, desk, speeds: Speeds::of(world), gravity: world.gravity.length() };
     let count = desk.blocks.len();
     let own = share.map_or(0..count, |share| share.equal_part(count));
-    let of_block = |longest, at: usize| limit.of_block(longest, own.start + at);
-    let longest = exec.smallest(own.len(), |blocks| blocks.fold(transit, of_block)).min(transit);
+    let of_blocks = |blocks: Range<usize>| {
+        let mut felt = ContactStiffness::default();
+        let of_block = |longest, at: usize| limit.of_block(longest, own.start + at, &mut felt);
+        blocks.fold(transit, of_block)
+    };
+    let longest = exec.smallest(own.len(), of_blocks).min(transit);
     share.map_or(longest, |share| share.smallest(longest))
 }
 
@@ -90,16 +95,17 @@ struct StepLimit<'a> {
 }
 
 impl<'a> StepLimit<'a> {
-    /// The smaller of `longest` (s) and the longest step of a block, by its place in the list of those that are in a pair.
-    fn of_block(&'a self, longest: f64, at: usize) -> f64 {
+    /// The smaller of `longest` (s) and the longest step of a block, by its place in the list of those that are in a pair; `felt` is memory.
+    fn of_block(&'a self, longest: f64, at: usize, felt: &mut ContactStiffness) -> f64 {
         let Self { world, desk, .. } = self;
+        felt.clear();
         let block = desk.blocks[at] as usize;
         let mut of = OfBlock {
             limit: self,
             block,
             at,
             ease: InverseInertia::of(world, &desk.shapes, block),
-            felt: ContactStiffness::default(),
+            felt,
             damping: 0.0,
             longest,
             ground: [f64::INFINITY; 2],
@@ -113,14 +119,14 @@ impl<'a> StepLimit<'a> {
 }
 
 /// What a block allows, pair by pair.
-struct OfBlock<'a> {
+struct OfBlock<'a, 'f> {
     limit: &'a StepLimit<'a>,
     block: usize,
     /// Its place in the list of those that are in a pair.
     at: usize,
     ease: InverseInertia,
     /// Of all that touches it.
-    felt: ContactStiffness,
+    felt: &'f mut ContactStiffness,
     /// Largest damping ratio of what touches it.
     damping: f64,
     /// Longest step so far, s.
@@ -172,7 +178,7 @@ impl Side<'_> {
     }
 }
 
-impl<'a> OfBlock<'a> {
+impl<'a> OfBlock<'a, '_> {
     fn pair(&mut self, k: usize, second: bool) {
         let StepLimit { world, desk, gravity, .. } = self.limit;
         let (pair, slot, constants) = (&world.found.pairs[k], &desk.slots[k], &desk.constants[k]);
@@ -317,10 +323,13 @@ impl<'a> OfBlock<'a> {
     fn finish(self) -> f64 {
         let StepLimit { world, desk, speeds, gravity } = self.limit;
         let mut longest = self.longest;
-        let square = self.felt.bound();
-        if square > 0.0 {
-            let loss = stable_share(self.damping);
-            longest = longest.min(BOUNDED * 2.0 * loss / square.sqrt());
+        let allowed = BOUNDED * 2.0 * stable_share(self.damping);
+        // Most blocks allow more than something else does, and a rough bound shows it.
+        if allowed < longest * self.felt.rough_bound().sqrt() {
+            let square = self.felt.bound(&self.ease);
+            if square > 0.0 {
+                longest = longest.min(allowed / square.sqrt());
+            }
         }
         // What cannot touch the ground yet may go a share of the way there, however stiff it is.
         let [near, stable] = self.ground;

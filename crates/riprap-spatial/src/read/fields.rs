@@ -119,7 +119,7 @@ fn between<'a>(v: &'a View<'_>, of: &[u32]) -> impl Iterator<Item = (usize, f64)
     })
 }
 
-/// Mean over the area of the points of patches and the springs of facets between two blocks of a function of their
+/// Mean over the area of the points of patches, the springs of facets and the contact between two blocks of a function of their
 /// tractions.
 fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
     let (mut sum, mut area) = (0.0, 0.0);
@@ -140,6 +140,13 @@ fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
                 area += part;
             }
         }
+    }
+    let (a, b) = pair(of);
+    if let Some((contact, _)) = v.contact_between(a, b).filter(|(c, _)| c.area > 0.0) {
+        let pressed = contact.force.dot(contact.normal);
+        let along = (contact.force - pressed * contact.normal).length();
+        sum += contact.area * get(&[-pressed / contact.area, along / contact.area, 0.0]);
+        area += contact.area;
     }
     if area > 0.0 { sum / area } else { 0.0 }
 }
@@ -271,8 +278,8 @@ riprap_core::fields! {
     "pair.seepage_rate" "m3/s" Pair Scalar true "Largest flow rate through a joint between the two." |v, of| { let (a, b) = pair(of); one(v.world.seepage_between([a, b])) };
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
-    "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches and facets between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
-    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of patches and the springs of facets between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
+    "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of patches, facets and contacts between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
+    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of patches, at the springs of facets and of contacts between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
     "pair.broken" "-" Pair Scalar true "Share of the points of patches and the springs of facets between the two that have failed. Patches released to contact are not included (`pair.broken_points` counts them)." |v, of| share_of_points(v, flag::BROKEN, joins(pair(of)));
     "pair.broken_points" "-" Pair Scalar true "Number of points of patches and springs of facets between the two, and between their parts, that have failed so far: it never decreases, not even when a patch is released to contact or a block is removed." |v, of| one(broken_points(v, |[i, j]| { let (a, b) = pair(of); (comes_of(v, i, a) && comes_of(v, j, b)) || (comes_of(v, i, b) && comes_of(v, j, a)) }));
     "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
@@ -330,6 +337,7 @@ riprap_core::fields! {
     "cavity.expansion" "-" Cavity Scalar false "Volume of the gas over that of the charge, V/V0." |v, of| of_cavity(v, of, |c| c.volume / c.charge_volume());
     "cavity.volume_ratio" "-" Cavity Scalar false "Volume of the removed blocks over that of the charge, Vc/V0." |v, of| of_cavity(v, of, Cavity::volume_ratio);
     "cavity.gas_work" "J" Cavity Scalar false "Work done by the gas since ignition." |v, of| of_cavity(v, of, |c| c.work);
+    "cavity.gas_mass" "kg" Cavity Scalar false "Mass of the gas in the cavity: less than that of the charge once it enters cracks (`venting.cracks`)." |v, of| of_cavity(v, of, |c| v.gas_mass(c));
     "cavity.depth" "m" Cavity Scalar true "Depth of the charge below the free surface above it." |v, of| of_cavity(v, of, |c| v.profile(c).depth);
     "cavity.dome" "m" Cavity Scalar true "Mean uplift of the surface blocks nearest to the axis of the charge." |v, of| of_cavity(v, of, |c| v.profile(c).dome());
     "cavity.crater_radius" "m" Cavity Scalar true "Radius about the axis of the charge within which the free surface has risen by more than 0.02 of the depth of the charge (mean over rings)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) });
@@ -380,6 +388,22 @@ riprap_core::fields! {
     "model.utilisation" "-" Model Scalar true "Largest ratio of traction to strength of an intact spring." |v, _| one(fracture::largest(v, BondFailure::Spring, |_| true));
     "model.facet_utilisation" "-" Model Scalar true "Largest ratio of traction to strength of an intact facet, from the average stress of its two blocks." |v, _| one(fracture::largest(v, BondFailure::BlockStress, |_| true));
     "pair.utilisation" "-" Pair Scalar true "Largest ratio of traction to strength of the intact springs between the two." |v, of| one(fracture::largest(v, BondFailure::Spring, joins(pair(of))));
+    "pair.gas_pressure" "Pa" Pair Scalar false "Pressure of the gas in the crack between the two; 0 where none has entered." |v, of| { let (a, b) = pair(of); one(v.world.largest_in_cracks([a, b], |c, _| c.pressure)) };
+    "pair.gas_aperture" "m" Pair Scalar false "Hydraulic aperture of the crack between the two that gas may enter; 0 where the joint has not failed." |v, of| { let (a, b) = pair(of); one(v.world.largest_in_cracks([a, b], |c, _| c.aperture)) };
+    "pair.gas_mass" "kg" Pair Scalar false "Mass of the gas in the crack between the two." |v, of| { let (a, b) = pair(of); one(v.world.largest_in_cracks([a, b], |_, m| m)) };
+    "pair.gas_speed" "m/s" Pair Scalar false "Largest speed of the gas at the rim of the crack between the two." |v, of| { let (a, b) = pair(of); one(v.world.largest_in_cracks([a, b], |c, _| c.speed)) };
+    "model.gas_released" "kg" Model Scalar false "Mass of the charges that have gone off and whose gas may enter cracks." |v, _| one(v.gas_books().mass);
+    "model.gas_in_cracks" "kg" Model Scalar false "Mass of the gas in cracks." |v, _| one(v.world.gas.as_ref().map_or(0.0, |g| g.in_cracks()));
+    "model.gas_vented" "kg" Model Scalar false "Mass of the gas that has left through cracks into the air." |v, _| one(v.gas_books().vented);
+    "model.gas_cracks" "-" Model Scalar false "Number of cracks that hold gas." |v, _| one(v.gas_cracks() as f64);
+    "model.gas_reach" "m" Model Scalar false "Largest distance from the centre of a charge at which a crack holds gas above the pressure of the air." |v, _| one(v.gas_reach());
+    "model.gas_energy" "J" Model Scalar false "Energy released by the charges whose gas may enter cracks." |v, _| one(v.gas_books().released);
+    "model.gas_internal" "J" Model Scalar false "Energy left in this gas: its work in an expansion without end." |v, _| one(v.gas_internal());
+    "model.gas_work" "J" Model Scalar false "Work of this gas on the rock, by the walls of cavities and by the sides of cracks." |v, _| one(v.gas_books().work);
+    "model.gas_work_in_cracks" "J" Model Scalar false "The part of this work by the sides of cracks." |v, _| one(v.gas_books().in_cracks);
+    "model.gas_friction" "J" Model Scalar false "Energy that this gas has lost by the friction of its flow and, of first order in the step, by the integration of the flow." |v, _| { let b = v.gas_books(); one(b.friction + b.numerical) };
+    "model.gas_carried_off" "J" Model Scalar false "Energy that vented gas has taken along, and the work of the gas against the air." |v, _| { let b = v.gas_books(); one(b.carried + b.air) };
+    "model.gas_residual" "-" Model Scalar false "Energy of the gas that these lines do not explain, over the energy released." |v, _| one(v.gas_residual());
     "model.seepage_inflow" "m3/s" Model Scalar true "Inflow of water through open faces." |v, _| one(v.world.seepage_inflow());
     "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(crate::stable::stable_step(v.world, v.scratch, 0.0).dt);
     "model.fragments" "-" Model Scalar true "Number of fragments: blocks connected by intact patches or bonds. Blocks with all freedoms prescribed, and blocks joined to them, are not fragments." |v, _| one(v.fragments().loose().count() as f64);

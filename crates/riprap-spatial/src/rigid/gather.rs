@@ -25,7 +25,7 @@ use crate::lanes::{LANES, Lanes, Width};
 use crate::push::boundary;
 use crate::rigid::kick::{Acting, Kick, Moving};
 use crate::state::bodies::{Bodies, SolidClass, Turned};
-use crate::state::contact_scratch::ContactScratch;
+use crate::state::contact_scratch::{ContactScratch, Share};
 use crate::state::face::Face;
 use crate::state::push::{Pushes, Wrench};
 use crate::state::scratch::{FaceEntry, NonFinite, Partial, Scratch};
@@ -83,7 +83,10 @@ pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         pushes: &scratch.pushes,
         found: &scratch.desk,
         implicit: world.implicit.is_some(),
-        plain: scratch.plain() && world.setup.air == 0.0,
+        // The work of implicit joints is booked block by block.
+        plain: scratch.plain()
+            && world.setup.air == 0.0
+            && (world.implicit.is_none() || world.patches.is_empty()),
         width: scratch.width,
     };
     scratch.face_entries.clear();
@@ -362,6 +365,8 @@ impl Gathering<'_> {
             }
         }
         let weight = self.kick.solid_of(b).mass * self.kick.gravity;
+        let (force, moment) = net[0].get(b - base);
+        let joined = Share { force, moment };
         net[0].add(b - base, weight + load.force + other.force, load.moment + other.moment);
         let found = self.found.on_block(b);
         if let Some(found) = &found {
@@ -398,11 +403,13 @@ impl Gathering<'_> {
         let (arrival, departure) = (&mut partial.arrival, &mut partial.departure);
         let loads = (load.force, load.moment);
         let change = self.kick.works(b, &moving, &acting, loads, arrival, departure);
-        if let Some(found) = &found {
+        if found.is_some() || self.implicit {
             let [before, after] = self.kick.half;
+            let found = found.unwrap_or_default();
             let mut pressing = found.elastic;
             if self.implicit {
                 pressing.plus(&found.spring);
+                pressing.plus(&joined);
             }
             let power = |v: Vec3, w: Vec3| pressing.force.dot(v) + pressing.moment.dot(w);
             // What the pressure stores is what has been done against it, hence the sign.

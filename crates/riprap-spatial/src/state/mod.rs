@@ -18,6 +18,7 @@ pub(crate) mod deformable;
 pub(crate) mod event;
 pub(crate) mod face;
 pub(crate) mod found;
+pub(crate) mod gas;
 mod hash;
 pub mod hold;
 pub(crate) mod interface;

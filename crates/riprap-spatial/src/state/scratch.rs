@@ -8,6 +8,7 @@ use riprap_geom::Vec3;
 use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::flow::Desk;
 use crate::implicit::pair::Pair;
 use crate::implicit::solve::Solver;
 use crate::kernel::cells::TetContactScratch;
@@ -41,6 +42,8 @@ pub struct Scratch {
     pub drag: Sums,
     /// What pushes blocks and nodes from outside.
     pub pushes: Pushes,
+    /// Room for the flow of gas in cracks.
+    pub flow: Desk,
     /// Length of the step that the kick was found for, s.
     pub coming_dt: f64,
     /// Damping that the kick was found with.
@@ -85,7 +88,11 @@ pub(crate) struct ImplicitDesk {
     pub(crate) found: Vec<NearPair>,
     /// Places in the list of found contacts of the pairs of the solver.
     pub(crate) pairs: Vec<u32>,
-    /// The same of blocks that lie in each other without a surface on which they could press each other.
+    /// Patches of the pairs of the solver behind those.
+    pub(crate) joints: Vec<u32>,
+    /// Which blocks of the solver joints tie.
+    pub(crate) tied: Vec<bool>,
+    /// Places in the list of found contacts of blocks that lie in each other without a surface on which they could press each other.
     pub(crate) lost: Vec<u32>,
     /// The blocks of the solver.
     pub(crate) blocks: Vec<u32>,
@@ -126,6 +133,8 @@ impl ImplicitDesk {
             }
         }
         self.solver.begin();
+        self.joints.clear();
+        self.tied.clear();
         self.lost.clear();
         self.blocks.clear();
         self.place.clear();
