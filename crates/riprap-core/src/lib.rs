@@ -1,6 +1,6 @@
 //! What every engine of riprap stands on.
 //!
-//! - [`exec`]: the one place that names the thread pool; [`lanes`]: eight numbers at a time;
+//! - [`exec`]: the one place that names the thread pool; [`peers`]: ranks that compute one model together; [`lanes`]: eight numbers at a time;
 //! - [`ledger`]: energy; [`accounts`]: the work of single conditions; [`profile`]: stage timers;
 //! - [`state_hash`]: equal hashes, equal states;
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
@@ -29,6 +29,7 @@ pub mod lanes;
 pub mod laws;
 pub mod ledger;
 pub mod numbers;
+pub mod peers;
 pub mod profile;
 pub mod rhythm;
 pub mod sets;

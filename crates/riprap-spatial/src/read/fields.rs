@@ -119,7 +119,7 @@ fn between<'a>(v: &'a View<'_>, of: &[u32]) -> impl Iterator<Item = (usize, f64)
     })
 }
 
-/// Mean over the area of the points of patches and the springs of facets between two blocks of a function of their
+/// Mean over the area of the points of patches, the springs of facets and the contact between two blocks of a function of their
 /// tractions.
 fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
     let (mut sum, mut area) = (0.0, 0.0);
@@ -140,6 +140,13 @@ fn over_area(v: &View<'_>, of: &[u32], get: impl Fn(&[f64; 3]) -> f64) -> f64 {
                 area += part;
             }
         }
+    }
+    let (a, b) = pair(of);
+    if let Some((contact, _)) = v.contact_between(a, b).filter(|(c, _)| c.area > 0.0) {
+        let pressed = contact.force.dot(contact.normal);
+        let along = (contact.force - pressed * contact.normal).length();
+        sum += contact.area * get(&[-pressed / contact.area, along / contact.area, 0.0]);
+        area += contact.area;
     }
     if area > 0.0 { sum / area } else { 0.0 }
 }
@@ -271,8 +278,8 @@ riprap_core::fields! {
     "pair.seepage_rate" "m3/s" Pair Scalar true "Largest flow rate through a joint between the two." |v, of| { let (a, b) = pair(of); one(v.world.seepage_between([a, b])) };
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
-    "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of the patches and facets between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
-    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of patches and the springs of facets between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
+    "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of patches, facets and contacts between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
+    "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of patches, at the springs of facets and of contacts between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
     "pair.broken" "-" Pair Scalar true "Share of the points of patches and the springs of facets between the two that have failed. Patches released to contact are not included (`pair.broken_points` counts them)." |v, of| share_of_points(v, flag::BROKEN, joins(pair(of)));
     "pair.broken_points" "-" Pair Scalar true "Number of points of patches and springs of facets between the two, and between their parts, that have failed so far: it never decreases, not even when a patch is released to contact or a block is removed." |v, of| one(broken_points(v, |[i, j]| { let (a, b) = pair(of); (comes_of(v, i, a) && comes_of(v, j, b)) || (comes_of(v, i, b) && comes_of(v, j, a)) }));
     "pair.patches" "-" Pair Scalar true "Number of patches between the two." |v, of| one(between(v, of).count() as f64);
