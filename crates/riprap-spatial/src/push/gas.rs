@@ -107,7 +107,8 @@ fn note_venting(world: &mut World, gas: &CrackGas) {
 
 /// Puts the gas of charges that go off now into their cavities.
 fn release(world: &World, gas: &mut CrackGas) {
-    for (k, cell) in (gas.cracks.len()..).enumerate() {
+    for k in 0..gas.cavities.len() {
+        let cell = gas.cracks.len() + k;
         let cavity = &world.cavities[gas.cavities[k] as usize];
         let Some(own) = cavity.gas.filter(|_| cavity.ignited == Some(world.time)) else { continue };
         if gas.masses[cell] == 0.0 && cavity.pressure == 0.0 {

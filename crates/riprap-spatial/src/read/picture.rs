@@ -59,7 +59,8 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
             frame.contact_columns.push(Column::vector3(SEEPAGE_FLOW, "m2/s", flows));
         }
     }
-    if world.gas.is_some() {
+    // From the first frame on, so that all have the same columns.
+    if world.cavities.iter().any(|cavity| world.cracks_of(cavity).is_some()) {
         let rows = pairs_of(world, &frame);
         let columns: [(&str, &str, fn(&Crack, f64) -> f64); 4] = [
             ("gas_pressure", "Pa", |crack, _| crack.pressure),
