@@ -136,7 +136,7 @@ class Table(Fields):
 class Frame:
     """Blocks and contacts at one time, in current positions.
 
-    Arrays are snapshots: they do not change when the simulation goes on.
+    Arrays are snapshots: they do not change when the simulation goes on, and cannot be written to.
 
     Attributes:
         time: model time [s].
@@ -159,6 +159,10 @@ class Frame:
         self._solids: tuple[NDArray[np.uint32], ...] | None = parts["solids"]
         self.blocks = _fields(parts["blocks"], "field on blocks")
         self.contacts = _fields(parts["contacts"], "field on contacts")
+        columns = [*self.blocks.values(), *self.contacts.values()]
+        for array in (self.points, self.offsets, self.contact_points, *columns):
+            # What is written into a snapshot would change no simulation: it raises.
+            array.flags.writeable = False
 
     def __repr__(self) -> str:
         kind = "planar" if self._solids is None else "spatial"
