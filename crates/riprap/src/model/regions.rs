@@ -45,10 +45,8 @@ impl Builder<'_> {
             }
             let named = self.directory.all(&group.blocks);
             blocks.extend(self.take(named).unwrap_or_default());
-            // A group that others make is there when they are.
-            if group.condition.is_none() {
-                self.directory.extend(name.as_str(), blocks);
-            } else if !blocks.is_empty() {
+            // A group that a condition makes is there when the groups in it are.
+            if group.condition.is_none() || !blocks.is_empty() {
                 self.directory.extend(name.as_str(), blocks);
             }
         }

@@ -216,12 +216,12 @@ pub fn trust(
             left_out.push((cause, format!("no run came to its end: {why}")));
         }
     }
-    let keys = causes::Keys::of(&prepared);
+    let (keys, size) = (causes::Keys::of(&prepared), causes::reach(&prepared.model.setup));
     let results = asks
         .iter()
         .zip(&first)
         .enumerate()
-        .map(|(k, (ask, ran))| reduce::result(k, ask, ran, &trials, chaotic[k], &keys));
+        .map(|(k, (ask, ran))| reduce::result(k, ask, ran, &trials, chaotic[k], (&keys, size)));
     let results = results.collect();
     Ok(Answer { results, trials, left_out })
 }

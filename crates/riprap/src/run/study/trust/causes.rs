@@ -9,8 +9,8 @@ use crate::run::job::Job;
 use crate::run::scene::Prepared;
 use crate::scenario::units;
 use crate::setup::Setup;
-use crate::spatial::setup::Stiffness;
 use crate::spatial::setup::deform::BondSprings;
+use crate::spatial::setup::{Shape, Stiffness};
 
 /// A cause of error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -452,6 +452,32 @@ impl Keys {
         };
         Some(format!("{key}: {now} -> {then}"))
     }
+}
+
+/// The largest coordinate of a centroid or a corner, m: places have round-off of this size.
+pub(super) fn reach(setup: &Setup) -> f64 {
+    let largest = |all: f64, v: f64| all.max(v.abs());
+    match setup {
+        Setup::Planar(setup) => {
+            let corners = setup.blocks.iter().flat_map(|block| &block.vertices);
+            corners.flat_map(|v| [v.x, v.y]).fold(0.0, largest)
+        }
+        Setup::Spatial(setup) => {
+            let of = |shape: &Shape| match shape {
+                Shape::Brick { centre, half } => (centre.abs() + half.abs()).max_element(),
+                Shape::Polyhedron(solid) => of_corners(&solid.vertices),
+                Shape::Terrain(surface) => of_corners(&surface.points),
+                Shape::Glued(parts) => {
+                    parts.iter().map(|part| of_corners(&part.vertices)).fold(0.0, f64::max)
+                }
+            };
+            setup.blocks.iter().map(|block| of(&block.shape)).fold(0.0, f64::max)
+        }
+    }
+}
+
+fn of_corners(corners: &[crate::Vec3]) -> f64 {
+    corners.iter().map(|corner| corner.abs().max_element()).fold(0.0, f64::max)
 }
 
 /// Keys of stiffness and of dashpots.

@@ -3,7 +3,8 @@
 //! Of three runs whose cause halves from one to the next, `a`, `b`, `c`, the order is `p = log2((a - b)/(b - c))` and the limit
 //! `L = c + (c - b)/(2^p - 1)` (Richardson 1911). Step and size have a limit that is the answer: the value moves there, and what is left as error is
 //! 1.25 `|L - c|`, the grid convergence index of Roache (1994) for three grids. Stiffness and damping are numbers of the scene: the value stays, and
-//! the error is the way to their limit. Without an order the error is three times the largest difference, Roache's factor for two grids.
+//! the error is the way to their limit. Without an order the error is three times what a half changes, Roache's factor for two grids; a run whose steps
+//! did not become shorter by as much as was asked for (fast blocks bound them) counts by what they did.
 
 use super::causes::{JITTER, Keys};
 use super::{Cause, Check, CheckResult, Part, Result, Spread, Trial};
@@ -11,8 +12,12 @@ use crate::plan::shown::Shown;
 
 /// Factor on what an order leaves.
 const SEEN: f64 = 1.25;
-/// Factor on differences without an order.
+/// Factor on what a half changes, without an order.
 const UNSEEN: f64 = 3.0;
+/// Halvings of the step that make that many times more steps are halvings.
+const HALVED: [f64; 2] = [1.6, 2.5];
+/// A step that is shorter by less than this share says nothing.
+const LEAST: f64 = 0.02;
 /// Differences fall to less than one over these from run to run where an order is believed: orders of a quarter to five.
 const FALL: [f64; 2] = [1.19, 32.0];
 /// A change of a thousandth of the step that does this share of what half the step does, and this share of the result, is chaos.
@@ -60,7 +65,7 @@ pub(super) fn result(
     ran: &CheckResult,
     trials: &[Trial],
     chaotic: bool,
-    keys: &Keys,
+    (keys, size): (&Keys, f64),
 ) -> Result {
     let unit = ask.window.unit(&ask.unit).to_owned();
     let as_run = trials[0].values[k].unwrap_or(f64::NAN);
@@ -97,7 +102,9 @@ pub(super) fn result(
     let moved: f64 = result.parts.iter().map(|part| part.moved).sum();
     let parts: f64 = result.parts.iter().map(|part| part.error).sum();
     result.value = as_run + moved;
-    result.error = parts + round_off(trials[0].steps, as_run) + zero(ask);
+    // Places are as exact as the size of the model allows.
+    let size = if result.unit == "m" { as_run.abs().max(size) } else { as_run.abs() };
+    result.error = parts + round_off(trials[0].steps, size) + zero(ask);
     result.advice = advice(&result, parts, keys);
     result
 }
@@ -116,8 +123,8 @@ fn scatter(result: &mut Result, spread: &Spread, trials: &[Trial], k: usize) {
 }
 
 /// What adding up numbers of this size loses: half a unit in the last digit with every step, and four digits for what is read.
-fn round_off(steps: u64, value: f64) -> f64 {
-    (steps as f64 + 1e4) * f64::EPSILON * value.abs()
+fn round_off(steps: u64, size: f64) -> f64 {
+    (steps as f64 + 1e4) * f64::EPSILON * size
 }
 
 /// What a cause adds.
@@ -131,7 +138,10 @@ fn part(trials: &[Trial], cause: Cause, k: usize) -> Option<Part> {
         Cause::Step => {
             let (close, far): (Vec<_>, Vec<_>) = found.iter().partition(|(f, _)| is_jitter(*f));
             let noise = farthest(&close, base);
-            let mut part = ladder(cause, base, &far, true);
+            let mut part = match steps_scale(trials) {
+                true => ladder(cause, base, &far, true),
+                false => Part { cause, error: by_steps(trials, k), moved: 0.0, order: None },
+            };
             // The reading itself may jump with the step: what a thousandth does cannot be extrapolated.
             part.error = part.error.max(UNSEEN * noise);
             part
@@ -149,6 +159,32 @@ fn part(trials: &[Trial], cause: Cause, k: usize) -> Option<Part> {
         }
     };
     Some(part)
+}
+
+/// Runs with a shorter step, and what their steps were over those of the scene as it stands.
+fn shorter(trials: &[Trial]) -> impl Iterator<Item = (&Trial, f64)> {
+    let base = trials[0].steps as f64;
+    let of_step = trials.iter().filter(|one| one.cause == Some(Cause::Step));
+    let far = of_step.filter(|one| !is_jitter(one.factor) && one.steps > 0);
+    far.map(move |one| (one, base / one.steps as f64))
+}
+
+/// Whether runs with half the step have about twice as many.
+fn steps_scale(trials: &[Trial]) -> bool {
+    shorter(trials).all(|(one, share)| {
+        let each = libm::pow(1.0 / share, libm::log(2.0) / -libm::log(one.factor));
+        each > HALVED[0] && each < HALVED[1]
+    })
+}
+
+/// The error of steps that became shorter by other shares than was asked for.
+fn by_steps(trials: &[Trial], k: usize) -> f64 {
+    let base = trials[0].values[k].unwrap_or(f64::NAN);
+    let of = shorter(trials).filter_map(|(one, share)| {
+        let differs = (one.values[k]? - base).abs();
+        Some(0.5 * UNSEEN * differs / (1.0 - share).max(LEAST))
+    });
+    of.fold(0.0, f64::max)
 }
 
 fn farthest(found: &[(f64, f64)], base: f64) -> f64 {
@@ -252,6 +288,25 @@ mod tests {
         assert!((part.error - 0.3).abs() < 1e-12, "{part:?}");
         let two = ladder(Cause::Equilibrium, 1.0, &[(0.25, 1.01)], false);
         assert!((two.error - 0.03).abs() < 1e-12, "{two:?}");
+    }
+
+    #[test]
+    fn steps_that_something_else_bounds_count_by_what_they_did() {
+        let trial = |cause, factor, value, steps| Trial {
+            cause,
+            factor,
+            values: vec![Some(value)],
+            steps,
+            seconds: 0.0,
+            note: String::new(),
+        };
+        let step = Some(Cause::Step);
+        // A tenth more steps for half the safety: the true way to no step at all is eleven times as long.
+        let bound = [trial(None, 1.0, 1.0, 1000), trial(step, 0.5, 1.01, 1100)];
+        assert!(!steps_scale(&bound));
+        assert!((by_steps(&bound, 0) - 1.5 * 0.01 * 11.0).abs() < 1e-9);
+        let free = [trial(None, 1.0, 1.0, 1000), trial(step, 0.25, 1.01, 4100)];
+        assert!(steps_scale(&free));
     }
 
     #[test]
