@@ -477,9 +477,9 @@ impl Live {
         let read = scene.read(&keys, self.drive.simulation());
         let (change, scene) = read.map_err(DriveError::from)?;
         let event = serde_json::json!({ "event": "changed", "keys": keys });
-        self.drive.edit(event, |simulation| simulation.change(change.clone()))?;
+        self.edit(event, |simulation| simulation.change(change.clone()))?;
         self.scene = Some(scene);
-        self.stand()
+        Ok(())
     }
 
     /// As [`Simulation::set_force`]; an event of the run says so.
@@ -496,8 +496,7 @@ impl Live {
         let event = serde_json::json!({
             "event": "force set", "of": of, "force": force, "moment": moment,
         });
-        self.drive.edit(event, |simulation| simulation.set_force(of, force, moment))?;
-        self.stand()
+        self.edit(event, |simulation| simulation.set_force(of, force, moment))
     }
 
     /// As [`Simulation::set_velocity`]; an event of the run says so.
@@ -507,8 +506,7 @@ impl Live {
     pub fn set_velocity(&mut self, of: &str, velocity: [f64; 3]) -> Result<(), JobError> {
         self.not_ended()?;
         let event = serde_json::json!({ "event": "velocity set", "of": of, "velocity": velocity });
-        self.drive.edit(event, |simulation| simulation.set_velocity(of, velocity))?;
-        self.stand()
+        self.edit(event, |simulation| simulation.set_velocity(of, velocity))
     }
 
     fn not_ended(&self) -> Result<(), DriveError> {
@@ -518,10 +516,16 @@ impl Live {
         }
     }
 
-    /// Finds the forces of the present instant, so that they can be read.
-    fn stand(&mut self) -> Result<(), JobError> {
+    /// Edits the simulation, and finds the forces of the present instant, so that they can be read, whether it was edited or not.
+    fn edit(
+        &mut self,
+        event: serde_json::Value,
+        edit: impl Fn(&mut Simulation) -> Result<(), ChangeError>,
+    ) -> Result<(), JobError> {
+        let edited = self.drive.edit(event, edit);
         let here = Pause { step: Some(self.simulation().steps()), time: None };
-        self.advance(here, &mut |_| Control::Continue).map(|_| ())
+        self.advance(here, &mut |_| Control::Continue)?;
+        Ok(edited?)
     }
 
     /// How it ended, once it has.
