@@ -123,6 +123,6 @@ test("warnings of a scene are marked at their blocks and lead there, also when i
   await shoot(page, "warned-block");
   // Mended and saved: the picture is without marks, and what is left is listed.
   writeFileSync(file, SLIVER.replace('"1 mm"', '"0.5 m"'));
-  await expect(warnings.locator("summary")).toHaveText("Warnings (1)", { timeout: 15_000 });
+  await expect(warnings.locator("summary")).toHaveText("Warnings (1)");
   await expect(page.locator(".legend")).not.toContainText("with warnings");
 });

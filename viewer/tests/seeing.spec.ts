@@ -86,9 +86,8 @@ test("a flat cut lies off the faces and has the colours of the legend", async ({
   await page.keyboard.press("2");
   await expect.poll(async () => Number(await stage(page).getAttribute("data-cut"))).toBeGreaterThan(20);
   await page.keyboard.press("e");
-  await page.waitForTimeout(300);
   // One colour for everything: seen from the front, the middle of the cut has exactly it.
-  const colours = await stage(page).evaluate((canvas) => {
+  const colours = () => stage(page).evaluate((canvas) => {
     const from = canvas as HTMLCanvasElement;
     const copy = document.createElement("canvas");
     copy.width = from.width;
@@ -106,8 +105,8 @@ test("a flat cut lies off the faces and has the colours of the legend", async ({
     }
     return [...seen];
   });
+  await expect.poll(colours).toEqual(["185,168,140"]);
   await shoot(page, "cut-unlit");
-  expect(colours).toEqual(["185,168,140"]);
 });
 
 test("supports can be shown", async ({ view }) => {
@@ -138,12 +137,12 @@ test("a scene is shown before it is run, on its feet, and again when it is saved
   );
   expect(ends[1]).toBeGreaterThan(15);
   writeFileSync(file, TOWER.replace('"4 m"', '"6 m"'));
-  await expect(stage(page)).toHaveAttribute("data-blocks", "6", { timeout: 15_000 });
+  await expect(stage(page)).toHaveAttribute("data-blocks", "6");
   writeFileSync(file, TOWER.replace("density", "densty"));
-  await expect(page.locator(".banner")).toContainText("did you mean `density`", { timeout: 15_000 });
+  await expect(page.locator(".banner")).toContainText("did you mean `density`");
   await shoot(page, "preview-wrong");
   writeFileSync(file, TOWER);
-  await expect(stage(page)).toHaveAttribute("data-blocks", "4", { timeout: 15_000 });
+  await expect(stage(page)).toHaveAttribute("data-blocks", "4");
 });
 
 /** A bank of rock with every kind of boundary, a load, a water table and two materials. */

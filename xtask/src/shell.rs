@@ -1,6 +1,6 @@
 //! Running commands: their output is shown as it comes and, where they count, counted.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -30,6 +30,35 @@ pub struct Finished {
 thread_local! {
     /// Step whose commands this thread runs.
     static SPEAKER: Cell<&'static str> = const { Cell::new("") };
+    /// What the commands of this thread said of failures.
+    static FAILURES: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Lines kept of the failures of a step.
+const KEPT: usize = 40;
+
+/// Takes what the commands of this thread said of failures: a log is cut at its beginning, so that the summary repeats them.
+pub fn failures() -> Vec<String> {
+    FAILURES.take()
+}
+
+/// Whether `line` names a failed check: of cargo (`test a::b ... FAILED`), of pytest and of `riprap verify`
+/// (`FAILED …`), of the browser's tally (`failed: …`).
+fn names_failure(line: &str) -> bool {
+    let line = line.trim();
+    ["FAILED ", "failed: "].iter().any(|word| line.starts_with(word))
+        || (line.starts_with("test ") && line.ends_with("FAILED"))
+}
+
+/// Keeps a line that names a failed check.
+fn keep_failure(line: &str) {
+    if names_failure(line) {
+        FAILURES.with_borrow_mut(|kept| {
+            if kept.len() < KEPT {
+                kept.push(line.trim().to_owned());
+            }
+        });
+    }
 }
 
 /// Runs `f` with the output of its commands marked by `name`: steps run side by side.
@@ -88,7 +117,9 @@ pub fn run(root: &Path, command: &mut Command) -> Result<Finished, String> {
             // A reader that has gone away (`| head`) must not stop the checks.
             let whole = [mark.as_bytes(), &line, b"\n"].concat();
             let _ = out.write_all(&whole);
-            if let Some(found) = read_counts(&String::from_utf8_lossy(&line)) {
+            let line = String::from_utf8_lossy(&line);
+            keep_failure(&line);
+            if let Some(found) = read_counts(&line) {
                 counts.add(found);
             }
         }
@@ -140,6 +171,24 @@ mod tests {
         assert_eq!(option(&mut words, "--binary"), Ok(None));
         assert!(number(&mut vec!["--tries"], "--tries").is_err());
         assert!(number(&mut vec!["--tries", "x"], "--tries").is_err());
+    }
+
+    #[test]
+    fn lines_that_name_a_failed_check_are_kept_once() {
+        let named = [
+            "test a::b ... FAILED",
+            "FAILED tests/test_x.py::test_y - assert 1 == 2",
+            "failed: a test › of the page",
+        ];
+        for line in named.iter().chain(&[
+            "test a::c ... ok",
+            "test result: FAILED. 1 passed; 1 failed",
+            "what failed lies in x",
+        ]) {
+            keep_failure(line);
+        }
+        assert_eq!(failures(), named);
+        assert!(failures().is_empty());
     }
 
     #[test]

@@ -99,6 +99,9 @@ pub fn run(root: &Path, only: &[&str]) -> Result<bool, String> {
     for (step, report) in chosen.iter().zip(&reports) {
         total.add(report.counts);
         println!("{:<9} {:>9.1}  {}", step.name, report.seconds, report.said);
+        for line in &report.failures {
+            println!("{:<9} {:>9}  {line}", "", "");
+        }
     }
     println!("{} passed, {} failed, {} skipped", total.passed, total.failed, total.skipped);
     Ok(total.failed == 0)
@@ -110,6 +113,8 @@ struct Report {
     counts: Counts,
     seconds: f64,
     said: String,
+    /// The lines of its output that name what failed.
+    failures: Vec<String>,
 }
 
 /// Where a step is.
@@ -188,26 +193,29 @@ fn lost(steps: &[&Step], states: &[State], k: usize) -> Option<&'static str> {
 
 fn failed(why: &str) -> Report {
     let counts = Counts { failed: 1, ..Counts::default() };
-    Report { counts, seconds: 0.0, said: format!("FAILED  {why}") }
+    Report { counts, said: format!("FAILED  {why}"), ..Report::default() }
 }
 
 fn perform(root: &Path, step: &Step) -> Report {
     println!("\n== {}: {}", step.name, step.about);
     let start = Instant::now();
+    shell::failures();
     let result = (step.run)(root);
     let seconds = start.elapsed().as_secs_f64();
     let report = match result {
         Ok(Outcome::Counted(counts)) => {
             let word = if counts.failed == 0 { "ok" } else { "FAILED" };
             let said = format!("{word:<7} {} passed, {} failed", counts.passed, counts.failed);
-            Report { counts, seconds, said }
+            let failures = if counts.failed == 0 { Vec::new() } else { shell::failures() };
+            Report { counts, seconds, said, failures }
         }
         Ok(Outcome::Skipped(why)) => Report {
             counts: Counts { skipped: 1, ..Counts::default() },
             seconds,
             said: format!("skipped {why}"),
+            failures: Vec::new(),
         },
-        Err(why) => Report { seconds, ..failed(&why) },
+        Err(why) => Report { seconds, failures: shell::failures(), ..failed(&why) },
     };
     println!("-- {}: {} ({seconds:.1} s)", step.name, report.said);
     report

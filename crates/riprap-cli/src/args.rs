@@ -157,6 +157,9 @@ pub struct Check {
     /// Print the findings as JSON
     #[arg(long)]
     pub json: bool,
+    /// Report how N ranks would share the model out, and what they would send each other
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub ranks: Option<u32>,
 }
 
 /// Run a scene.
@@ -175,6 +178,8 @@ pub struct Run {
     pub scene: Scene,
     #[command(flatten)]
     pub how: How,
+    #[command(flatten)]
+    pub ranks: Ranks,
     /// Folder for the results [default: the scene's name with .run, in the working folder]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -194,6 +199,15 @@ pub struct How {
     pub quiet: bool,
 }
 
+/// Ranks that compute one run together.
+#[derive(Debug, Args)]
+pub struct Ranks {
+    /// Compute as N ranks, threads of this process: the results are bitwise identical for any number. To try out how a
+    /// model is shared out; on one machine --threads is faster
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub ranks: Option<u16>,
+}
+
 /// Resume a stopped run.
 ///
 /// Continues from the last valid checkpoint in the run folder. The result is bitwise identical
@@ -208,6 +222,8 @@ pub struct Resume {
     pub run: PathBuf,
     #[command(flatten)]
     pub how: How,
+    #[command(flatten)]
+    pub ranks: Ranks,
 }
 
 /// Run a scene over the values of its [sweep].

@@ -28,6 +28,8 @@ pub enum Failure {
     Scene(Diagnostics),
     /// Results could not be written.
     Output(String),
+    /// The ranks of a run could not go on together.
+    Ranks(String),
     /// Stopped by the user.
     Interrupted(String),
 }
@@ -36,7 +38,7 @@ impl Failure {
     /// The exit code.
     pub fn code(&self) -> u8 {
         match self {
-            Failure::Physics(_) | Failure::Checks => STOPPED,
+            Failure::Physics(_) | Failure::Ranks(_) | Failure::Checks => STOPPED,
             Failure::Input(_) | Failure::Scene(_) => BAD_INPUT,
             Failure::Output(_) => NOT_WRITTEN,
             Failure::Interrupted(_) => INTERRUPTED,
@@ -61,7 +63,10 @@ impl Failure {
         match self {
             Failure::Checks => {}
             Failure::Scene(all) => diagnostics::print(all, style),
-            Failure::Physics(text) | Failure::Input(text) | Failure::Output(text) => {
+            Failure::Physics(text)
+            | Failure::Input(text)
+            | Failure::Output(text)
+            | Failure::Ranks(text) => {
                 diagnostics::print_line("error", text);
             }
             Failure::Interrupted(text) => diagnostics::print_line("stopped", text),
@@ -77,6 +82,7 @@ impl std::fmt::Display for Failure {
             Failure::Physics(text)
             | Failure::Input(text)
             | Failure::Output(text)
+            | Failure::Ranks(text)
             | Failure::Interrupted(text) => f.write_str(text),
         }
     }
@@ -94,6 +100,12 @@ impl From<JobError> for Failure {
             JobError::Folder(_) if !error.is_output() => format!("{error} (--out, --force)"),
             _ => error.to_string(),
         };
-        if error.is_output() { Failure::Output(text) } else { Failure::Input(text) }
+        if error.is_output() {
+            Failure::Output(text)
+        } else if error.ranks().is_some() {
+            Failure::Ranks(text)
+        } else {
+            Failure::Input(text)
+        }
     }
 }

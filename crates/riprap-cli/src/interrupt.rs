@@ -62,6 +62,12 @@ impl Interrupt {
         Ok(interrupt)
     }
 
+    /// Leaves it to another rank of the run when to stop: a launcher passes the signal on to all.
+    pub fn leave_to_another() -> Result<(), Failure> {
+        ctrlc::set_handler(|| ())
+            .map_err(|e| Failure::Input(format!("could not listen for Ctrl-C: {e}")))
+    }
+
     /// From here on the first Ctrl-C asks, and what has been done is saved.
     pub fn begin(&self) {
         self.begun.store(true, Ordering::SeqCst);

@@ -9,6 +9,7 @@ mod failure;
 mod interrupt;
 mod numbers;
 mod progress;
+mod ranks;
 mod scenes;
 mod screen;
 mod slip;

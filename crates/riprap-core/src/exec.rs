@@ -6,10 +6,11 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError, mpsc};
+use std::sync::{Arc, Mutex, PoisonError, mpsc};
 
 use rayon::prelude::*;
 
+use crate::peers::{Peers, channels};
 use crate::sums::{GROUP, Tree};
 
 /// Items per chunk in parallel stages without sums, and in looks; a power of 2 times [`GROUP`].
@@ -80,6 +81,10 @@ macro_rules! cut {
 pub struct Exec {
     pool: Option<rayon::ThreadPool>,
     threads: usize,
+    /// The ranks that compute the same model, where there are others.
+    peers: Option<Arc<Peers>>,
+    /// Threads of all ranks.
+    workers: usize,
 }
 
 impl std::fmt::Debug for Exec {
@@ -100,7 +105,7 @@ impl Exec {
     /// Runs everything on the calling thread.
     #[must_use]
     pub fn serial() -> Self {
-        Self { pool: None, threads: 1 }
+        Self { pool: None, threads: 1, peers: None, workers: 1 }
     }
 
     /// A pool of `threads` threads; 0 and 1 run on the calling thread.
@@ -115,7 +120,36 @@ impl Exec {
             .num_threads(threads)
             .build()
             .map_err(|e| ExecError { threads, reason: e.to_string() })?;
-        Ok(Self { pool: Some(pool), threads })
+        Ok(Self { pool: Some(pool), threads, peers: None, workers: threads })
+    }
+
+    /// As [`Exec::new`] for one of several ranks. All of them must call it.
+    ///
+    /// # Errors
+    /// When the threads cannot be started.
+    pub fn among(peers: Arc<Peers>, threads: usize) -> Result<Self, ExecError> {
+        let mut exec = Self::new(threads)?;
+        // Work is cut alike on all, whatever machine each is on.
+        let most = peers.gather((exec.threads as u64).to_le_bytes().to_vec()).map(|all| {
+            let number =
+                |m: &Vec<u8>| m.as_chunks().0.first().map_or(1, |b| u64::from_le_bytes(*b));
+            all.iter().map(|m| number(m)).max().unwrap_or(1)
+        });
+        exec.workers = peers.size() * most.unwrap_or(1) as usize;
+        exec.peers = (peers.size() > 1).then_some(peers);
+        Ok(exec)
+    }
+
+    /// The ranks that compute the same model, where there are others.
+    #[must_use]
+    pub fn peers(&self) -> Option<&Arc<Peers>> {
+        self.peers.as_ref()
+    }
+
+    /// Number of threads of all ranks, where each has as many as the largest.
+    #[must_use]
+    pub fn workers(&self) -> usize {
+        self.workers
     }
 
     /// Number of threads.
@@ -343,6 +377,22 @@ impl Exec {
         }
     }
 
+    /// [`Exec::divided`] for the chunks `own` of `chunks` alone.
+    pub fn divided_own<W: Divide>(
+        &self,
+        work: W,
+        chunks: usize,
+        own: Range<usize>,
+        f: impl Fn(usize, W) + Sync,
+    ) {
+        if own.is_empty() {
+            return;
+        }
+        let work = if own.start > 0 { work.divide(own.start).1 } else { work };
+        let work = if own.end < chunks { work.divide(own.len()).0 } else { work };
+        self.divided(work, own.len(), |chunk, piece| f(own.start + chunk, piece));
+    }
+
     /// Calls `f(chunk, piece)` once for each of `chunks` chunks of `work`; on a pool in any order.
     pub fn divided<W: Divide>(&self, work: W, chunks: usize, f: impl Fn(usize, W) + Sync) {
         match &self.pool {
@@ -361,6 +411,24 @@ impl Exec {
             }
         }
     }
+}
+
+/// Runs `lead` on this thread as rank 0 of `size` ranks, and `follow` on a thread for each of the others; what all return. A rank that panics
+/// is gone for the others, and returns nothing.
+pub fn ranks<R, F: Send>(
+    size: usize,
+    lead: impl FnOnce(Arc<Peers>) -> R,
+    follow: impl Fn(Arc<Peers>) -> F + Sync,
+) -> (R, Vec<Option<F>>) {
+    let mut links = channels(size.max(1)).into_iter().map(|link| Arc::new(Peers::new(link)));
+    let first = links.next();
+    std::thread::scope(|scope| {
+        let follow = &follow;
+        let threads: Vec<_> = links.map(|peers| scope.spawn(move || follow(peers))).collect();
+        let Some(first) = first else { unreachable!("there is at least one rank") };
+        let led = lead(first);
+        (led, threads.into_iter().map(|thread| thread.join().ok()).collect())
+    })
 }
 
 /// Run number `chunk` of [`CHUNK`] of the numbers below `n`.

@@ -1,11 +1,12 @@
 //! What every engine of riprap stands on.
 //!
-//! - [`exec`]: the one place that names the thread pool; [`lanes`]: eight numbers at a time;
+//! - [`exec`]: the one place that names the thread pool; [`peers`]: ranks that compute one model together; [`lanes`]: eight numbers at a time;
 //! - [`ledger`]: energy; [`accounts`]: the work of single conditions; [`profile`]: stage timers;
 //! - [`state_hash`]: equal hashes, equal states;
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
 //! - [`distribution`]: random numbers and what a count of failures says;
 //! - [`sparse`]: linear systems of bodies that share contacts;
+//! - [`flow`]: gas that flows through a network of cracks;
 //! - [`rhythm`]: how often something is done;
 //! - [`field`], [`frame`]: the vocabulary in which an engine tells what it can be asked, and one picture of its blocks.
 //!
@@ -22,11 +23,13 @@ pub mod dynamics;
 pub mod exec;
 pub mod failed;
 pub mod field;
+pub mod flow;
 pub mod frame;
 pub mod lanes;
 pub mod laws;
 pub mod ledger;
 pub mod numbers;
+pub mod peers;
 pub mod profile;
 pub mod rhythm;
 pub mod sets;

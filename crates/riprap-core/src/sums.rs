@@ -1,6 +1,8 @@
 //! Sums in a fixed order: items are added up over [`GROUP`] consecutive keys and then over a fixed tree of groups, so that
 //! bits depend on the keys alone, whatever the threads and however the work is cut into pieces of whole groups.
 
+use std::ops::Range;
+
 /// Consecutive keys whose items are added one after another.
 pub const GROUP: usize = 64;
 
@@ -14,6 +16,78 @@ pub fn tree<T: Copy>(list: &mut [T], add: impl Fn(&mut T, &T)) {
             add(&mut list[k], &other);
         }
         stride *= 2;
+    }
+}
+
+/// A list that is added up by several ranks, each its own part of it, over the fixed tree of the whole list.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Shared {
+    /// Where the parts begin; one entry more, the length of the list.
+    bounds: Vec<usize>,
+}
+
+impl Shared {
+    /// A list with these parts.
+    #[must_use]
+    pub fn new(bounds: Vec<usize>) -> Self {
+        Self { bounds }
+    }
+
+    fn part(&self, rank: usize) -> Range<usize> {
+        self.bounds[rank]..self.bounds[rank + 1]
+    }
+
+    fn len(&self) -> usize {
+        self.bounds.last().copied().unwrap_or(0)
+    }
+
+    /// Adds up the branches of the tree that lie in the part of a rank.
+    pub fn add_own<T: Copy>(&self, rank: usize, list: &mut [T], add: impl Fn(&mut T, &T)) {
+        let own = self.part(rank);
+        self.climb(list, add, |branch| own.start <= branch.start && branch.end <= own.end);
+    }
+
+    /// Where the sums of these branches stand in the list: what the others must know.
+    pub fn tops(&self, rank: usize) -> impl Iterator<Item = usize> {
+        let (own, len) = (self.part(rank), self.len());
+        let mut next = own.start;
+        std::iter::from_fn(move || {
+            let at = next;
+            let fits = |size: usize| at.is_multiple_of(size) && len.min(at + size) <= own.end;
+            let mut size = 1;
+            while at + size < len && fits(2 * size) {
+                size *= 2;
+            }
+            next += size;
+            (at < own.end).then_some(at)
+        })
+    }
+
+    /// Adds up what all have added up to the sum of the list, in its first item.
+    pub fn add_all<T: Copy>(&self, list: &mut [T], add: impl Fn(&mut T, &T)) {
+        let of_one = |branch: &Range<usize>| {
+            let rank = self.bounds.partition_point(|first| *first <= branch.start);
+            branch.end <= self.bounds.get(rank).copied().unwrap_or(0)
+        };
+        self.climb(list, add, |branch| !of_one(branch));
+    }
+
+    fn climb<T: Copy>(
+        &self,
+        list: &mut [T],
+        add: impl Fn(&mut T, &T),
+        mine: impl Fn(&Range<usize>) -> bool,
+    ) {
+        let (len, mut stride) = (self.len(), 1);
+        while stride < len {
+            for k in (0..len - stride).step_by(2 * stride) {
+                if mine(&(k..len.min(k + 2 * stride))) {
+                    let other = list[k + stride];
+                    add(&mut list[k], &other);
+                }
+            }
+            stride *= 2;
+        }
     }
 }
 
@@ -62,7 +136,7 @@ fn add<const N: usize>(a: &[f64; N], b: &[f64; N]) -> [f64; N] {
 
 #[cfg(test)]
 mod tests {
-    use super::{Tree, tree};
+    use super::{Shared, Tree, tree};
 
     #[test]
     fn the_tree_does_not_depend_on_how_a_list_is_cut() {
@@ -84,6 +158,29 @@ mod tests {
                 one_by_one.push([*x]);
             }
             assert_eq!(one_by_one.sum()[0].to_bits(), whole.to_bits(), "{length}");
+        }
+        for (length, bounds) in [
+            (1000, vec![0, 1000]),
+            (1000, vec![0, 333, 334, 334, 900, 1000]),
+            (7, vec![0, 0, 3, 7]),
+            (64, vec![0, 32, 63, 64]),
+            (5, vec![0, 1, 2, 3, 4, 5, 5, 5]),
+        ] {
+            let ranks = bounds.len() - 1;
+            let shared = Shared::new(bounds);
+            let mut all = vec![f64::NAN; length];
+            let mut sent = 0;
+            for rank in 0..ranks {
+                let mut own = list[..length].to_vec();
+                shared.add_own(rank, &mut own, |a, b| *a += b);
+                for top in shared.tops(rank) {
+                    all[top] = own[top];
+                    sent += 1;
+                }
+            }
+            shared.add_all(&mut all, |a, b| *a += b);
+            assert_eq!(all[0].to_bits(), sum(&list[..length]).to_bits(), "{length} {ranks}");
+            assert!(sent <= 2 * 10 * ranks, "{sent} of {length} by {ranks}");
         }
         tree(&mut [], |a: &mut f64, b| *a += b);
         assert_eq!(Tree::<1>::default().sum(), [0.0]);

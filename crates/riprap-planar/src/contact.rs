@@ -9,7 +9,7 @@ use riprap_geom::Vec2;
 use super::convex::{self, Side, Turned};
 use super::depths;
 use super::handover;
-use super::parting;
+use super::initial_overlap;
 use super::pieces;
 use super::scratch::{Scratch, Workspace};
 use super::search::Candidate;
@@ -181,7 +181,7 @@ fn general_pair(
     let mut total = Wrench::default();
     let by_path = matches!(law.normal, NormalLaw::PenetrationPotential);
     let stored = if context.begins && by_path && workspace.old.is_empty() {
-        parting::energies(context, candidate, &relative)
+        initial_overlap::energies(context, candidate, &relative)
     } else {
         Vec::new()
     };

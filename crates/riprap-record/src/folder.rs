@@ -113,11 +113,12 @@ pub struct Marks {
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
-    /// Held as long as the folder is written; the system releases it when the process dies.
-    _lock: File,
+    /// Held as long as the folder is written; the system releases it when the process dies. None where nothing is written.
+    lock: Option<File>,
     histories: Option<Series>,
     energy: Option<Series>,
-    events: AppendFile,
+    /// None where nothing is written.
+    events: Option<AppendFile>,
     frames: Vec<FrameEntry>,
 }
 
@@ -177,10 +178,10 @@ impl RunFolder {
         let events = AppendFile::create(&path.join("events.jsonl"))?;
         let run = RunFolder {
             path: path.to_owned(),
-            _lock: lock,
+            lock: Some(lock),
             histories: None,
             energy: None,
-            events,
+            events: Some(events),
             frames: Vec::new(),
         };
         run.write_pvd()?;
@@ -225,10 +226,10 @@ impl RunFolder {
             };
         let mut run = RunFolder {
             path: path.to_owned(),
-            _lock: lock,
+            lock: Some(lock),
             histories: series("histories.csv", marks.histories, marks.history_columns)?,
             energy: series("energy.csv", marks.energy, marks.energy_columns)?,
-            events: AppendFile::look(&path.join("events.jsonl"), marks.events)?,
+            events: Some(AppendFile::look(&path.join("events.jsonl"), marks.events)?),
             frames: marks.frames.clone(),
         };
         let old = frame_files(path)?;
@@ -242,7 +243,9 @@ impl RunFolder {
                 None => remove_if_there(&path.join(name))?,
             }
         }
-        run.events.cut()?;
+        if let Some(events) = &mut run.events {
+            events.cut()?;
+        }
         // The lists first: they must never name a file that is gone.
         run.write_pvd()?;
         let kept = |index: u32| marks.frames.iter().any(|f| f.index == index);
@@ -262,6 +265,19 @@ impl RunFolder {
         Ok((run, aside))
     }
 
+    /// A folder in which nothing is written: that of a rank beside the one that writes. It counts its `frames` from those of a checkpoint on.
+    #[must_use]
+    pub fn silent(frames: Vec<FrameEntry>) -> Self {
+        let path = PathBuf::new();
+        Self { path, lock: None, histories: None, energy: None, events: None, frames }
+    }
+
+    /// Whether nothing is written.
+    #[must_use]
+    pub fn is_silent(&self) -> bool {
+        self.lock.is_none()
+    }
+
     /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path
@@ -277,6 +293,9 @@ impl RunFolder {
     /// # Errors
     /// The disk.
     pub fn write_manifest(&self, manifest: &Manifest) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         manifest.write(&self.path)
     }
 
@@ -285,6 +304,9 @@ impl RunFolder {
     /// # Errors
     /// The disk.
     pub fn write_scenario(&self, toml: &str) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         write_whole(&self.path.join("scenario.resolved.toml"), toml.as_bytes())
     }
 
@@ -293,6 +315,9 @@ impl RunFolder {
     /// # Errors
     /// The disk.
     pub fn write_file(&self, name: &str, bytes: &[u8]) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         write_whole(&self.path.join(name), bytes)
     }
 
@@ -304,6 +329,9 @@ impl RunFolder {
         &mut self,
         columns: &[(S, S)],
     ) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         begin(&mut self.histories, &self.path.join("histories.csv"), columns)
     }
 
@@ -312,6 +340,9 @@ impl RunFolder {
     /// # Errors
     /// The disk.
     pub fn begin_energy<S: AsRef<str>>(&mut self, columns: &[(S, S)]) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         begin(&mut self.energy, &self.path.join("energy.csv"), columns)
     }
 
@@ -325,6 +356,9 @@ impl RunFolder {
         time: f64,
         row: &[Option<f64>],
     ) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         append(&mut self.histories, &self.path.join("histories.csv"), step, time, row)
     }
 
@@ -333,6 +367,9 @@ impl RunFolder {
     /// # Errors
     /// As [`RunFolder::history_row`].
     pub fn energy_row(&mut self, step: u64, time: f64, row: &[f64]) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         let row: Vec<Option<f64>> = row.iter().copied().map(Some).collect();
         append(&mut self.energy, &self.path.join("energy.csv"), step, time, &row)
     }
@@ -344,7 +381,10 @@ impl RunFolder {
     pub fn event<T: Serialize>(&mut self, event: &T) -> Result<(), OutputError> {
         let path = self.path.join("events.jsonl");
         let text = serde_json::to_string(event).map_err(io::Error::from).at(&path)?;
-        self.events.line(&text)
+        match &mut self.events {
+            Some(events) => events.line(&text),
+            None => Ok(()),
+        }
     }
 
     /// Writes what holds, moves and loads the model.
@@ -352,6 +392,9 @@ impl RunFolder {
     /// # Errors
     /// The disk.
     pub fn write_conditions(&self, conditions: &Conditions) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         super::conditions::write(conditions, &self.path)
     }
 
@@ -360,7 +403,16 @@ impl RunFolder {
     /// # Errors
     /// The disk.
     pub fn write_names(&self, names: &Names) -> Result<(), OutputError> {
+        if self.is_silent() {
+            return Ok(());
+        }
         names.write(&self.path)
+    }
+
+    /// Counts a frame that another rank writes.
+    pub fn count_frame(&mut self, step: u64, time: f64) {
+        let index = self.frames.last().map_or(1, |f| f.index + 1);
+        self.frames.push(FrameEntry { index, step, time });
     }
 
     /// Writes a frame (up to five `.vtu` files), compressed by the threads of `exec`, and then names it in the two `.pvd` files.
@@ -385,7 +437,7 @@ impl RunFolder {
         if let Some(bytes) = vtu::tetrahedra(frame, exec).at(&tetrahedra)? {
             write_whole(&tetrahedra, &bytes)?;
         }
-        self.frames.push(FrameEntry { index, step: frame.step, time: frame.time });
+        self.count_frame(frame.step, frame.time);
         // Last, so that the lists never name a file that is not whole.
         files::extend_lists(&self.path, &self.frames)?;
         Ok(&self.frames[self.frames.len() - 1])
@@ -402,7 +454,7 @@ impl RunFolder {
             step,
             histories: bytes(&self.histories),
             energy: bytes(&self.energy),
-            events: self.events.len(),
+            events: self.events.as_ref().map_or(0, AppendFile::len),
             history_columns: columns(&self.histories),
             energy_columns: columns(&self.energy),
             frames: self.frames.clone(),
@@ -438,7 +490,9 @@ impl RunFolder {
         for series in [&self.histories, &self.energy].into_iter().flatten() {
             series.file.sync()?;
         }
-        self.events.sync()?;
+        if let Some(events) = &self.events {
+            events.sync()?;
+        }
         checkpoint::write_and_prune(&self.path, kind, step, state, packing)
     }
 

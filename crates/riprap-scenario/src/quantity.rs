@@ -249,6 +249,8 @@ kinds! {
     Modulus: Some(Dim::PRESSURE), POSITIVE, "a modulus", "10 GPa";
     /// A stress, traction or pressure, Pa.
     Pressure: Some(Dim::PRESSURE), ALL, "a pressure", "1 MPa";
+    /// A pressure >= 0, Pa.
+    NotNegativePressure: Some(Dim::PRESSURE), NOT_NEGATIVE, "a pressure", "0.1 MPa";
     /// A dynamic viscosity > 0, Pa s.
     Viscosity: Some(Dim::VISCOSITY), POSITIVE, "a viscosity", "1e-3 Pa s";
     /// A strength >= 0, Pa.

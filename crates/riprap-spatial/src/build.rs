@@ -53,6 +53,7 @@ impl World {
             gravity: setup.gravity,
             water: None,
             seepage: None,
+            gas: None,
             time: 0.0,
             step: 0,
             last_dt: 0.0,

@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::accounts::Condition;
 use crate::dynamics::TimeFunction;
 use crate::dynamics::kick::Target;
+use crate::flow::Friction;
 use crate::laws::bolt::Design;
 pub use crate::laws::explosive::{Explosive, Products};
 pub use crate::laws::in_situ::InSitu;
@@ -612,6 +613,21 @@ pub enum Venting {
         /// Time over which the pressure falls to zero, s.
         span: f64,
     },
+    /// Through the cracks that it has made: broken joints are a network ([`crate::flow`]).
+    Cracks(Cracks),
+}
+
+/// Cracks that gas enters.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cracks {
+    /// Friction of the flow.
+    pub friction: Friction,
+    /// Aperture of a crack whose walls touch, m; what it opens adds to it.
+    pub aperture: f64,
+    /// Largest aperture that counts for the flow, m; the volume has no such limit.
+    pub widest: f64,
+    /// Pressure of the air, Pa: gas leaves against it.
+    pub air: f64,
 }
 
 /// Splitting of blocks 1 to 8 (bricks and parallelepipeds). Neighbours never differ by more than one level: the planner splits

@@ -70,6 +70,7 @@ pub fn evaluate(
     // or its force would be missing for a step.
     let [meet, deformable] = stage(scratch, "search", |scratch| {
         contact::release(world, scratch);
+        implicit::adopt_released(world);
         crate::contact::deformable::part(world, scratch);
         let meet = contact::refresh(world, scratch);
         [meet, crate::contact::deformable::refresh(world, scratch)]
@@ -189,6 +190,11 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
     // A look between two steps must not age the memory; after an edit
     // the laws have to answer though nothing has moved.
     let live = world.pending > 0.0 || world.fresh;
+    let own = scratch.own(world);
+    let shared_out = scratch.share(world).is_some();
+    if let Some(share) = &mut scratch.share {
+        share.begin(&scratch.tiles, &world.patches);
+    }
     let (list, tiles) = (&mut world.patches, &scratch.tiles);
     let shared = Shared {
         poses: Poses { bodies: &world.bodies, turned: &world.turned },
@@ -220,10 +226,23 @@ fn patches(world: &mut World, scratch: &mut Scratch) {
         lost: &mut scratch.lost,
     };
     let count = tiles.list.len();
-    scratch.exec.divided(work, count, |_, piece| forces::tile(&shared, piece));
-    sums::tree(&mut scratch.lost, Lost::add);
+    let begun = Instant::now();
+    scratch.exec.divided_own(work, count, own, |_, piece| forces::tile(&shared, piece));
+    match &mut scratch.share {
+        Some(share) if shared_out => {
+            share.book(begun.elapsed());
+            share.slots(&mut scratch.slots, &mut scratch.lost);
+        }
+        _ => sums::tree(&mut scratch.lost, Lost::add),
+    }
     if let Some(all) = scratch.lost.first() {
         world.works.dissipate(all.friction, all.fracture);
+        if let Some(implicit) = world.implicit.as_deref_mut() {
+            implicit.lost_in_joints += all.friction + all.fracture;
+        }
+    }
+    if world.implicit.is_some() {
+        implicit::joints::withdraw(scratch);
     }
 }
 

@@ -1,9 +1,12 @@
 //! `riprap check`: what a scene holds and what a run of it will take.
 
+use riprap::exec::Exec;
 use riprap::model::{Charge, Setup, Summary};
 use riprap::run::cpu::Work;
+use riprap::run::engine::Engine;
 use riprap::run::forecast::{Forecast, ForecastError, forecast};
 use riprap::run::meeting::Outlook;
+use riprap::spatial::Part;
 use serde_json::json;
 
 use crate::args::Check;
@@ -61,6 +64,9 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     let memory = grouped((1e-6 * expected.memory).ceil() as u64);
     screen::line(&format!("  memory     about {memory} MB"));
     screen::print(&expected_text(&expected, laid_out + expected.build_time));
+    if let Some(ranks) = args.ranks {
+        screen::print(&ranks_text(&model.setup, ranks as usize, expected.memory)?);
+    }
     for doubt in &expected.warnings {
         print_line("warning", doubt);
     }
@@ -70,6 +76,42 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
         model.warnings.len() + expected.warnings.len()
     ));
     Ok(())
+}
+
+/// How so many ranks would share the model out; `memory` of each of them, bytes.
+fn ranks_text(setup: &Setup, ranks: usize, memory: f64) -> Result<String, Failure> {
+    let each = format!("each holds the whole model, about {}", si(memory, "B"));
+    let engine = Engine::new(setup.clone(), Exec::serial());
+    let engine = engine.map_err(|e| Failure::Input(e.to_string()))?;
+    let Some(parts) = engine.parts(ranks) else {
+        return Ok(format!(
+            "  ranks      {ranks}; {each}; models in the plane are not shared out: every rank computes all of it\n"
+        ));
+    };
+    let mut text = format!("  ranks      {ranks}; {each}\n");
+    let line = |part: &Part| {
+        format!(
+            "{} blocks, {} joints ({} at the cut); sends {} messages and {} a step",
+            grouped(part.blocks as u64),
+            grouped(part.patches as u64),
+            grouped(part.cut as u64),
+            part.messages,
+            si(part.bytes as f64, "B")
+        )
+    };
+    // Ranks in a row that are alike share a line.
+    for alike in parts.iter().zip(0..).collect::<Vec<_>>().chunk_by(|(a, _), (b, _)| a == b) {
+        let (part, first) = alike[0];
+        let numbers = match alike.len() {
+            1 => format!("rank {first}"),
+            n => format!("ranks {first} to {}", first + n - 1),
+        };
+        text.push_str(&format!("             {numbers}: {}\n", line(part)));
+    }
+    if parts.iter().any(|part| part.blocks == 0) {
+        text.push_str("             the model has fewer groups of 64 blocks than there are ranks: some have none\n");
+    }
+    Ok(text)
 }
 
 /// What was read of the files that the scene names, a line each.

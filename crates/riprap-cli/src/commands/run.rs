@@ -8,22 +8,25 @@ use riprap::record::manifest::{Manifest, Work};
 use riprap::record::table::Table;
 use riprap::record::{RunFolder, checkpoint};
 use riprap::run::drive::{Control, Ending, Look};
-use riprap::run::job::{self, Live, Outcome};
+use riprap::run::job::Outcome;
 use riprap::run::simulation::PhaseEnd;
 
-use crate::args::{How, Resume, Run};
+use crate::args::{Resume, Run};
 use crate::commands::check::imports_text;
-use crate::commands::{check_lines, default_folder, run_folder, threads};
+use crate::commands::{check_lines, default_folder, run_folder};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::numbers::{duration, grouped, ratio, si};
 use crate::progress::Display;
+use crate::ranks::Crew;
 use crate::{scenes, screen};
 
 /// `riprap run`.
 pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
-    let prepared = scenes::prepare(&args.scene, style, args.how.quiet)?;
+    let crew = Crew::of("run", &args.ranks, &args.how)?;
+    let quiet = args.how.quiet || !crew.speaks();
+    let prepared = crew.end(scenes::prepare(&args.scene, style, quiet))?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "run", args.force);
     let summary = &prepared.model.summary;
     let near = match &prepared.model.setup {
@@ -43,9 +46,10 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     let job = prepared.job();
     let begun = folder.clone();
     let early = move || stopped_early(&begun);
-    with_display(&args.how, &head, &folder, early, |look| {
-        job::run(job, &folder, existing, threads(&args.how), look)
-            .map_err(|error| Failure::of_job(error, &scene))
+    let show = crew.speaks().then_some(args.how.quiet);
+    with_display(show, &head, &folder, early, |look| {
+        let done = crew.run(job, &folder, existing, look);
+        crew.end(done.map_err(|error| Failure::of_job(error, &scene)))
     })
 }
 
@@ -66,16 +70,13 @@ fn stopped_early(folder: &Path) -> String {
 
 /// `riprap resume`.
 pub fn resume(args: &Resume) -> Result<(), Failure> {
+    let crew = Crew::of("resume", &args.ranks, &args.how)?;
     run_folder(&args.run, "resume")?;
     let head = format!("riprap {}  resuming {}", env!("CARGO_PKG_VERSION"), args.run.display());
     let early = || "stopped before any step: the run can still be resumed".to_owned();
-    with_display(&args.how, &head, &args.run, early, |look| {
-        let live = Live::reopen(&args.run, threads(&args.how))?;
-        // Before the run, which may take days.
-        for note in live.notes() {
-            print_line("warning", note);
-        }
-        Ok(live.finish(look)?)
+    let show = crew.speaks().then_some(args.how.quiet);
+    with_display(show, &head, &args.run, early, |look| {
+        crew.end(crew.resume(&args.run, look).map_err(Failure::from))
     })
 }
 
@@ -90,17 +91,22 @@ pub fn target(out: Option<&Path>, scene: &Path, kind: &str, force: bool) -> (Pat
     (folder, existing)
 }
 
-/// Runs `work` with progress and Ctrl-C, and reports how it ended; `early` is said where it is stopped before its first look.
+/// Runs `work` with progress and Ctrl-C, and reports how it ended; `early` is said where it is stopped before its first look. `show`: whether
+/// quietly; `None` for a rank that says nothing and leaves it to another one when to stop.
 fn with_display(
-    how: &How,
+    show: Option<bool>,
     head: &str,
     folder: &Path,
     early: impl Fn() -> String + Send + 'static,
     work: impl FnOnce(&mut dyn FnMut(&mut Look<'_>) -> Control) -> Result<Outcome, Failure>,
 ) -> Result<(), Failure> {
+    let Some(quiet) = show else {
+        Interrupt::leave_to_another()?;
+        return work(&mut |_| Control::Continue).map(|_| ());
+    };
     // Until the first step is done nothing is lost: building a large model takes longer than anybody waits after Ctrl-C.
     let interrupt = Interrupt::listen_from_begin(early)?;
-    let mut display = Display::new(how.quiet);
+    let mut display = Display::new(quiet);
     display.say(head);
     let outcome = work(&mut |look| {
         interrupt.begin();
@@ -108,7 +114,7 @@ fn with_display(
         Control::stop_if(interrupt.asked())
     });
     display.close();
-    finish(&outcome?, folder, how.quiet)
+    finish(&outcome?, folder, quiet)
 }
 
 /// Says how a run ended, where its results are and what to do next.
@@ -128,6 +134,7 @@ fn finish(outcome: &Outcome, folder: &Path, quiet: bool) -> Result<(), Failure> 
         ));
         screen::print(&ledger(outcome, folder));
         screen::print(&works(manifest));
+        screen::print(&traffic(outcome));
         for end in outcome.ends.iter().filter(|end| end.quiet) {
             print_line("note", &phase_end(end));
         }
@@ -191,6 +198,22 @@ fn works(manifest: &Manifest) -> String {
         0 | 1 => String::new(),
         _ => some.iter().map(line).collect(),
     }
+}
+
+/// What the ranks have sent each other.
+fn traffic(outcome: &Outcome) -> String {
+    let Some(sent) = outcome.traffic else {
+        return String::new();
+    };
+    let (steps, wall) = (outcome.manifest.steps.max(1), outcome.manifest.wall_time);
+    let waited = if wall > 0.0 { 100.0 * sent.waiting.as_secs_f64() / wall } else { 0.0 };
+    format!(
+        "ranks: {}; rank 0 sent {} messages and {} a step and waited {} % of the time\n",
+        sent.ranks,
+        ratio(sent.messages as f64 / steps as f64),
+        si(sent.bytes as f64 / steps as f64, "B"),
+        ratio(waited)
+    )
 }
 
 /// A term of the ledger below this share of the largest that any of them has been is round-off.

@@ -193,11 +193,58 @@ impl Isentrope {
     }
 
     /// Work that is left at a volume (m³) in an expansion without end, J.
-    fn held(&self, volume: f64) -> f64 {
+    pub(crate) fn held(&self, volume: f64) -> f64 {
         let v = volume / self.v0;
         let [a, b, c] = self.terms(volume);
         self.v0 * (a / self.r1 + b / self.r2 + c * v / self.omega)
     }
+
+    /// The integral of `dP/V` from an expansion without end to `volume` (m³), Pa/m³.
+    pub(crate) fn drive(&self, volume: f64) -> f64 {
+        let v = volume / self.v0;
+        let term = |k: f64, r: f64| k * r * exponential_integral(r * v);
+        let [_, _, c] = self.terms(volume);
+        let power = (1.0 + self.omega) / (2.0 + self.omega) * c / v;
+        (term(self.a, self.r1) + term(self.b, self.r2) + power) / self.v0
+    }
+}
+
+/// `E1(x)`, the integral of `exp(-t)/t` from `x > 0` on.
+///
+/// Source: Abramowitz & Stegun (1964), 5.1.11 (series) and 5.1.22 (continued fraction).
+fn exponential_integral(x: f64) -> f64 {
+    const EULER: f64 = 0.577_215_664_901_532_9;
+    const TERMS: i32 = 60;
+    if x > 700.0 {
+        return 0.0;
+    }
+    if x <= 1.0 {
+        let (mut sum, mut power) = (-EULER - libm::log(x), 1.0);
+        for k in 1..=TERMS {
+            power *= -x / f64::from(k);
+            let term = power / f64::from(k);
+            sum -= term;
+            if term.abs() <= f64::EPSILON * sum.abs() {
+                break;
+            }
+        }
+        return sum;
+    }
+    // Lentz's way through 1/(x + 1 - 1/(x + 3 - 4/(x + 5 - ...))).
+    let mut b = x + 1.0;
+    let (mut c, mut d) = (1.0 / f64::MIN_POSITIVE.sqrt(), 1.0 / b);
+    let mut fraction = d;
+    for k in 1..=20 * TERMS {
+        let a = -f64::from(k) * f64::from(k);
+        b += 2.0;
+        d = 1.0 / (a * d + b);
+        c = b + a / c;
+        fraction *= c * d;
+        if (c * d - 1.0).abs() <= f64::EPSILON {
+            break;
+        }
+    }
+    fraction * libm::exp(-x)
 }
 
 #[cfg(test)]
@@ -256,6 +303,20 @@ mod tests {
                 / (2.0 * step * gas.pressure(v));
             near(gas.exponent(v), -slope, 1e-6);
         }
+    }
+
+    /// Abramowitz & Stegun, tables 5.1 and 5.2.
+    #[test]
+    fn exponential_integrals_of_the_tables() {
+        for (x, value) in [
+            (0.5, 0.559_773_595),
+            (1.0, 0.219_383_934_395_520),
+            (2.0, 0.048_900_510_708),
+            (10.0, 4.156_968_929_7e-6),
+        ] {
+            near(exponential_integral(x), value, 1e-9);
+        }
+        near(exponential_integral(1.0 + 1e-12), exponential_integral(1.0), 1e-11);
     }
 
     #[test]

@@ -60,7 +60,7 @@ pub use solids::{
 };
 pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, JwlConstants, JwlSet,
-    Octree, Pattern, Place, PressureCavity, Refine, Source, Venting, VentingTime,
+    Octree, Pattern, Place, PressureCavity, Refine, Source, Venting, VentingCracks, VentingTime,
 };
 pub use space::{Air, Material, Planar, Space, Spatial, Start};
 pub use water::{Drain, Seepage, Water};

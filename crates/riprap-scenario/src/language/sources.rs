@@ -14,9 +14,9 @@ use super::outputs::Every;
 use super::points::Point3;
 use super::solids::{Ball, BoxRegion, Empty, Plane, Segment};
 use crate::quantity::{
-    Density, Length, Mass, Modulus, Name, NotNegativePlain, NotNegativeTime, PositiveLength,
-    PositivePlain, PositiveRate, Pressure, Quantity, Share, Span, SpecificEnergy, Speed, Strength,
-    Vector,
+    Density, Length, Mass, Modulus, Name, NotNegativeLength, NotNegativePlain, NotNegativePressure,
+    NotNegativeTime, PositiveLength, PositivePlain, PositiveRate, Pressure, Quantity, Share, Span,
+    SpecificEnergy, Speed, Strength, Vector, Viscosity,
 };
 use crate::time_function::TimeFunction;
 use crate::words::WordOr;
@@ -186,6 +186,8 @@ pub enum Venting {
     Heave(Quantity<PositiveLength>),
     /// From a time after the detonation on.
     Time(VentingTime),
+    /// Through the joints that it breaks: it enters them, drives them open, and leaves where they reach a free face.
+    Cracks(VentingCracks),
 }
 
 /// Gas escapes over a span of time.
@@ -197,6 +199,28 @@ pub struct VentingTime {
     /// Time over which the pressure falls to zero, s; 0 s: at once.
     #[key(default = "0 s")]
     pub span: Option<Quantity<NotNegativeTime>>,
+}
+
+/// Gas enters the joints that it breaks: a network of cracks between rigid blocks, with the mass of the gas in each. Faces with a condition
+/// of the model are closed to it, others open to the air.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct VentingCracks {
+    /// Viscosity of the gas, Pa s.
+    #[key(default = "2e-5 Pa s")]
+    pub viscosity: Option<Quantity<Viscosity>>,
+    /// Roughness of the walls, m, for the friction of fast flow, and the flow ends at the velocity of sound; 0 m: laminar at any speed.
+    #[key(default = "0.1 mm")]
+    pub roughness: Option<Quantity<NotNegativeLength>>,
+    /// Aperture of a broken joint whose sides touch, m; its opening adds to it.
+    #[key(default = "0.1 mm")]
+    pub aperture: Option<Quantity<PositiveLength>>,
+    /// Largest aperture that counts for the flow, m: wider cracks conduct as if they had this one.
+    #[key(default = "20 mm")]
+    pub aperture_max: Option<Quantity<PositiveLength>>,
+    /// Pressure of the air, Pa: gas pushes with what it has above that, and leaves until it has come down to it.
+    #[key(default = "0.1 MPa")]
+    pub air_pressure: Option<Quantity<NotNegativePressure>>,
 }
 
 /// Holes of a blast from a CSV file.

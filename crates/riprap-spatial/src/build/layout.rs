@@ -6,6 +6,7 @@ use crate::accounts::Entries;
 use crate::deform::relax;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::flow::Desk;
 use crate::kernel::cells::TetContactScratch;
 use crate::lanes::Width;
 use crate::ledger::Works;
@@ -15,6 +16,7 @@ use crate::setup::JointLaw;
 use crate::state::contact_scratch::ContactScratch;
 use crate::state::push::Pushes;
 use crate::state::scratch::{ImplicitDesk, Lost, Partial, Scratch};
+use crate::state::share::Share;
 use crate::state::sums::Sums;
 use crate::state::tiles::{Cut, Tiles};
 use crate::state::wide::Wide;
@@ -29,9 +31,11 @@ impl Scratch {
             exec,
             profile: Profile::default(),
             tiles: Tiles::default(),
+            share: None,
             net: Sums::default(),
             drag: Sums::default(),
             pushes: Pushes::default(),
+            flow: Desk::default(),
             coming_dt: 0.0,
             damping: Damping::default(),
             rebuilds: 0,
@@ -67,7 +71,7 @@ impl Scratch {
     /// else has changed. Bits are those of [`Scratch::invalidate`]. Sums, laws of old classes and deformable blocks stay, and so do the pushes of a step under way.
     pub(crate) fn relay_patches(&mut self, world: &World) {
         let cut = self.cut_of(world.alive.len());
-        self.tiles = Tiles::new(world, cut);
+        self.cut_tiles(world, cut);
         let drag_slots = if self.drag.is_empty() { 0 } else { self.tiles.slots };
         self.slots = [self.tiles.slots, drag_slots].map(Sums::zeros);
         let interfaces = &world.setup.interfaces;
@@ -100,18 +104,25 @@ impl Scratch {
 
     /// How a model of so many blocks is cut: as it was asked for, or as suits the threads.
     fn cut_of(&self, blocks: usize) -> Cut {
-        let threads = self.exec.threads();
-        self.cut.unwrap_or_else(|| Cut::of(blocks, threads))
+        let workers = self.exec.workers();
+        self.cut.unwrap_or_else(|| Cut::of(blocks, workers))
+    }
+
+    fn cut_tiles(&mut self, world: &World, cut: Cut) {
+        self.tiles = Tiles::new(world, cut);
+        self.share =
+            self.exec.peers().map(|peers| Share::new(&self.tiles, peers, self.share.take()));
     }
 
     /// Lays everything out; `classes` of deformable blocks, the first ones, are taken over.
     fn rebuild(&mut self, world: &World, classes: Vec<BlockClass>) {
         let blocks = world.alive.len();
-        self.tiles = Tiles::new(world, self.cut_of(blocks));
+        self.cut_tiles(world, self.cut_of(blocks));
         let groups = self.tiles.groups();
         self.net = Sums::zeros(blocks);
         self.drag = Sums::default();
         self.pushes = Pushes::default();
+        self.flow = Desk::default();
         self.slots = [Sums::zeros(self.tiles.slots), Sums::default()];
         let interfaces = &world.setup.interfaces;
         let joint = |c: &PatchClass| &interfaces[c.row as usize].joint;

@@ -4,13 +4,15 @@
 //! law ([`contact_force`]), and what all of them exert is added to the group of the pair. Each block adds that of its pairs in their order: the same bits for
 //! any number of threads.
 
-use riprap_core::sums::tree;
+use std::time::Instant;
+
+use riprap_core::sums::{GROUP, tree};
 use riprap_geom::{Mat3, Vec3};
 
 use crate::broad::search::Candidates;
 use crate::contact::limit::{Known, Speeds};
 use crate::contact::narrow::{self, OnGround, Patch};
-use crate::contact::{left, limit};
+use crate::contact::{left, limit, shared};
 use crate::exec::{CHUNK, Exec};
 use crate::kernel::glued::{Glued, Placed};
 use crate::kernel::{
@@ -46,12 +48,21 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     desk.deepest = sums.deepest;
     limit::find_negligible_impacts(world, desk, sums.impacts);
     sum(desk, &scratch.exec);
-    let stable = limit::longest_step(world, desk, &scratch.exec);
+    let stable = limit::longest_step(world, desk, &scratch.exec, scratch.share.as_ref());
     world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
 }
 
 /// Evaluates all pairs; their sums.
 fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> PairSums {
+    let whole = 0..pairs.len();
+    let own = match scratch.sharing(world) {
+        Some(share) => {
+            share.pairs.fit(pairs.len().div_ceil(GROUP));
+            shared::part(share, share.peers.rank(), pairs.len())
+        }
+        None => whole,
+    };
+    let begun = Instant::now();
     let desk = &mut scratch.desk;
     let evaluation = Evaluation {
         bodies: BodiesInPairs {
@@ -81,7 +92,10 @@ fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> Pa
     };
     let width = scratch.width;
     let ContactScratch { slots, groups, workspaces, sums, .. } = desk;
-    scratch.exec.groups2(pairs, slots, groups, workspaces, |first, pairs, slots, group, work| {
+    let these = (&mut pairs[own.clone()], &mut slots[own.clone()]);
+    let of = &mut groups[own.start / GROUP..own.end.div_ceil(GROUP)];
+    scratch.exec.groups2(these.0, these.1, of, workspaces, |at, pairs, slots, group, work| {
+        let first = own.start + at;
         group.begin();
         let Workspace { walker, gluer, under, .. } = &mut *work;
         for walker in [walker, &mut gluer.walker, &mut gluer.other] {
@@ -96,6 +110,9 @@ fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> Pa
             }
         }
     });
+    if let (Some(share), None) = (&mut scratch.share, &world.implicit) {
+        shared::exchange(share, pairs, slots, groups, workspaces, begun.elapsed());
+    }
     sums.clear();
     sums.extend(groups.iter().map(|group| group.sums));
     tree(sums, PairSums::add);

@@ -33,6 +33,7 @@ use crate::laws::damping::stable_share;
 use crate::state::bodies::{Bodies, SolidClass};
 use crate::state::contact_scratch::{Constants, ContactScratch, FacePair, Impact, PairKind, Slot};
 use crate::state::found::{ContactPatch, FoundPair};
+use crate::state::share::Share;
 use crate::state::world::World;
 
 /// Share of the stable step: the stiffness grows with the area.
@@ -62,14 +63,21 @@ const TRANSIT: f64 = 0.1;
 const FLIGHT: f64 = 0.25;
 
 /// Longest step, s.
-pub(super) fn longest_step(world: &World, desk: &mut ContactScratch, exec: &Exec) -> f64 {
+/// Of several ranks each asks a part of the blocks.
+pub(super) fn longest_step(
+    world: &World,
+    desk: &mut ContactScratch,
+    exec: &Exec,
+    share: Option<&Share>,
+) -> f64 {
     let transit = transit(world, desk, exec);
     let limit =
         StepLimit { world, desk, speeds: Speeds::of(world), gravity: world.gravity.length() };
-    exec.smallest(desk.blocks.len(), |blocks| {
-        blocks.fold(transit, |longest, at| limit.of_block(longest, at))
-    })
-    .min(transit)
+    let count = desk.blocks.len();
+    let own = share.map_or(0..count, |share| share.equal_part(count));
+    let of_block = |longest, at: usize| limit.of_block(longest, own.start + at);
+    let longest = exec.smallest(own.len(), |blocks| blocks.fold(transit, of_block)).min(transit);
+    share.map_or(longest, |share| share.smallest(longest))
 }
 
 /// What the pairs of a block allow.

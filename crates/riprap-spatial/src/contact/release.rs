@@ -51,7 +51,9 @@ const TORN: f64 = 0.5;
 
 /// Lets patches go that no longer describe where their blocks touch; every [`CHECK_INTERVAL`] steps.
 pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
-    let look = world.pending > 0.0 && world.step.is_multiple_of(CHECK_INTERVAL);
+    // Implicit steps are as long as many explicit ones.
+    let due = world.implicit.is_some() || world.step.is_multiple_of(CHECK_INTERVAL);
+    let look = world.pending > 0.0 && due;
     if !world.setup.found_contacts || !look {
         return;
     }
@@ -83,14 +85,11 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
     release_pairs(world, scratch, &pairs);
 }
 
-/// The first patch that more than pressure and friction holds.
-pub(crate) fn holding(world: &World) -> Option<usize> {
-    (0..world.patches.len()).find(|p| !is_loose(world, *p))
-}
-
-/// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are.
+/// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are. Those with stress in place stay: a contact
+/// knows none that its depth does not give.
 pub(crate) fn release_loose(world: &mut World, scratch: &mut Scratch) {
-    let loose = (0..world.patches.len()).filter(|p| is_loose(world, *p));
+    let stressed = |p: usize| world.patches.prestress.get(p).is_some_and(|t| *t != Vec3::ZERO);
+    let loose = (0..world.patches.len()).filter(|p| is_loose(world, *p) && !stressed(*p));
     let mut pairs: Vec<PairKey> = loose.map(|p| pair_of_patch(world, p).0).collect();
     pairs.sort_unstable();
     pairs.dedup();

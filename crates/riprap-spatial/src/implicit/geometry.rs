@@ -7,6 +7,7 @@ use riprap_geom::Vec3;
 use crate::implicit::pair::Pair;
 use crate::implicit::patch::Piece;
 use crate::kernel::frame::Frame;
+use crate::kernel::friction::hold;
 use crate::kernel::piece::Polygon;
 use crate::kernel::planes::origin;
 use crate::kernel::surface::{self, Walker};
@@ -31,7 +32,7 @@ pub(crate) fn reach(
     walker: &mut Walker,
     pair: &surface::Pair,
     out: f64,
-    law: ContactLaw,
+    mut law: ContactLaw,
     near: &mut Pair,
 ) -> Reach {
     let sums = match walker.find_inflated(pair, out) {
@@ -44,6 +45,11 @@ pub(crate) fn reach(
         return Reach::Lost;
     }
     let direction = sums.force / size;
+    // Edges and tips that stick do not slip past each other. The share of the area does not depend on how far out the faces are.
+    let area = sums.vector_area.length();
+    if area > 0.0 {
+        law.shear_stiffness *= hold(&law, walker.falling(&law, &sums) / area);
+    }
     let from = origin(pair.bodies[0], pair.bodies[1]);
     near.begin(direction, pair.bodies.map(|body| body.position - from), law);
     for ([f, g], frame, polygon, share) in walker.kept() {

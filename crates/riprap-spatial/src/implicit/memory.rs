@@ -15,6 +15,8 @@ pub struct Implicit {
     pub books: Option<Books>,
     /// Heat of friction in the last step, J.
     pub rubbed: f64,
+    /// What the laws of joints have booked as friction and fracture since the last evaluation, J.
+    pub lost_in_joints: f64,
 }
 
 /// A pair at the end of a step.
@@ -47,6 +49,8 @@ pub struct Books {
     pub normal: f64,
     /// Energy in the springs along the contacts, J.
     pub shear: f64,
+    /// Energy in the springs of joints, J.
+    pub joints: f64,
 }
 
 impl Implicit {

@@ -4,10 +4,12 @@
 
 use riprap_geom::Vec3;
 
+use crate::implicit::joint::Joint;
 use crate::implicit::patch::{
     Basis, Normal, Piece, Pressed, Stepping, Twist, dot, normal_part, whole,
 };
 use crate::kernel::ContactLaw;
+use crate::setup::rotation::rotation;
 
 /// What friction is computed from: the pressure of the last solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,6 +58,8 @@ pub(crate) struct Pair {
     pub area_before: f64,
     /// Whether it rebounds in this step.
     pub strikes: bool,
+    /// The joint that ties the blocks, in place of the pieces of a contact.
+    pub joint: Option<Box<Joint>>,
 }
 
 /// What a pair answers at a twist.
@@ -116,6 +120,22 @@ impl Pair {
         self.torsion = torsion;
         self.pressure = pressure;
         self.area_before = pressure.area;
+    }
+
+    /// Corrects the springs along it for the way that turning blocks have gone in the step before, beyond that at the velocities of its start:
+    /// what sticks to a block that turns stays on its circle. `turned` are the turns of the blocks in that step (rad), `arms` from their
+    /// centroids to the pressure centre at its start (m).
+    pub(crate) fn follow(&mut self, turned: [Vec3; 2], arms: [Vec3; 2]) {
+        let beyond = |side: usize| {
+            let (turn, arm) = (turned[side], arms[side]);
+            if turn == Vec3::ZERO {
+                return Vec3::ZERO;
+            }
+            rotation(turn) * arm - arm - turn.cross(arm)
+        };
+        let way = beyond(1) - beyond(0);
+        let along = way - way.dot(self.direction) * self.direction;
+        self.shear -= self.law.shear_stiffness * self.area_before * along;
     }
 
     /// How fast the blocks come nearer to each other at the pressure centre, m/s.
@@ -179,6 +199,12 @@ impl Pair {
     /// What it has done in a step that ends with this twist.
     pub(crate) fn reply(&self, twist: &Twist, step: &Stepping, spare: &mut Vec<[f64; 2]>) -> Reply {
         let mut reply = Reply::default();
+        if let Some(joint) = &self.joint {
+            let mut answer = Answer::default();
+            joint.add(twist, step, 1.0, false, &mut answer);
+            reply.elastic = answer.wrench;
+            return reply;
+        }
         let (basis, mut elastic) = (self.basis(), Normal::default());
         let part = normal_part(&basis, twist);
         for piece in &self.pieces {
@@ -267,6 +293,11 @@ impl Pair {
         with_rate: bool,
         spare: &mut Vec<[f64; 2]>,
     ) -> Answer {
+        if let Some(joint) = &self.joint {
+            let mut answer = Answer::default();
+            joint.add(twist, step, soft, with_rate, &mut answer);
+            return answer;
+        }
         let mut answer = self.pressing(twist, step, soft, with_rate, spare);
         let Some(rubbing) = self.rubbing(twist, step, soft) else {
             return answer;

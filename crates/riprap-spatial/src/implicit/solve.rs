@@ -27,6 +27,9 @@ const MOST: usize = 200;
 const LAGS: usize = 4;
 /// Share of the normal forces that may still change from one solution to the next.
 const SETTLED: f64 = 0.02;
+/// Of the points of joints that are beyond their strength those fail first whose utilisation is at least this share of the largest; solutions of a step
+/// from which on the next share holds.
+const FAILING: [(usize, f64); 3] = [(0, 0.98), (8, 0.8), (16, 0.0)];
 /// First stiffness of softened pairs, over theirs.
 const SOFTEST: f64 = 1e-4;
 /// Softened pairs need not settle better than this, over what is asked for.
@@ -128,7 +131,33 @@ impl Solver {
         if self.strike(step, rest) {
             self.solve_with_friction(step, exact, &mut effort)?;
         }
+        let mut solutions = 0;
+        while self.fail(step, solutions) {
+            self.solve_with_friction(step, exact, &mut effort)?;
+            solutions += 1;
+        }
         Ok(effort)
+    }
+
+    /// Lets the points of joints fail that are most beyond their strength after so many solutions of this step; whether there are any.
+    fn fail(&mut self, step: &Stepping, solutions: usize) -> bool {
+        let joints = || self.pairs.iter().zip(&self.twists);
+        let used = |(pair, twist): (&Pair, &Twist)| {
+            pair.joint.as_ref().map_or(0.0, |joint| joint.weakest(twist, step))
+        };
+        let most = joints().map(used).fold(0.0, f64::max);
+        if most <= 1.0 {
+            return false;
+        }
+        let share = FAILING.iter().rev().find(|(from, _)| solutions >= *from);
+        // What is just within its strength holds.
+        let from = (share.map_or(0.0, |(_, share)| *share) * most).max(1.0_f64.next_up());
+        for (pair, twist) in self.pairs.iter_mut().zip(&self.twists) {
+            if let Some(joint) = &mut pair.joint {
+                joint.fail(twist, step, from);
+            }
+        }
+        true
     }
 
     /// Makes impacts of the pairs that have come to press in the solution, and approached each other faster than gravity makes them in a
@@ -160,7 +189,14 @@ impl Solver {
             self.settle(step, exact, effort)?;
             let (mut all, mut changed) = (0.0, 0.0);
             self.next.clear();
-            for (pair, twist) in self.pairs.iter().zip(&self.twists) {
+            for (pair, twist) in self.pairs.iter_mut().zip(&self.twists) {
+                if let Some(joint) = &mut pair.joint {
+                    let [force, change] = joint.press(twist, step);
+                    all += force;
+                    changed += change;
+                    self.next.push(Pressure::default());
+                    continue;
+                }
                 let new = pair.pressure_at(twist, step, &mut self.spare);
                 all += new.force;
                 changed += (new.force - pair.pressure.force).abs();
@@ -174,6 +210,9 @@ impl Solver {
             }
             for (pair, new) in self.pairs.iter_mut().zip(&self.next) {
                 pair.pressure = *new;
+                if let Some(joint) = &mut pair.joint {
+                    joint.take_pressure();
+                }
             }
             if last {
                 break;
@@ -184,7 +223,10 @@ impl Solver {
 
     fn reply(&mut self, step: &Stepping) {
         self.replies.clear();
-        for ((pair, twist), next) in self.pairs.iter().zip(&self.twists).zip(&self.next) {
+        for ((pair, twist), next) in self.pairs.iter_mut().zip(&self.twists).zip(&self.next) {
+            if let Some(joint) = &mut pair.joint {
+                joint.look_open(twist, step);
+            }
             let mut reply = pair.reply(twist, step, &mut self.spare);
             let left = pair.left(next.area);
             reply.shear *= left;

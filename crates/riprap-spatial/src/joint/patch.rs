@@ -151,6 +151,12 @@ fn spread(class: &PatchClass, centre: Vec3, turn: Vec3) -> [[f64; 3]; 4] {
 }
 
 impl Points {
+    /// Places of point `p` from the centroids of i and j, m: one point in space for finite rotations, that of the start for small ones.
+    #[must_use]
+    pub(crate) fn arms(&self, class: &PatchClass, p: usize) -> [Vec3; 2] {
+        self.arms.map_or_else(|| class.arms.map(|arm| arm + place(class, p)), |arms| arms[p])
+    }
+
     /// Resultant of tractions (on i, patch frame) at the points.
     #[must_use]
     pub fn resultant(&self, class: &PatchClass, t: &[Traction; 4]) -> Resultant {

@@ -140,7 +140,7 @@ pub struct Motion {
 }
 
 /// Force and moment on B; A gets the opposite force at the same point.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Wrench {
     /// Force on B, N.
     pub force: Vec3,
@@ -536,7 +536,7 @@ fn contact(law: &ContactLaw, q: &ContactInput) -> Option<Contact> {
 ///
 /// Edges and tips that stick to each other must not slip past while friction holds them: the springs outweigh the pressure, which
 /// pushes aside (`lateral`). What has less negative stiffness than that keeps the springs of the law to the last bit.
-fn hold(law: &ContactLaw, falls: f64) -> f64 {
+pub(crate) fn hold(law: &ContactLaw, falls: f64) -> f64 {
     if falls > 0.0 && law.shear_stiffness > 0.0 {
         (HOLD * falls).min(STIFFEST) * law.normal_stiffness / law.shear_stiffness
     } else {

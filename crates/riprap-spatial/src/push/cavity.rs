@@ -3,6 +3,7 @@
 use crate::push::charge::walls;
 use crate::push::charge::walls::Spot;
 use crate::push::charge::{EARLY, upward};
+use crate::push::gas;
 use crate::setup::{CavityPressure, Venting};
 use crate::state::event::EditKind;
 use crate::state::push::Account;
@@ -35,6 +36,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
             }
         }
     }
+    gas::act(world, scratch, dt);
 }
 
 fn ignite(world: &mut World, k: usize, dt: f64) {
@@ -83,6 +85,11 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
     let source = &world.setup.sources[cavity.source as usize];
     let before = (cavity.volume, cavity.pressure);
     let work = match (&source.push, &cavity.gas) {
+        (CavityPressure::Gas { venting: Some(Venting::Cracks(_)), .. }, Some(gas)) => {
+            // The rest is done with the gas in its cracks.
+            cavity.volume = gas.start + gas.factor * (swept - cavity.base);
+            return;
+        }
         (CavityPressure::Gas { venting, .. }, Some(gas)) => {
             cavity.volume = gas.start + gas.factor * (swept - cavity.base);
             cavity.pressure =
@@ -105,6 +112,12 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
     world.works.gas += work;
     let cavity = &world.cavities[k];
     let pressure = share * cavity.pressure * cavity.gas.map_or(1.0, |g| g.factor);
+    press(world, k, pressure, pushes);
+}
+
+/// Pushes the walls of cavity `k` with a pressure (Pa), the factor on the faces included.
+pub(super) fn press(world: &World, k: usize, pressure: f64, pushes: &mut Account) {
+    let cavity = &world.cavities[k];
     let freedoms = world.all_freedoms();
     for Spot { anchor, area, normal } in
         walls::on_blocks(cavity).chain(walls::on_nodes(world, cavity.source))
@@ -124,7 +137,7 @@ fn begins_to_vent(world: &World, k: usize) -> bool {
         return false;
     }
     match venting {
-        None => false,
+        None | Some(Venting::Cracks(_)) => false,
         Some(Venting::Time { start, .. }) => {
             world.time >= cavity.ignited.unwrap_or(world.time) + start
         }

@@ -22,6 +22,7 @@ use riprap_geom::polyhedron::frame;
 use crate::faces::overlap::Overlap;
 use crate::faces::region::Extent;
 use crate::laws::explosive::Adiabat;
+use crate::push::gas;
 use crate::setup::{Coupling, Place, Region, Setup, Venting};
 pub use crate::state::cavity::{Cavity, Gas, NodalWalls, TurnedWall, Wall};
 use crate::state::lineage::Origin;
@@ -173,6 +174,8 @@ impl Cavity {
             base: 0.0,
             volume: gas.map_or(removed, |g| g.start),
             pressure: 0.0,
+            kept: 1.0,
+            known: 0.0,
             work: 0.0,
             held: 0.0,
             above: Vec::new(),
@@ -259,7 +262,9 @@ impl Cavity {
                 }
             }
             (Some(Venting::Heave { .. }), _) if self.venting.is_some() => 0.0,
-            (Some(Venting::Heave { .. } | Venting::Time { .. }) | None, _) => 1.0,
+            (Some(Venting::Heave { .. } | Venting::Time { .. } | Venting::Cracks(_)) | None, _) => {
+                1.0
+            }
         }
     }
 
@@ -296,12 +301,11 @@ impl Cavity {
             // to be resolved before it is known what it does.
             None => (gas.start, gas.adiabat.pressure(gas.start)),
         };
-        let squared = gas.adiabat.exponent(volume)
-            * pressure
-            * gas.factor
-            * gas.factor
-            * self.mobility(world)
-            / volume;
+        // As much as all of the gas would have at this density.
+        let whole = volume / self.kept;
+        let squared =
+            gas.adiabat.exponent(whole) * pressure * gas.factor * gas.factor * self.mobility(world)
+                / volume;
         if squared > 0.0 { GAS_STEP / squared.sqrt() } else { f64::INFINITY }
     }
 }
@@ -311,7 +315,7 @@ impl Cavity {
 /// A charge that has not gone off yet is met on time, but for the length of a step that the gas allows; its first step is already limited.
 #[must_use]
 pub fn step_limit(world: &World) -> f64 {
-    let mut limit = f64::INFINITY;
+    let mut limit = gas::step_limit(world);
     for cavity in &world.cavities {
         let remaining = match cavity.ignited {
             Some(_) => 0.0,

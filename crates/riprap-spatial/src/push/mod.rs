@@ -18,6 +18,7 @@ pub(crate) mod boundary;
 pub mod charge;
 
 pub(crate) mod cavity;
+pub(crate) mod gas;
 pub(crate) mod loads;
 pub(crate) mod seepage;
 pub(crate) mod surface;
@@ -48,7 +49,9 @@ impl World {
         let walls = self.cavities.iter().flat_map(|c| &c.walls);
         let facets = self.deform.iter().flat_map(|d| &d.facets);
         let bolts = self.bolts.iter().flat_map(Bolt::blocks);
+        let cracks = self.gas.iter().flat_map(|gas| gas.cracks.iter().filter(|c| c.open));
         let all = loads.copied().chain(walls.map(|w| w.block)).chain(bolts);
+        let all = all.chain(cracks.flat_map(|c| c.blocks));
         for b in all.chain(facets.flat_map(|f| f.blocks)) {
             pushed[b as usize] = true;
         }

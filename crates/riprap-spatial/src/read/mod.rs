@@ -12,6 +12,7 @@ pub mod crater;
 pub mod depths;
 pub mod fields;
 mod fragments;
+mod gas;
 mod heap;
 pub mod outlook;
 pub mod peaks;

@@ -9,8 +9,10 @@ use crate::query::view::View;
 use crate::read::fields::principal;
 use crate::setup::{Shape, Solid};
 use crate::state::deform::{Memory, State};
+use crate::state::gas::Crack;
 use crate::state::interface::Origin;
 use crate::state::patches::flag;
+use crate::state::world::World;
 
 /// Patches beyond which a frame holds only those that have failed, opened or slid: a million blocks have
 /// three million patches.
@@ -44,16 +46,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     put_contacts(view, &mut frame);
     put_facets(view, &mut frame);
     if world.water.is_some() {
-        let blocks = ["block_a", "block_b"].map(|name| {
-            let mut columns = frame.contact_columns.iter();
-            let column = columns.find(|column| column.name == name);
-            column.map_or(&[][..], |column| &column.data[..])
-        });
-        let rows = frame.contact_points.iter().enumerate().map(|(k, p)| {
-            let pair = blocks.map(|list| list.get(k).map_or(0, |b| *b as u32));
-            (pair, Vec3::from_array(*p) - world.setup.origin)
-        });
-        let rows: Vec<([u32; 2], Vec3)> = rows.collect();
+        let rows = pairs_of(world, &frame);
         let pressures = rows.iter().map(|(pair, at)| world.pressure_between(*pair, *at));
         let column = Column::scalar("pore_pressure", "Pa", pressures.collect());
         frame.contact_columns.push(column);
@@ -66,9 +59,35 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
             frame.contact_columns.push(Column::vector3(SEEPAGE_FLOW, "m2/s", flows));
         }
     }
+    if world.gas.is_some() {
+        let rows = pairs_of(world, &frame);
+        let columns: [(&str, &str, fn(&Crack, f64) -> f64); 4] = [
+            ("gas_pressure", "Pa", |crack, _| crack.pressure),
+            ("gas_aperture", "m", |crack, _| crack.aperture),
+            ("gas_mass", "kg", |_, mass| mass),
+            ("gas_speed", "m/s", |crack, _| crack.speed),
+        ];
+        for (name, unit, get) in columns {
+            let values = rows.iter().map(|(pair, _)| world.largest_in_cracks(*pair, get));
+            frame.contact_columns.push(Column::scalar(name, unit, values.collect()));
+        }
+    }
     frame.cracks = crate::read::cracks::surfaces(view);
     frame.bolts = crate::frame::bars::surfaces(&crate::read::bars::bars(view));
     frame
+}
+
+/// Blocks and place (local, m) of each interface and contact of a frame.
+fn pairs_of(world: &World, frame: &Frame) -> Vec<([u32; 2], Vec3)> {
+    let blocks = ["block_a", "block_b"].map(|name| {
+        let column = frame.contact_columns.iter().find(|column| column.name == name);
+        column.map_or(&[][..], |column| &column.data[..])
+    });
+    let rows = frame.contact_points.iter().enumerate().map(|(k, p)| {
+        let pair = blocks.map(|list| list.get(k).map_or(0, |b| *b as u32));
+        (pair, Vec3::from_array(*p) - world.setup.origin)
+    });
+    rows.collect()
 }
 
 /// Corners and faces of one block.

@@ -52,10 +52,11 @@ impl View<'_> {
         &self.world.cavities
     }
 
-    /// What the walls of all cavities carry: block, present arm from its centroid (m), force (N).
+    /// What gas and other pressures in cavities push with, on walls and on the sides of cracks: block, present arm from its centroid (m), force (N).
     pub fn cavity_forces(&self) -> impl Iterator<Item = (usize, Vec3, Vec3)> + '_ {
         let world = self.world;
-        world.cavities.iter().flat_map(|c| c.forces(world))
+        let walls = world.cavities.iter().flat_map(|c| c.forces(world));
+        walls.chain(world.gas.iter().flat_map(|gas| gas.forces(world)))
     }
 
     /// Whether each block has a face in the free surface: one that looks up and on which nothing but a traction

@@ -14,6 +14,8 @@
 //! Works (what forces did in the half step before and will do in the half step after) are added up over the 64 blocks of a
 //! group, rows first and then single blocks, and over a fixed tree of the groups.
 
+use std::time::Instant;
+
 use riprap_core::cut;
 use riprap_geom::Vec3;
 
@@ -23,10 +25,11 @@ use crate::lanes::{LANES, Lanes, Width};
 use crate::push::boundary;
 use crate::rigid::kick::{Acting, Kick, Moving};
 use crate::state::bodies::{Bodies, SolidClass, Turned};
-use crate::state::contact_scratch::ContactScratch;
+use crate::state::contact_scratch::{ContactScratch, Share};
 use crate::state::face::Face;
 use crate::state::push::{Pushes, Wrench};
 use crate::state::scratch::{FaceEntry, NonFinite, Partial, Scratch};
+use crate::state::share::Gathered;
 use crate::state::sums;
 use crate::state::sums::{Part, Sums};
 use crate::state::tiles::{GROUP, Row, Tile, Tiles};
@@ -53,6 +56,7 @@ impl Divide for Second<'_> {
 
 /// Second pass: slots, faces, loads, gravity; works of the kick.
 pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), NonFinite> {
+    let (own, shared_out) = (scratch.own(world), scratch.share(world).is_some());
     let (bodies, turned) = (&world.bodies, world.turned.as_slice());
     let gathering = Gathering {
         bodies,
@@ -79,7 +83,10 @@ pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         pushes: &scratch.pushes,
         found: &scratch.desk,
         implicit: world.implicit.is_some(),
-        plain: scratch.plain() && world.setup.air == 0.0,
+        // The work of implicit joints is booked block by block.
+        plain: scratch.plain()
+            && world.setup.air == 0.0
+            && (world.implicit.is_none() || world.patches.is_empty()),
         width: scratch.width,
     };
     scratch.face_entries.clear();
@@ -95,12 +102,26 @@ pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         partial: &mut scratch.partial,
     };
     let count = scratch.tiles.list.len();
-    scratch.exec.divided(work, count, |_, piece| gathering.tile(piece));
-    let bad = scratch.partial.iter().find_map(|p| p.bad);
-    sums::tree(&mut scratch.partial, |sum, other| {
-        sum.arrival.add(&other.arrival);
-        sum.departure.add(&other.departure);
-    });
+    let begun = Instant::now();
+    scratch.exec.divided_own(work, count, own, |_, piece| gathering.tile(piece));
+    let bad = match &mut scratch.share {
+        Some(share) if shared_out => {
+            share.book(begun.elapsed());
+            let mut gathered = Gathered {
+                sums: [&mut scratch.net, &mut scratch.drag],
+                patches: &mut world.patches,
+                faces: &mut world.faces,
+                entries: &mut scratch.face_entries,
+                partial: &mut scratch.partial,
+            };
+            share.sums(&scratch.tiles, &mut gathered)
+        }
+        _ => {
+            let bad = scratch.partial.iter().find_map(|p| p.bad);
+            sums::tree(&mut scratch.partial, Partial::add);
+            bad
+        }
+    };
     let all = scratch.partial.first().copied().unwrap_or_default();
     world.works.add(&all.arrival);
     scratch.departure = all.departure;
@@ -344,6 +365,8 @@ impl Gathering<'_> {
             }
         }
         let weight = self.kick.solid_of(b).mass * self.kick.gravity;
+        let (force, moment) = net[0].get(b - base);
+        let joined = Share { force, moment };
         net[0].add(b - base, weight + load.force + other.force, load.moment + other.moment);
         let found = self.found.on_block(b);
         if let Some(found) = &found {
@@ -380,11 +403,13 @@ impl Gathering<'_> {
         let (arrival, departure) = (&mut partial.arrival, &mut partial.departure);
         let loads = (load.force, load.moment);
         let change = self.kick.works(b, &moving, &acting, loads, arrival, departure);
-        if let Some(found) = &found {
+        if found.is_some() || self.implicit {
             let [before, after] = self.kick.half;
+            let found = found.unwrap_or_default();
             let mut pressing = found.elastic;
             if self.implicit {
                 pressing.plus(&found.spring);
+                pressing.plus(&joined);
             }
             let power = |v: Vec3, w: Vec3| pressing.force.dot(v) + pressing.moment.dot(w);
             // What the pressure stores is what has been done against it, hence the sign.

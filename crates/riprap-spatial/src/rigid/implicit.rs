@@ -8,6 +8,7 @@
 //! What pairs exert is handed on as that of explicit contacts is, so that the kick, the ledger and all fields take it from there. Evaluating an
 //! instant again changes nothing: the memory belongs to the step that is made.
 
+pub(crate) mod joints;
 mod meet;
 pub(crate) mod obstacle;
 pub(crate) mod settling;
@@ -19,13 +20,14 @@ use std::time::Instant;
 use riprap_geom::Vec3;
 
 use crate::contact;
-use crate::implicit::memory::{Books, Implicit, Kept};
+use crate::implicit::memory::{Books, Kept};
 use crate::implicit::patch::Stepping;
-use crate::implicit::solve::{Body, Unsolved};
+use crate::implicit::solve::{Body, Solver, Unsolved};
 use crate::joint::patch::turned_inertia;
 use crate::rigid::kick::Acting;
+use crate::state::contact_scratch::Acting as Felt;
 use crate::state::found::FoundPair;
-use crate::state::scratch::{NotSolved, Scratch};
+use crate::state::scratch::{ImplicitDesk, NotSolved, Scratch};
 use crate::state::world::World;
 
 /// What the last round of Newton's method may change of the velocities of a step, over the motion that gravity makes in it.
@@ -49,22 +51,35 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
     if implicit {
         contact::release_loose(world, scratch);
     }
-    world.implicit = implicit.then(|| {
-        let of_pair = |pair: &FoundPair| {
+    world.implicit = implicit.then(Box::default);
+    adopt(world, |_| true);
+    world.fresh = true;
+}
+
+/// Takes over what joints have given to found contact since the last step.
+pub(crate) fn adopt_released(world: &mut World) {
+    if world.implicit.is_some() && world.found.pairs.iter().any(|pair| pair.offset.is_some()) {
+        adopt(world, |pair| pair.offset.is_some());
+    }
+}
+
+/// Makes the contacts of these pairs implicit ones, or those of all pairs explicit ones again.
+fn adopt(world: &mut World, which: impl Fn(&FoundPair) -> bool) {
+    let World { implicit, works, found, .. } = world;
+    for pair in found.pairs.iter_mut().filter(|pair| which(pair)) {
+        if let Some(implicit) = implicit {
             let of = pair.key();
+            // What a joint has pressed with it has not yet as a contact.
+            let joint = pair.offset.as_ref().and_then(|offset| offset.joint);
             let pressed = pair.patches.iter().filter(|patch| patch.memory.area > 0.0);
-            let kept = pressed.map(move |patch| {
-                let force = patch.force.dot(patch.memory.normal);
+            implicit.kept.extend(pressed.map(|patch| {
+                let force = joint.map_or_else(
+                    || patch.force.dot(patch.memory.normal),
+                    |carried| carried.normal.max(0.0),
+                );
                 Kept::of_explicit(of, patch.key, &patch.memory, force)
-            });
-            kept.collect::<Vec<_>>()
-        };
-        let mut kept: Vec<_> = world.found.pairs.iter().flat_map(of_pair).collect();
-        kept.sort_unstable_by_key(Kept::place);
-        Box::new(Implicit { kept, ..Implicit::default() })
-    });
-    let (works, pairs) = (&mut world.works, &mut world.found.pairs);
-    for pair in pairs {
+            }));
+        }
         // Looked at in the first step, whatever the other kind knew.
         pair.gap = 0.0;
         // The whole overlap presses, so that nothing of the load of a joint goes on beside it.
@@ -74,7 +89,9 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
             works.edit_defect -= offset.stored;
         }
     }
-    world.fresh = true;
+    if let Some(implicit) = implicit {
+        implicit.kept.sort_unstable_by_key(Kept::place);
+    }
 }
 
 /// Finds what all pairs exert in the coming step.
@@ -82,7 +99,9 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     scratch.implicit.failed = None;
     if !meet {
         scratch.implicit.begin(world.alive.len(), world.found.pairs.len());
-        return;
+        if world.patches.is_empty() {
+            return;
+        }
     }
     let dt = match scratch.coming_dt {
         // An end of a motion: its last kick is that of a step that is not made.
@@ -91,7 +110,10 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     };
     let step = Stepping { span: 0.5 * (world.last_dt + scratch.coming_dt), dt };
     let start = Instant::now();
-    meet::find(world, scratch, dt);
+    if meet {
+        meet::find(world, scratch, dt);
+    }
+    joints::find(world, scratch);
     let found = Instant::now();
     scratch.profile.add("pieces", found - start);
     lay_out(world, scratch);
@@ -113,13 +135,59 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
             Some(NotSolved { blocks: [block; 2], rounds: 0 })
         }
         Err(Unsolved::Rounds(pair, rounds)) => {
-            let of = |k: usize| world.found.pairs[scratch.implicit.pairs[k] as usize].ends;
+            let of = |k: usize| ends(world, &scratch.implicit, k);
             Some(NotSolved { blocks: pair.map_or([0; 2], of), rounds })
         }
     };
     scratch.profile.add("implicit step", found.elapsed());
     if scratch.implicit.failed.is_none() {
-        meet::hand_over(world, scratch, step.span);
+        if meet {
+            meet::hand_over(world, scratch);
+        }
+        joints::hand_over(world, scratch);
+        if step.span > 0.0 {
+            make_exact(scratch, step.span);
+        }
+    }
+}
+
+/// The blocks of pair `k` of the solver.
+fn ends(world: &World, desk: &ImplicitDesk, k: usize) -> [u32; 2] {
+    match desk.pairs.get(k) {
+        Some(pair) => world.found.pairs[*pair as usize].ends,
+        None => world.patches.ends[desk.joints[k - desk.pairs.len()] as usize],
+    }
+}
+
+/// Gives each block the wrench that makes its velocities those of the solution: that of its pairs, and what Newton's method has left over. In
+/// stiff directions a tiny rest of the velocities is a large force, and a kick from the forces alone would be off by that.
+fn make_exact(scratch: &mut Scratch, span: f64) {
+    let Scratch { implicit, desk, net, .. } = scratch;
+    let Solver { bodies, motion, .. } = &implicit.solver;
+    let mut net = net.whole();
+    for (k, b) in implicit.blocks.iter().enumerate() {
+        let (body, b) = (&bodies[k], *b as usize);
+        let [x, y, z, p, q, r] = motion[k];
+        let [v, w] = body.free;
+        let force = body.mass / span * (Vec3::new(x, y, z) - v);
+        let moment = body.inertia * (Vec3::new(p, q, r) - w) / span;
+        let free = body.held.map(|held| f64::from(u8::from(!held)));
+        let [along, about] = [0, 3].map(|k| Vec3::new(free[k], free[k + 1], free[k + 2]));
+        let tied = implicit.tied[k];
+        if tied {
+            let of_contacts = desk.on_block(b).unwrap_or_default();
+            let (joined, turning) = net.get(b);
+            let known = [of_contacts.elastic, of_contacts.spring];
+            let [pushed, turned] = known.into_iter().fold([joined, turning], |sum, wrench| {
+                [sum[0] + wrench.force, sum[1] + wrench.moment]
+            });
+            net.add(b, along * (force - pushed), about * (moment - turned));
+            continue;
+        }
+        let Some(acting) = desk.acting.get_mut(desk.place[b] as usize) else { continue };
+        let Felt { elastic, spring, .. } = acting;
+        elastic.force += along * (force - elastic.force - spring.force);
+        elastic.moment += about * (moment - elastic.moment - spring.moment);
     }
 }
 
@@ -127,8 +195,8 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
 fn lay_out(world: &World, scratch: &mut Scratch) {
     let kick = scratch.kick(world);
     let mut desk = std::mem::take(&mut scratch.implicit);
-    let ends = desk.pairs.iter().map(|k| world.found.pairs[*k as usize].ends);
-    let mut blocks: Vec<u32> = ends.flatten().filter(|b| !world.is_terrain(*b as usize)).collect();
+    let all = (0..desk.solver.pairs.len()).map(|k| ends(world, &desk, k));
+    let mut blocks: Vec<u32> = all.flatten().filter(|b| !world.is_terrain(*b as usize)).collect();
     blocks.sort_unstable();
     blocks.dedup();
     for &b in &blocks {
@@ -170,8 +238,10 @@ fn lay_out(world: &World, scratch: &mut Scratch) {
             .motion
             .push(std::array::from_fn(|k| if held[k] { given[k] } else { motion[k] }));
     }
-    for (pair, k) in desk.solver.pairs.iter_mut().zip(&desk.pairs) {
-        let ends = world.found.pairs[*k as usize].ends;
+    desk.tied.resize(desk.blocks.len(), false);
+    for k in 0..desk.solver.pairs.len() {
+        let ends = ends(world, &desk, k);
+        let pair = &mut desk.solver.pairs[k];
         pair.ends = ends.map(|b| desk.place[b as usize]);
         pair.given = ends.map(|b| desk.given[b as usize]);
     }
@@ -180,24 +250,29 @@ fn lay_out(world: &World, scratch: &mut Scratch) {
 
 /// Books the energy of the contacts of an instant, once all works before it are: what the integration has taken.
 pub(crate) fn book(world: &mut World, scratch: &Scratch) {
-    let Some(implicit) = world.implicit.as_deref_mut() else {
+    if world.implicit.is_none() {
         return;
-    };
+    }
+    let joints = joints::stored(world, scratch);
+    let Some(implicit) = world.implicit.as_deref_mut() else { return };
+    let lost_in_joints = std::mem::take(&mut implicit.lost_in_joints);
     let [normal, shear] = scratch.implicit.stored;
     let path = &mut world.works.contact_path;
     match implicit.books {
-        None => implicit.books = Some(Books { offset: *path - normal, normal, shear }),
+        None => implicit.books = Some(Books { offset: *path - normal, normal, shear, joints }),
         Some(mut books) => {
             if world.pending > 0.0 {
                 // What the forces have taken up along both directions, less what is stored and what was rubbed away.
                 let taken = *path - books.offset - books.normal;
                 let lost = taken - (normal - books.normal) - (shear - books.shear);
-                world.works.integrator += lost - implicit.rubbed;
+                let in_joints = joints - books.joints + lost_in_joints;
+                world.works.integrator += lost - implicit.rubbed - in_joints;
                 implicit.rubbed = 0.0;
             }
             *path = books.offset + normal;
             books.normal = normal;
             books.shear = shear;
+            books.joints = joints;
             implicit.books = Some(books);
         }
     }
@@ -205,9 +280,12 @@ pub(crate) fn book(world: &mut World, scratch: &Scratch) {
 
 /// Remembers what the pairs have become in the step that is made.
 pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
-    let Some(implicit) = world.implicit.as_deref_mut() else {
+    if world.implicit.is_none() {
         return;
-    };
+    }
+    let torn = joints::remember(world, scratch);
+    let Some(implicit) = world.implicit.as_deref_mut() else { return };
+    implicit.lost_in_joints += torn;
     implicit.kept.clear();
     let mut heat = 0.0;
     let solver = &scratch.implicit.solver;
@@ -221,6 +299,7 @@ pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
     implicit.kept.sort_unstable_by_key(Kept::place);
     implicit.rubbed = heat;
     world.works.friction += heat;
+    world.works.fracture += torn;
     world.found.unsettled[0] += u64::from(scratch.implicit.unsettled);
     world.found.unsettled[1] += 1;
 }

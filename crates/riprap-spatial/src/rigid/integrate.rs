@@ -1,5 +1,7 @@
 //! The kick applied and the blocks moved.
 
+use std::time::Instant;
+
 use crate::exec::Divide;
 use crate::joint::patch;
 use crate::lanes::{LANES, Lanes, Width};
@@ -44,6 +46,7 @@ impl Divide for Piece<'_> {
 }
 
 pub(crate) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    let own = scratch.own(world);
     let plain = scratch.plain() && world.setup.air == 0.0;
     let moving = Integration {
         kick: Kick {
@@ -76,9 +79,21 @@ pub(crate) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
         partial: &mut scratch.partial,
     };
     let count = scratch.tiles.list.len();
-    scratch.exec.divided(work, count, |_, piece| moving.tile(piece));
+    let begun = Instant::now();
+    scratch.exec.divided_own(work, count, own.clone(), |_, piece| moving.tile(piece));
+    let spent = begun.elapsed();
+    // One entry of each piece says whether anyone in it has turned that far.
+    let first = |tile: &Tile| scratch.partial[tile.blocks.start / GROUP].turning;
+    let turning = scratch.tiles.list[own].iter().any(first);
+    let turning = match &mut scratch.share {
+        Some(share) if world.implicit.is_none() => {
+            share.book(spent);
+            share.motion(&scratch.tiles, world, (dt, turning))
+        }
+        _ => turning,
+    };
     // Stays set until an evaluation takes it.
-    scratch.turning |= scratch.partial.iter().any(|p| p.turning);
+    scratch.turning |= turning;
 }
 
 struct Integration<'a> {

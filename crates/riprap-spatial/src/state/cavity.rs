@@ -28,6 +28,10 @@ pub struct Cavity {
     pub volume: f64,
     /// Pressure now, Pa.
     pub pressure: f64,
+    /// Share of the gas that is still in the cavity: less than 1 where it has entered cracks.
+    pub kept: f64,
+    /// Volume for which works were booked last, m³; for gas that enters cracks.
+    pub known: f64,
     /// Work done since the ignition, J.
     pub work: f64,
     /// Work of the in-situ tractions before the ignition, J.

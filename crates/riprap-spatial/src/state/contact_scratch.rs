@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use riprap_core::sets::Sets;
 use riprap_core::sums::GROUP;
 use riprap_geom::{Mat3, Vec3};
+use serde::{Deserialize, Serialize};
 
 use crate::broad::search::Candidates;
 use crate::kernel::friction::{ContactLaw, Wrench};
@@ -91,7 +92,7 @@ pub struct RoleScratch {
 }
 
 /// What a block is pressed into.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Pressed {
     /// A block that it was found to touch.
     Contact,
@@ -104,7 +105,7 @@ pub enum Pressed {
 }
 
 /// How deep two blocks lie in each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Deepest {
     /// The blocks; twice the same one that is pressed into what a condition has put behind its face.
     pub ends: [u32; 2],
@@ -250,7 +251,7 @@ pub struct FacePair {
 }
 
 /// What a pair exerts that touches.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Exerted {
     /// Pressure, and what goes on of a joint's load.
     pub elastic: Wrench,
@@ -270,7 +271,7 @@ impl Exerted {
 }
 
 /// What the pairs of a group of [`GROUP`] exert, in their order: of those that touch only, which are few among all.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct PairGroup {
     /// By [`Slot::at`].
     pub exerted: Vec<Exerted>,
@@ -306,7 +307,7 @@ impl PairGroup {
 }
 
 /// How a pair touches.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Slot {
     /// Place of what it exerts in its group; `None` where it exerts nothing.
     pub at: Option<u8>,
@@ -321,7 +322,7 @@ pub struct Slot {
 }
 
 /// An impact that is going on, or will within a step. In order of stiffness, the first of equal pairs above the others.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Impact {
     /// Squared frequency of the contact, 1/s².
     pub square: f64,
@@ -411,7 +412,7 @@ pub struct Workspace {
 }
 
 /// Sums over a group of pairs in a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct PairSums {
     /// Heat of friction, J.
     pub friction: f64,

@@ -37,6 +37,10 @@ impl World {
         if let Some(found) = &self.seepage {
             hash.numbers(found.pressures.as_flattened());
         }
+        if let Some(gas) = &self.gas {
+            hash.numbers(&gas.masses);
+            hash.count(gas.cracks.iter().filter(|crack| crack.open).count() as u64);
+        }
         self.patches(&mut hash);
         for cavity in &self.cavities {
             hash.numbers(&[

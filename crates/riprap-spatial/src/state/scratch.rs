@@ -1,5 +1,6 @@
 //! Everything of a spatial model that can be dropped and laid out anew without changing a result.
 
+use std::ops::Range;
 use std::sync::OnceLock;
 
 use riprap_geom::Vec3;
@@ -7,6 +8,7 @@ use riprap_geom::Vec3;
 use crate::accounts::{Account, Entries};
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::flow::Desk;
 use crate::implicit::pair::Pair;
 use crate::implicit::solve::Solver;
 use crate::kernel::cells::TetContactScratch;
@@ -16,10 +18,12 @@ use crate::ledger::Works;
 use crate::profile::Profile;
 use crate::state::contact_scratch::{ContactScratch, Slot};
 use crate::state::push::{Pushes, Wrench};
+use crate::state::share::Share;
 use crate::state::sums::Sums;
 use crate::state::tiles::{Cut, Tiles};
 use crate::state::wide::Wide;
 use crate::state::workspace::Workspace;
+use crate::state::world::World;
 
 /// What a step works with.
 #[derive(Debug)]
@@ -30,12 +34,16 @@ pub struct Scratch {
     pub profile: Profile,
     /// Pieces of the model.
     pub tiles: Tiles,
+    /// What of the model this rank computes, where there are others.
+    pub(crate) share: Option<Share>,
     /// Sums of forces and moments on blocks, without damping and supports.
     pub net: Sums,
     /// Sums of contact dashpots; empty without any.
     pub drag: Sums,
     /// What pushes blocks and nodes from outside.
     pub pushes: Pushes,
+    /// Room for the flow of gas in cracks.
+    pub flow: Desk,
     /// Length of the step that the kick was found for, s.
     pub coming_dt: f64,
     /// Damping that the kick was found with.
@@ -80,7 +88,11 @@ pub(crate) struct ImplicitDesk {
     pub(crate) found: Vec<NearPair>,
     /// Places in the list of found contacts of the pairs of the solver.
     pub(crate) pairs: Vec<u32>,
-    /// The same of blocks that lie in each other without a surface on which they could press each other.
+    /// Patches of the pairs of the solver behind those.
+    pub(crate) joints: Vec<u32>,
+    /// Which blocks of the solver joints tie.
+    pub(crate) tied: Vec<bool>,
+    /// Places in the list of found contacts of blocks that lie in each other without a surface on which they could press each other.
     pub(crate) lost: Vec<u32>,
     /// The blocks of the solver.
     pub(crate) blocks: Vec<u32>,
@@ -121,6 +133,8 @@ impl ImplicitDesk {
             }
         }
         self.solver.begin();
+        self.joints.clear();
+        self.tied.clear();
         self.lost.clear();
         self.blocks.clear();
         self.place.clear();
@@ -176,6 +190,14 @@ pub(crate) struct Partial {
     pub(crate) turning: bool,
 }
 
+impl Partial {
+    /// Adds the works of another.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.arrival.add(&other.arrival);
+        self.departure.add(&other.departure);
+    }
+}
+
 /// A block whose state is no longer finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the forces on block {block} are not finite")]
@@ -194,6 +216,24 @@ impl Scratch {
     #[must_use]
     pub fn not_solved(&self) -> Option<NotSolved> {
         self.implicit.failed
+    }
+
+    /// Pieces that this rank computes. An implicit step is computed by all alike: its contacts need the sums of all blocks.
+    pub(crate) fn own(&self, world: &World) -> Range<usize> {
+        match self.share(world) {
+            Some(share) => share.own(),
+            None => 0..self.tiles.list.len(),
+        }
+    }
+
+    /// How the step is shared out, if it is.
+    pub(crate) fn share(&self, world: &World) -> Option<&Share> {
+        self.share.as_ref().filter(|_| world.implicit.is_none())
+    }
+
+    /// As [`Scratch::share`], to be changed.
+    pub(crate) fn sharing(&mut self, world: &World) -> Option<&mut Share> {
+        self.share.as_mut().filter(|_| world.implicit.is_none())
     }
 
     /// Whether nothing but patches and gravity acts on blocks in rows.

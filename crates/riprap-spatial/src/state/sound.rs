@@ -2,6 +2,7 @@
 
 use riprap_core::numbers::{below, one_each};
 
+use crate::flow::End;
 use crate::state::deform::Deform;
 use crate::state::world::World;
 
@@ -44,6 +45,7 @@ impl World {
         below("source", sources, self.setup.sources.len())?;
         let boundaries = self.faces.iter().filter_map(|face| face.boundary);
         below("boundary", boundaries.map(u32::from), self.setup.boundaries.len())?;
+        self.gas_is_sound(blocks)?;
         for bolt in &self.bolts {
             let sides = bolt.dowels.iter().flat_map(|dowel| &dowel.sides);
             let pins = bolt.pins.iter().chain(sides).map(|pin| pin.block);
@@ -56,6 +58,23 @@ impl World {
             Some(deform) => self.deform_is_sound(deform, blocks),
             None => Ok(()),
         }
+    }
+
+    fn gas_is_sound(&self, blocks: usize) -> Result<(), String> {
+        let Some(gas) = &self.gas else { return Ok(()) };
+        let cells = gas.cracks.len() + gas.cavities.len();
+        let network = &gas.network;
+        one_each("masses of gas", gas.masses.len(), cells)?;
+        one_each("ports", network.first.len(), network.ends.len() + 1)?;
+        below("block", gas.cracks.iter().flat_map(|crack| crack.blocks), blocks)?;
+        below("cavity", gas.cavities.iter().copied(), self.cavities.len())?;
+        below("crack", network.ports.iter().map(|port| port.cell), gas.cracks.len())?;
+        below("port", network.first.iter().copied(), network.ports.len() + 1)?;
+        let of_ends = network.ends.iter().filter_map(|end| match end {
+            End::Cell(cell) => Some(*cell),
+            End::Inside | End::Air => None,
+        });
+        below("cell", of_ends, cells)
     }
 
     fn setup_is_sound(&self) -> Result<(), String> {

@@ -20,6 +20,7 @@ use crate::state::deform::Deform;
 use crate::state::event::{EditEvent, EditKind};
 use crate::state::face::{Face, Overruled};
 use crate::state::found::FoundContacts;
+use crate::state::gas::CrackGas;
 use crate::state::lineage::Origin;
 pub use crate::state::patches::{PatchClass, Patches, flag};
 use crate::state::seepage::Seepage;
@@ -47,6 +48,8 @@ pub struct World {
     pub water: Option<u16>,
     /// The network of joints through which the table seeps that stands now, if it does.
     pub seepage: Option<Box<Seepage>>,
+    /// The gas of charges that enters cracks, once the first of them has gone off.
+    pub gas: Option<Box<CrackGas>>,
     /// Motion of the blocks.
     pub bodies: Bodies,
     /// Centroids that displacements are measured from, m.

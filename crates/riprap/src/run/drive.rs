@@ -1,12 +1,14 @@
 //! Drives a simulation to its end: records, watches checks, reports progress, can be stopped.
 
 mod look;
+mod order;
 mod repeat;
 
 use std::time::{Duration, Instant};
 
-use look::{Clock, afford};
+use look::Clock;
 pub use look::{Look, Measured, Progress};
+use order::Order;
 
 use thiserror::Error;
 
@@ -16,6 +18,7 @@ use super::engine::steer::{SteerError, Steered};
 use super::recorder::{RecordError, Recorded, Recorder};
 use super::simulation::{ChangeError, RunError, Simulation, Snapshot, Stage};
 use crate::ledger::{Balance, COLUMNS};
+use crate::peers::Trouble;
 use crate::plan::Window;
 use crate::record::checkpoint::Packing;
 use crate::record::{FieldError, OutputError};
@@ -66,6 +69,9 @@ pub enum DriveError {
     /// What code wants to change.
     #[error(transparent)]
     Change(#[from] ChangeError),
+    /// The ranks cannot go on together.
+    #[error(transparent)]
+    Ranks(#[from] Trouble),
 }
 
 /// Wall time between two checkpoints besides those that the scene asks for; longer where writing one takes so long that
@@ -280,22 +286,23 @@ impl Drive {
     /// Writes a checkpoint, if there is a recorder.
     ///
     /// # Errors
-    /// The disk.
-    pub fn checkpoint(&mut self) -> Result<(), OutputError> {
+    /// The disk; ranks that do not agree.
+    pub fn checkpoint(&mut self) -> Result<(), DriveError> {
         self.save(Packing::Small)
     }
 
-    fn save(&mut self, packing: Packing) -> Result<(), OutputError> {
+    fn save(&mut self, packing: Packing) -> Result<(), DriveError> {
+        self.agree()?;
         let Some(recorder) = &mut self.recorder else {
             return Ok(());
         };
         if let Some(Paused { snapshot, watches, recorded: Some(recorded) }) = self.paused.as_deref()
         {
-            return recorder.checkpoint(snapshot.as_ref(), watches, recorded, packing);
+            return Ok(recorder.checkpoint(snapshot.as_ref(), watches, recorded, packing)?);
         }
         let watches: Vec<Watch> = self.watched.iter().map(|w| w.watch.clone()).collect();
         let recorded = recorder.recorded(self.simulation.steps());
-        recorder.checkpoint(self.simulation.snapshot_ref(), &watches, &recorded, packing)
+        Ok(recorder.checkpoint(self.simulation.snapshot_ref(), &watches, &recorded, packing)?)
     }
 
     fn pause(&self) -> Box<Paused> {
@@ -371,12 +378,16 @@ impl Drive {
                 self.keeper.keep(&self.simulation);
                 let reached = pause.reached(&self.simulation);
                 self.paused = reached.then(|| self.pause());
-                let stage = match self.simulation.prepare() {
+                let prepared = self.simulation.prepare();
+                self.sound()?;
+                let stage = match prepared {
                     Ok(stage) => stage,
                     Err(mut error) => {
                         self.checkpoint()?;
                         let keeper = std::mem::take(&mut self.keeper);
-                        if let Some(found) = keeper.judge(&mut self.simulation, &error) {
+                        if self.writes()
+                            && let Some(found) = keeper.judge(&mut self.simulation, &error)
+                        {
                             error.add(&found);
                         }
                         return Ok(Some(Ending::Unstable(error)));
@@ -400,6 +411,7 @@ impl Drive {
             }
             self.paused = None;
             self.simulation.step();
+            self.sound()?;
             if self.after_step(look)? == Control::Stop {
                 return Ok(Some(Ending::Stopped));
             }
@@ -460,7 +472,7 @@ impl Drive {
         look: &mut dyn FnMut(&mut Look<'_>) -> Control,
     ) -> Result<bool, DriveError> {
         if stage == Stage::Done {
-            self.clock.look(&self.simulation, look);
+            self.show(look);
             return Ok(true);
         }
         let last = self.last_phase();
@@ -473,7 +485,7 @@ impl Drive {
             r.phase_ended(&self.simulation, end.as_ref())?;
         }
         if last {
-            self.clock.look(&self.simulation, look);
+            self.show(look);
         }
         // Before the checkpoint: a run that goes on begins with the next phase and does not end this one again.
         self.simulation.next_phase();
@@ -493,21 +505,19 @@ impl Drive {
         if due {
             self.checkpoint()?;
         }
-        if !self.clock.due(self.simulation.steps()) {
-            return Ok(Control::Continue);
-        }
-        let control = self.clock.look(&self.simulation, look);
-        let pause = AUTOSAVE.max(afford(self.saving));
-        if control == Control::Stop {
+        let order = self.order(look)?;
+        match order {
+            Order::GoOn => return Ok(Control::Continue),
             // Somebody waits for the run to stop.
-            self.save(Packing::Quick)?;
-        } else if self.recorder.is_some() && self.saved.elapsed() >= pause {
-            let begun = Instant::now();
-            self.checkpoint()?;
-            self.saved = Instant::now();
-            self.saving = self.saved - begun;
+            Order::Stop => self.save(Packing::Quick)?,
+            Order::Save => {
+                let begun = Instant::now();
+                self.checkpoint()?;
+                self.saved = Instant::now();
+                self.saving = self.saved - begun;
+            }
         }
-        Ok(control)
+        Ok(Control::stop_if(order == Order::Stop))
     }
 }
 

@@ -563,6 +563,21 @@ impl Engine {
         either!(self, e => &mut e.world.start_energy)
     }
 
+    /// How the model is shared out among so many ranks at the start; `None` where all compute all of it.
+    #[must_use]
+    pub fn parts(&self, ranks: usize) -> Option<Vec<spatial::Part>> {
+        match self {
+            Self::Planar(_) => None,
+            Self::Spatial(e) => Some(spatial::parts(&e.world, ranks)),
+        }
+    }
+
+    /// Threads, and the ranks that compute the same model.
+    #[must_use]
+    pub fn exec(&self) -> &Exec {
+        either!(self, e => &e.scratch.exec)
+    }
+
     fn timers(&mut self) -> &mut Profile {
         either!(self, e => &mut e.scratch.profile)
     }

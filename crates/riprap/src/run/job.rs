@@ -3,8 +3,11 @@
 //! [`run`] begins in a new folder, [`resume`] goes on in an old one, [`watch_only`] leaves no files; each advances a
 //! [`Live`] run, which can also be advanced bit by bit.
 
+mod ranks;
 #[cfg(test)]
 mod tests;
+
+pub use ranks::{resume_among, resume_ranks, run_among, run_ranks};
 
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
@@ -23,6 +26,7 @@ use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
 use super::simulation::{ChangeError, PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
 use crate::ledger::{Balance, COLUMNS};
+use crate::peers::Traffic;
 use crate::plan::{Check, Every, Plan};
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
@@ -64,6 +68,8 @@ pub struct Outcome {
     pub ends: Vec<PhaseEnd>,
     /// The ledger where a run stopped before its end, if its forces are known there.
     pub energies: Option<Energies>,
+    /// What this rank has sent to others, where there are any.
+    pub traffic: Option<Traffic>,
 }
 
 /// The ledger at one state.
@@ -134,7 +140,8 @@ impl JobError {
                 DriveError::Record(RecordError::Field(_))
                 | DriveError::Field(_)
                 | DriveError::Steer(_)
-                | DriveError::Change(_),
+                | DriveError::Change(_)
+                | DriveError::Ranks(_),
             )
             | JobError::Record(RecordError::Field(_))
             | JobError::Build(_)
@@ -233,7 +240,21 @@ impl Live {
         existing: Existing,
         threads: usize,
     ) -> Result<Self, JobError> {
-        let exec = Exec::new(threads)?;
+        Self::begin_on(job, folder, existing, Exec::new(threads)?)
+    }
+
+    /// As [`Live::begin`] on these threads, as one of several ranks where there are others; rank 0 alone writes into `folder`.
+    ///
+    /// # Errors
+    /// As [`Live::begin`]; ranks that differ.
+    pub fn begin_on(
+        job: Job,
+        folder: &Path,
+        existing: Existing,
+        exec: Exec,
+    ) -> Result<Self, JobError> {
+        ranks::greet(&exec, &job)?;
+        let silent = ranks::follows(&exec);
         #[cfg(feature = "scenario")]
         let scene = super::change::SceneText::of(&job);
         let mut manifest = job.manifest;
@@ -248,7 +269,10 @@ impl Live {
         let simulation = Simulation::new(job.setup, job.plan, exec)?;
         given_step::check(&simulation)?;
         manifest.sources = simulation.view().sources();
-        let folder = RunFolder::create(folder, existing, &manifest)?;
+        let folder = match silent {
+            true => RunFolder::silent(Vec::new()),
+            false => RunFolder::create(folder, existing, &manifest)?,
+        };
         folder.write_scenario(&job.resolved)?;
         let origin = Origin::new(&manifest, &job.resolved);
         let recorder = Recorder::new(folder, origin, kind, simulation.plan(), None)?;
@@ -268,6 +292,17 @@ impl Live {
     /// # Errors
     /// A folder without a run or a checkpoint, a run that has ended, the disk.
     pub fn reopen(folder: &Path, threads: usize) -> Result<Self, JobError> {
+        Self::reopen_on(folder, Exec::new(threads)?)
+    }
+
+    /// As [`Live::reopen`] on these threads, as one of several ranks where there are others; rank 0 alone reads and writes `folder`.
+    ///
+    /// # Errors
+    /// As [`Live::reopen`]; ranks that differ.
+    pub fn reopen_on(folder: &Path, exec: Exec) -> Result<Self, JobError> {
+        if ranks::follows(&exec) {
+            return Self::follow(exec);
+        }
         let mut manifest = Manifest::read(folder)?;
         let ended = match manifest.ended {
             Ended::Running | Ended::Interrupted => None,
@@ -287,9 +322,9 @@ impl Live {
         let broken = latest.broken.iter();
         let mut notes: Vec<String> =
             broken.map(|why| format!("skipped a checkpoint: {why}")).collect();
-        let exec = Exec::new(threads)?;
         manifest.threads = exec.threads();
-        let Checkpoint { origin, snapshot, marks, counts, watches } = latest.value;
+        let found = ranks::hand_out(&exec, latest.value)?;
+        let Checkpoint { origin, snapshot, marks, counts, watches } = found;
         notes.extend(origin.edits(folder, &manifest));
         let others: Vec<&Path> = latest.broken.iter().filter_map(|e| e.of_another()).collect();
         let (folder, aside) = RunFolder::reopen_beside(folder, &marks, &others)?;
@@ -606,7 +641,9 @@ impl Live {
         );
         let balance = self.drive.stopped(&ending)?;
         let simulation = self.drive.simulation();
+        let peers = simulation.engine().exec().peers();
         Ok(Outcome {
+            traffic: peers.map(|peers| peers.traffic()),
             energies: balance.map(|balance| energies(simulation, &balance)),
             ending,
             checks,
@@ -650,4 +687,9 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
     manifest.state_hash = simulation.engine().hash();
     let stage = |(name, seconds): (String, f64)| StageTime { name, seconds, calls: view.step() };
     manifest.profile = simulation.engine().profile().seconds().into_iter().map(stage).collect();
+    // Part of the stages before.
+    if let Some(peers) = simulation.engine().exec().peers() {
+        let waiting = peers.traffic().waiting.as_secs_f64();
+        manifest.profile.push(stage(("waiting for ranks".to_owned(), waiting)));
+    }
 }

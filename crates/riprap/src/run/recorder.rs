@@ -102,8 +102,8 @@ impl Recorder {
         let mut conditions = match &counts {
             // Blocks that are gone by now are in the file alone. It is drawn from and nothing else: where it cannot be read
             // the blocks of the present have to do.
-            Some(_) => conditions::read(folder.path()).ok().flatten(),
-            None => None,
+            Some(_) if !folder.is_silent() => conditions::read(folder.path()).ok().flatten(),
+            Some(_) | None => None,
         }
         .unwrap_or_default();
         conditions.standing = standing(plan);
@@ -147,12 +147,15 @@ impl Recorder {
         }
         self.counts.last_step = Some(step);
         let now = Now::of(simulation, phase_end);
+        let silent = self.folder.is_silent();
         let view = simulation.view();
-        self.record_names(&view)?;
+        if !silent {
+            self.record_names(&view)?;
+        }
         let mut row = vec![None; self.readings.len()];
         for (k, (reading, every)) in self.readings.iter().enumerate() {
             // Asked in any case, so that the rhythm goes on where the end of a phase writes the row.
-            if now.is_due(every, &mut self.counts.histories[k]) || phase_end {
+            if (now.is_due(every, &mut self.counts.histories[k]) || phase_end) && !silent {
                 row[k] = Some(reading.value(&view));
             }
         }
@@ -165,12 +168,17 @@ impl Recorder {
         };
         let energy = due(&self.energy, &mut self.counts.energy);
         let frame = due(&self.frames, &mut self.counts.frames);
-        if energy || now.edge {
+        if (energy || now.edge) && !silent {
             let balance = simulation.balance();
             self.energy_row(simulation, &balance)?;
         }
         let wanted = frame || (now.edge && self.frames != Some(Every::Never));
         if wanted && self.last_frame != Some(step) {
+            self.last_frame = Some(step);
+            if silent {
+                self.folder.count_frame(step, time);
+                return Ok(());
+            }
             let phase = simulation.phase().map_or("", |p| p.name.as_str());
             let view = simulation.view();
             let mut picture = view.frame(phase);
@@ -178,7 +186,6 @@ impl Recorder {
                 picture.tetrahedra = view.tetrahedra();
             }
             self.folder.frame(&picture, view.exec())?;
-            self.last_frame = Some(step);
         }
         Ok(())
     }
@@ -223,6 +230,9 @@ impl Recorder {
         simulation: &Simulation,
         balance: &Balance,
     ) -> Result<(), OutputError> {
+        if self.folder.is_silent() {
+            return Ok(());
+        }
         let (step, time) = (simulation.steps(), simulation.time());
         let [history, energy] = self.last_rows.map(|last| last != Some(step));
         if history && !self.readings.is_empty() {
@@ -264,6 +274,9 @@ impl Recorder {
         simulation: &Simulation,
         end: Option<&PhaseEnd>,
     ) -> Result<(), OutputError> {
+        if self.folder.is_silent() {
+            return Ok(());
+        }
         let view = simulation.view();
         let phase = simulation.phase().map_or("", |p| p.name.as_str());
         let mut event = json!({
@@ -343,6 +356,9 @@ impl Recorder {
         recorded: &Recorded,
         packing: Packing,
     ) -> Result<(), OutputError> {
+        if self.folder.is_silent() {
+            return Ok(());
+        }
         let Recorded { marks, counts } = recorded;
         let value = CheckpointRef { origin: &self.origin, snapshot, marks, counts, watches };
         self.folder.checkpoint_as(KIND, marks.step, &value, packing)?;

@@ -6,7 +6,7 @@ use riprap::spatial::charge;
 use riprap::spatial::lanes::Width;
 use riprap::spatial::setup::{
     Boundary, BoundaryKind, CavityPressure, Coupling, Criterion, During, FaceSet, Kinematics,
-    Place, Refinement, Region, Setup, Shape, Source,
+    Place, Refinement, Region, Setup, Shape, Source, Venting,
 };
 use riprap::spatial::step::{Scratch, advance};
 use riprap::spatial::tiles::Cut;
@@ -14,7 +14,7 @@ use riprap::spatial::topology;
 use riprap::spatial::topology::EditKind;
 use riprap::spatial::world::{World, flag};
 
-use crate::spatial::blast::AMMONIUM;
+use crate::spatial::blast::{AMMONIUM, CRACKS};
 use crate::spatial::rock::{Draws, Run, elastic, lattice, rock, strength};
 
 /// A body with everything: sizes, failure, damping, viscous and held faces, gravity, finite rotations.
@@ -130,7 +130,7 @@ fn a_checkpoint_goes_on_with_the_same_bits() {
 }
 
 /// As above with a charge that fires after ten steps, and blocks that split where the stress is high.
-fn blasted() -> Setup {
+fn blasted(venting: Option<Venting>) -> Setup {
     let mut setup = everything();
     setup.refinements.push(Refinement {
         around: Region::All,
@@ -145,10 +145,15 @@ fn blasted() -> Setup {
             explosive: AMMONIUM.into(),
             mass: 40.0,
             coupling: Coupling::Scaled { exponent: 0.5 },
-            venting: None,
+            venting,
         },
     });
     setup
+}
+
+/// Gas that stays in, and gas that enters cracks.
+fn both() -> [Option<Venting>; 2] {
+    [None, Some(Venting::Cracks(CRACKS))]
 }
 
 /// Steps with the limit of the gas and with splitting.
@@ -169,36 +174,44 @@ fn splits(run: &Run) -> usize {
 
 #[test]
 fn threads_do_not_change_a_bit_of_a_blast() {
-    let run = |threads: usize| {
-        let mut run = Run::on(blasted(), Exec::new(threads).expect("threads"));
-        run_on(&mut run, 60);
-        run
-    };
-    let one = run(1);
-    let cavity = &one.world.cavities[0];
-    println!("{} splits, gas work {:.3e} J", splits(&one), cavity.work);
-    assert!(cavity.work > 0.0 && splits(&one) >= 8);
-    let late = one.world.events.iter().filter(|e| e.step > 10);
-    assert!(late.count() > 0, "splits after the gas has begun to push");
-    let expected = bytes(&one.world);
-    for threads in [2, 3, 7] {
-        assert!(bytes(&run(threads).world) == expected, "{threads} threads");
+    for venting in both() {
+        let run = |threads: usize| {
+            let mut run = Run::on(blasted(venting), Exec::new(threads).expect("threads"));
+            run_on(&mut run, 60);
+            run
+        };
+        let one = run(1);
+        let cavity = &one.world.cavities[0];
+        println!("{} splits, gas work {:.3e} J", splits(&one), cavity.work);
+        assert!(cavity.work > 0.0 && splits(&one) >= 8);
+        let late = one.world.events.iter().filter(|e| e.step > 10);
+        assert!(late.count() > 0, "splits after the gas has begun to push");
+        assert_eq!(one.view().gas_cracks() > 0, venting.is_some());
+        let expected = bytes(&one.world);
+        for threads in [2, 3, 7] {
+            assert!(bytes(&run(threads).world) == expected, "{threads} threads");
+        }
     }
 }
 
 #[test]
 fn a_checkpoint_in_a_blast_goes_on_with_the_same_bits() {
-    let mut whole = Run::on(blasted(), Exec::serial());
-    run_on(&mut whole, 30);
-    assert!(whole.world.cavities[0].ignited.is_some() && splits(&whole) > 0);
-    let mut world: World = postcard::from_bytes(&bytes(&whole.world)).expect("a world can be read");
-    let scratch = Scratch::new(&mut world, Exec::serial());
-    let mut second = Run { world, scratch, damping: whole.damping };
-    let before = splits(&whole);
-    run_on(&mut whole, 30);
-    run_on(&mut second, 30);
-    assert!(splits(&whole) > before);
-    assert!(bytes(&whole.world) == bytes(&second.world));
+    for venting in both() {
+        let mut whole = Run::on(blasted(venting), Exec::serial());
+        run_on(&mut whole, 30);
+        assert!(whole.world.cavities[0].ignited.is_some() && splits(&whole) > 0);
+        let saved = bytes(&whole.world);
+        let mut world: World = postcard::from_bytes(&saved).expect("a world can be read");
+        assert_eq!(world.sound(), Ok(()));
+        let scratch = Scratch::new(&mut world, Exec::serial());
+        let mut second = Run { world, scratch, damping: whole.damping };
+        let before = splits(&whole);
+        run_on(&mut whole, 30);
+        run_on(&mut second, 30);
+        assert!(splits(&whole) > before);
+        assert_eq!(whole.view().gas_cracks() > 0, venting.is_some());
+        assert!(bytes(&whole.world) == bytes(&second.world));
+    }
 }
 
 /// A free body of two sizes with joints that fail.

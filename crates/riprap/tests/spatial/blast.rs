@@ -3,13 +3,15 @@
 use riprap::Vec3;
 use riprap::spatial::charge;
 use riprap::spatial::setup::{
-    Boundary, BoundaryKind, CavityPressure, Coupling, Dashpots, Explosive, FaceSet, InSitu,
+    Boundary, BoundaryKind, CavityPressure, Coupling, Cracks, Dashpots, Explosive, FaceSet, InSitu,
     JointLaw, Motion, Place, Refinement, Region, Setup, Source, Support, Venting,
 };
 use riprap::spatial::stable::stable_step;
 use riprap::spatial::step::advance;
 use riprap::spatial::topology;
 use riprap::spatial::topology::EditKind;
+
+use riprap_core::flow::Friction;
 
 use crate::spatial::rock::{DENSITY, Run, elastic, lattice, rock, strength};
 
@@ -19,6 +21,14 @@ pub const AMMONIUM: Explosive = Explosive {
     heat: 4.18e6,
     gamma: 3.0,
     gamma_low: 4.0 / 3.0,
+};
+
+/// Gas in cracks with the constants of the language.
+pub const CRACKS: Cracks = Cracks {
+    friction: Friction { viscosity: 2e-5, roughness: 1e-4 },
+    aperture: 1e-4,
+    widest: 2e-2,
+    air: 1e5,
 };
 
 fn charge(centre: Vec3, mass: f64, coupling: Coupling) -> Source {
@@ -144,7 +154,11 @@ fn a_sealed_cavity_in_jointed_rock_reaches_its_plateau() {
 
 /// A lattice of 6 x 6 x 4 m that holds a charge below its free top.
 fn slab(push: CavityPressure, delay: f64) -> Run {
-    let mut setup = rock(lattice([6, 6, 4], 1.0), elastic());
+    slab_of(elastic(), push, delay)
+}
+
+fn slab_of(joint: JointLaw, push: CavityPressure, delay: f64) -> Run {
+    let mut setup = rock(lattice([6, 6, 4], 1.0), joint);
     setup.sources.push(Source {
         name: "charge".into(),
         place: Place::Point { centre: Vec3::new(3.0, 3.0, 2.0) },
@@ -237,4 +251,35 @@ fn walls_follow_a_split() {
     let scale = 2400.0 * 144.0;
     blast(&mut run, 6e-4, |_| {});
     assert!((run.view().momentum().length() - p).abs() < 1e-9 * scale);
+}
+
+/// A block at the cavity is split while gas is in its cracks: mass goes on to the parts, and nothing is pushed by itself.
+#[test]
+fn gas_in_cracks_follows_a_split() {
+    let push = CavityPressure::Gas {
+        explosive: AMMONIUM.into(),
+        mass: 2000.0,
+        coupling: Coupling::Coupled,
+        venting: Some(Venting::Cracks(CRACKS)),
+    };
+    let mut run = slab_of(jointed(), push, 0.0);
+    let momentum = run.view().momentum();
+    blast(&mut run, 4e-4, |_| {});
+    let mass = |run: &Run| run.world.gas.as_ref().map_or(0.0, |gas| gas.masses.iter().sum::<f64>());
+    let before = (mass(&run), run.view().gas_books(), run.view().gas_cracks());
+    assert!(before.2 > 0 && before.1.in_cracks > 0.0);
+    assert!((before.0 + before.1.vented - 2000.0).abs() < 1e-9);
+    let gas = run.world.gas.as_ref().unwrap();
+    let (k, _) = gas.cracks.iter().enumerate().find(|(k, _)| gas.masses[*k] > 0.0).unwrap();
+    let beside = gas.cracks[k].blocks[0];
+    topology::split(&mut run.world, &mut run.scratch, &[beside], 1e-9).expect("an exact edit");
+    assert!((mass(&run) - before.0).abs() < 1e-12 * before.0);
+    assert!(run.view().gas_cracks() > before.2);
+    assert_eq!(run.view().gas_books().vented, before.1.vented);
+    blast(&mut run, 6e-4, |_| {});
+    let scale = 2400.0 * 144.0;
+    assert!((run.view().momentum() - momentum).length() < 1e-9 * scale);
+    assert!(run.view().gas_residual().abs() < 1e-2, "{}", run.view().gas_residual());
+    let balance = run.view().balance();
+    assert!(balance.residual_relative().abs() < 1e-2, "{}", balance.residual_relative());
 }

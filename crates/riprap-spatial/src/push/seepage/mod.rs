@@ -5,7 +5,7 @@
 //! both sides at their own places, so that momentum is kept. Open faces carry the pressure of the table where they are now: what standing water would do
 //! to the whole block, less what it would do in its joints.
 
-mod network;
+pub(crate) mod network;
 
 use riprap_geom::Vec3;
 

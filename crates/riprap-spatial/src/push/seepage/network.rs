@@ -37,37 +37,68 @@ const NOTHING: f64 = 1e-9;
 const CELL: f64 = 1e3;
 
 /// A part of a face that two blocks share; corners anticlockwise about the outward normal of the first.
-struct Part {
-    blocks: [u32; 2],
-    outline: Vec<Vec3>,
+pub(crate) struct Part {
+    pub blocks: [u32; 2],
+    pub outline: Vec<Vec3>,
+}
+
+/// Joints of the living blocks and the lines along which they meet or end.
+pub(crate) struct Mesh {
+    /// By pairs of blocks, ascending, with the stretches of their rims.
+    pub joints: Vec<(Part, Stretches)>,
+    /// Parts of faces behind which a block was taken out.
+    bare: Vec<Bare>,
+    pub lines: Lines,
+}
+
+impl Mesh {
+    /// That of the living blocks, with joints divided where `curtains` cross them.
+    pub(crate) fn of(world: &World, curtains: &[Curtain]) -> Self {
+        let size = SAME * world.finest();
+        let chosen = chosen(world);
+        let alive = |b: u32| world.alive[b as usize];
+        let mut joints = Vec::new();
+        let mut bare = Vec::new();
+        // Blocks at the stretches of bare parts, for what is around a line.
+        let mut drained = Vec::new();
+        for (blocks, outline) in overlap::outlines(world, &chosen, GAP * world.finest()) {
+            match blocks.map(alive) {
+                [true, true] => joints.push(ordered(blocks, outline)),
+                [false, false] => {}
+                [first, _] => {
+                    let seen = if first { outline.clone() } else { reversed(&outline) };
+                    let block = if first { blocks[0] } else { blocks[1] };
+                    bare.push(Bare { block, outline: seen });
+                    drained.push(Part { blocks, outline });
+                }
+            }
+        }
+        for curtain in curtains {
+            joints = joints.into_iter().flat_map(|part| divided(part, curtain, size)).collect();
+        }
+        joints.sort_by_key(|part| part.blocks);
+        let mut lines = Lines::of(&joints, &drained, curtains, size);
+        let with_rim = |part: Part| {
+            let rim = lines.rim(&part.outline);
+            (part, rim)
+        };
+        let joints: Vec<(Part, Stretches)> = joints.into_iter().map(with_rim).collect();
+        for part in &drained {
+            let rim = lines.rim(&part.outline);
+            lines.beside(&rim.nodes, part.blocks);
+        }
+        for (part, rim) in &joints {
+            lines.beside(&rim.nodes, part.blocks);
+        }
+        Self { joints, bare, lines }
+    }
 }
 
 /// The network of the living blocks under a table that seeps; pressures are not known yet.
 pub(super) fn build(world: &World, table: &WaterTable, rules: &Steady) -> Seepage {
-    let size = SAME * world.finest();
-    let chosen = chosen(world);
-    let alive = |b: u32| world.alive[b as usize];
-    let mut joints = Vec::new();
-    let mut bare = Vec::new();
-    // Blocks at the stretches of bare parts, for what is around a line.
-    let mut drained = Vec::new();
-    for (blocks, outline) in overlap::outlines(world, &chosen, GAP * world.finest()) {
-        match blocks.map(alive) {
-            [true, true] => joints.push(ordered(blocks, outline)),
-            [false, false] => {}
-            [first, _] => {
-                let seen = if first { outline.clone() } else { reversed(&outline) };
-                let block = if first { blocks[0] } else { blocks[1] };
-                bare.push(Bare { block, outline: seen });
-                drained.push(Part { blocks, outline });
-            }
-        }
-    }
-    for curtain in &rules.curtains {
-        joints = joints.into_iter().flat_map(|part| divided(part, curtain, size)).collect();
-    }
-    joints.sort_by_key(|part| part.blocks);
-    for &b in chosen.iter().filter(|b| alive(**b)) {
+    let Mesh { joints, mut bare, lines } = Mesh::of(world, &rules.curtains);
+    let size = lines.corners.size;
+    for b in chosen(world).into_iter().filter(|b| world.alive[*b as usize]) {
         let solid = Extent::of(&world.setup.blocks[b as usize].shape).solid(Vec3::ZERO);
         for outline in (0..solid.faces.len()).map(|face| solid.outline(face)) {
             let on = |at: &Vec3, side: usize| rules.closed[side].holds(at.to_array(), size);
@@ -81,22 +112,12 @@ pub(super) fn build(world: &World, table: &WaterTable, rules: &Steady) -> Seepag
         blocks: [world.alive.len(), world.alive.iter().filter(|a| **a).count()],
         ..Seepage::default()
     };
-    let mut lines = Lines::of(&joints, &drained, &rules.curtains, size);
-    for part in joints {
-        let rim = lines.rim(&part.outline);
+    for (part, rim) in joints {
         let (joint, lost) = joint(part, &rim);
         if lost > out.lost.0 {
             out.lost = (lost, joint.blocks);
         }
         out.joints.push(joint);
-    }
-    for part in &drained {
-        let rim = lines.rim(&part.outline);
-        lines.beside(&rim.nodes, part.blocks);
-    }
-    for joint in &out.joints {
-        let rim: Vec<u32> = joint.rim.iter().map(|(node, _)| *node).collect();
-        lines.beside(&rim, joint.blocks);
     }
     out.nodes = lines.nodes(world, table, rules);
     out.bare = bare;
@@ -213,17 +234,8 @@ fn reach(curtain: &Curtain, [a, b]: [Vec3; 2], size: f64) -> Option<[f64; 2]> {
 /// A joint whose rim has these nodes, and what its shape leaves out. Nodes stand for stretches between the corners of `rim`.
 fn joint(part: Part, rim: &Stretches) -> (Joint, f64) {
     let Part { blocks, outline } = part;
-    let twice = area_vector(&outline);
-    let (area, normal) = (twice.length(), twice.normalize_or_zero());
-    let first = outline[0];
-    let centre = (2..outline.len())
-        .map(|k| {
-            let (a, b) = (outline[k - 1] - first, outline[k] - first);
-            a.cross(b).dot(normal) / 6.0 * (a + b)
-        })
-        .sum::<Vec3>();
-    let centre = first + centre / area;
-    let across = (outline[1] - first).normalize_or_zero();
+    let (centre, normal, area) = middle(&outline);
+    let across = (outline[1] - outline[0]).normalize_or_zero();
     let along = normal.cross(across);
     let flat = |v: Vec3| Vec2::new(v.dot(across), v.dot(along));
     let outward = |[from, to]: [Vec3; 2]| (to - from).cross(normal);
@@ -248,6 +260,20 @@ fn joint(part: Part, rim: &Stretches) -> (Joint, f64) {
     (joint, sheet.lost)
 }
 
+/// Centroid (m), normal and area (m²) of a flat outline.
+pub(crate) fn middle(outline: &[Vec3]) -> (Vec3, Vec3, f64) {
+    let twice = area_vector(outline);
+    let (area, normal) = (twice.length(), twice.normalize_or_zero());
+    let first = outline[0];
+    let centre = (2..outline.len())
+        .map(|k| {
+            let (a, b) = (outline[k - 1] - first, outline[k] - first);
+            a.cross(b).dot(normal) / 6.0 * (a + b)
+        })
+        .sum::<Vec3>();
+    (first + centre / area, normal, area)
+}
+
 /// Shares of the stretches of a rim in a linear quantity at the centroid: the smallest.
 fn shares(rim: &[Rim]) -> Vec<f64> {
     let sum = |get: &dyn Fn(&Rim) -> f64| rim.iter().map(get).sum::<f64>();
@@ -265,13 +291,13 @@ fn shares(rim: &[Rim]) -> Vec<f64> {
 }
 
 /// The stretches of one rim: nodes, and their ends on the way around.
-struct Stretches {
-    nodes: Vec<u32>,
-    ends: Vec<[Vec3; 2]>,
+pub(crate) struct Stretches {
+    pub nodes: Vec<u32>,
+    pub ends: Vec<[Vec3; 2]>,
 }
 
 /// All stretches between corners, found by these.
-struct Lines {
+pub(crate) struct Lines {
     corners: Corners,
     /// Corners inside the edge between two corners, from the first.
     inside: BTreeMap<[u32; 2], Vec<u32>>,
@@ -282,6 +308,17 @@ struct Lines {
 }
 
 impl Lines {
+    /// Ends of each node, m, and the blocks around it, those behind bare parts included.
+    pub(crate) fn around(&self) -> impl Iterator<Item = ([Vec3; 2], &[u32])> {
+        let ends = self.ends.iter().map(|ends| ends.map(|k| self.corners.list[k as usize]));
+        ends.zip(self.around.iter().map(Vec::as_slice))
+    }
+
+    /// Distance within which places are one, m.
+    pub(crate) fn size(&self) -> f64 {
+        self.corners.size
+    }
+
     fn of(joints: &[Part], drained: &[Part], curtains: &[Curtain], size: f64) -> Self {
         let mut corners = Corners { list: Vec::new(), cells: BTreeMap::new(), size };
         let mut edges = BTreeSet::new();

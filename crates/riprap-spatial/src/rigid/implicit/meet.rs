@@ -8,15 +8,14 @@ use crate::implicit::geometry::{Reach, reach, reach_ground};
 use crate::implicit::memory::{Implicit, sprung};
 use crate::implicit::pair::{Pair, Reply};
 use crate::implicit::patch::Twist;
-use crate::implicit::solve::Solver;
 use crate::kernel::friction::Wrench;
 use crate::kernel::surface;
 use crate::kernel::{Body, Memory, PairKey, Role, Terrain, turn};
 use crate::state::contact_scratch::{
-    Acting, ContactScratch, Deepest, Exerted, PairGroup, PairKind, Pressed, Slot, Workspace,
+    ContactScratch, Deepest, Exerted, PairGroup, PairKind, Pressed, Slot, Workspace,
 };
 use crate::state::found::{ContactPatch, FoundPair};
-use crate::state::scratch::{ImplicitDesk, NearPair, Scratch};
+use crate::state::scratch::{NearPair, Scratch};
 use crate::state::world::World;
 
 /// Gap that every pair is looked at within, m.
@@ -179,11 +178,27 @@ impl Looking<'_> {
                     let kept = self.memory.and_then(|memory| memory.of(pair.key(), patch.key));
                     if let Some(kept) = kept {
                         kept.recall(patch);
+                        self.follow(pair.ends, kept.arm, patch, on_ground);
                     }
                 }
                 found.near = count;
             }
         }
+    }
+
+    /// Corrects a contact for the turns of its blocks in the last step; `arm` is that of the first one at its start, m.
+    fn follow(&self, ends: [u32; 2], arm: Vec3, patch: &mut Pair, on_ground: bool) {
+        let (world, dt) = (self.world, self.world.last_dt);
+        let [i, j] = ends.map(|b| b as usize);
+        let still = [Vec3::ZERO; 2];
+        let motion = |b: usize| [world.bodies.velocity(b), world.bodies.spin(b)];
+        let [first, second] = [if on_ground { still } else { motion(i) }, motion(j)];
+        // On terrain arms are those from the centroid of the block.
+        let between = match on_ground {
+            true => Vec3::ZERO,
+            false => patch.centres[0] - patch.centres[1] - dt * (first[0] - second[0]),
+        };
+        patch.follow([first[1], second[1]].map(|w| dt * w), [arm, arm + between]);
     }
 
     /// Two convex blocks; how many patches they share.
@@ -257,9 +272,7 @@ impl Looking<'_> {
 }
 
 /// Hands what the pairs exert to the blocks and to those who read contacts.
-///
-/// `span`: time between the velocities before and after the kick, s.
-pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch, span: f64) {
+pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch) {
     let desk = &mut scratch.desk;
     desk.groups.iter_mut().for_each(PairGroup::begin);
     let implicit = &scratch.implicit;
@@ -315,27 +328,6 @@ pub(super) fn hand_over(world: &mut World, scratch: &mut Scratch, span: f64) {
     }
     desk.deepest = deepest;
     contact::sum(desk, &scratch.exec);
-    if span > 0.0 {
-        make_exact(desk, implicit, span);
-    }
-}
-
-/// Gives each block the wrench that makes its velocities those of the solution: that of its pairs, and what Newton's method has left over. In
-/// stiff directions a tiny rest of the velocities is a large force, and a kick from the forces alone would be off by that.
-fn make_exact(desk: &mut ContactScratch, implicit: &ImplicitDesk, span: f64) {
-    let Solver { bodies, motion, .. } = &implicit.solver;
-    for ((b, body), motion) in implicit.blocks.iter().zip(bodies).zip(motion) {
-        let acting = &mut desk.acting[desk.place[*b as usize] as usize];
-        let [x, y, z, p, q, r] = *motion;
-        let [v, w] = body.free;
-        let force = body.mass / span * (Vec3::new(x, y, z) - v);
-        let moment = body.inertia * (Vec3::new(p, q, r) - w) / span;
-        let free = body.held.map(|held| f64::from(u8::from(!held)));
-        let [along, about] = [0, 3].map(|k| Vec3::new(free[k], free[k + 1], free[k + 2]));
-        let Acting { elastic, spring, .. } = acting;
-        elastic.force += along * (force - elastic.force - spring.force);
-        elastic.moment += about * (moment - elastic.moment - spring.moment);
-    }
 }
 
 /// The memory of an explicit contact in the same state, for who reads contacts and for an explicit phase that comes next.

@@ -1,6 +1,6 @@
 //! What of a model an implicit phase cannot take yet.
 
-use crate::contact;
+use crate::rigid::implicit::joints;
 use crate::state::world::World;
 
 /// Something that implicit phases do not take, and what to do instead.
@@ -42,10 +42,11 @@ pub fn obstacle(world: &World) -> Option<Obstacle> {
             "use supports and loads instead",
         );
     }
-    let [i, j] = world.patches.ends[contact::holding(world)?];
-    let [i, j] = [i, j].map(|b| world.name(b as usize));
+    let taken = |p: usize| Some((p, joints::obstacle(world, p)?));
+    let (p, kind) = (0..world.patches.len()).find_map(taken)?;
+    let [i, j] = world.patches.ends[p].map(|b| world.name(b as usize));
     found(
-        format!("a joint with more than friction ties blocks `{i}` and `{j}`"),
-        "leave out cohesion, tension and dilation of the interface",
+        format!("a joint {kind} ties blocks `{i}` and `{j}`"),
+        "use a brittle joint with straight springs that fails point by point",
     )
 }

@@ -13,7 +13,7 @@ use crate::model::summary::Charge;
 use crate::plan::Every;
 use crate::scenario::language::{
     self, Around, CouplingWord, GasCavity, JwlConstants, JwlSet, Point3, PressureCavity, Refine,
-    Segment, span_of,
+    Segment, VentingCracks, span_of,
 };
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::vectors::unit;
@@ -22,9 +22,10 @@ use crate::scenario::{Diagnostic, Name, Span};
 use crate::spatial::divisible::Divisible;
 use crate::spatial::region::Bounds;
 use crate::spatial::setup::{
-    BlockSpec, CavityPressure, Coupling, Criterion, During, Place, Refinement, Region, Shape,
-    Source, Venting,
+    BlockSpec, CavityPressure, Coupling, Cracks, Criterion, During, Place, Refinement, Region,
+    Shape, Source, Venting,
 };
+use riprap_core::flow::Friction;
 
 /// Exponent that keeps the force on the wall of the cavity.
 const WALL_FORCE: f64 = 2.0 / 3.0;
@@ -61,6 +62,7 @@ impl Builder<'_> {
                 start: time.start.si(),
                 span: self.reading(format!("{path}.venting.time"), time).span(),
             }),
+            Some(language::Venting::Cracks(cracks)) => self.cracks(name, cracks),
         };
         let push = |mass: f64| CavityPressure::Gas { explosive, mass, coupling, venting };
         if let Some(pattern) = &gas.pattern {
@@ -84,6 +86,73 @@ impl Builder<'_> {
         if let Some(place) = place {
             self.enter_source(name.text.clone(), place, delay, push(mass.si()));
         }
+    }
+
+    /// How gas flows in the cracks of a charge.
+    fn cracks(&mut self, name: &Name, said: &VentingCracks) -> Option<Venting> {
+        let mut read = self.reading(format!("sources.{name}.gas_cavity.venting.cracks"), said);
+        let friction = Friction { viscosity: read.viscosity(), roughness: read.roughness() };
+        let (aperture, widest) = (read.aperture(), read.aperture_max());
+        let air = read.air_pressure();
+        if widest < aperture {
+            let message = format!(
+                "the largest aperture of the cracks of `{name}` is {}, and that of a closed one {}",
+                with_unit(widest, "m"),
+                with_unit(aperture, "m")
+            );
+            let help = "give an `aperture_max` that is not below `aperture`";
+            self.error_at("source.cracks", name, message, help);
+            return None;
+        }
+        Some(Venting::Cracks(Cracks { friction, aperture, widest, air }))
+    }
+
+    /// Refuses gas in cracks that the network does not know.
+    fn cracks_are_one(&mut self) {
+        let entered = |source: &Source| match source.push {
+            CavityPressure::Gas { explosive, venting: Some(Venting::Cracks(rules)), .. } => {
+                Some((source.name.clone(), explosive, rules))
+            }
+            CavityPressure::Gas { .. } | CavityPressure::Pressure { .. } => None,
+        };
+        let all: Vec<_> = self.spatial.sources.iter().filter_map(entered).collect();
+        let Some((first, explosive, rules)) = all.first() else { return };
+        let at = |name: &str| self.span_of_source(name);
+        let soft = !self.spatial.deform.sets.is_empty();
+        let periodic = self.spatial.periodic.iter().any(Option::is_some);
+        let why = match (soft, periodic) {
+            (true, _) => Some("models with deformable blocks"),
+            (_, true) => Some("periodic models"),
+            (false, false) => None,
+        };
+        if let Some(why) = why {
+            let message = format!("the gas of `{first}` cannot enter cracks in {why}");
+            let help = "`venting.cracks` needs rigid blocks and a model without periods; leave it out to keep the gas in its cavity";
+            return self.error_at("source.cracks", at(first), message, help);
+        }
+        if let Some((other, ..)) = all.iter().find(|(_, e, r)| e != explosive || r != rules) {
+            let message = format!(
+                "the gas of `{other}` and of `{first}` enters the same cracks, with another explosive or other constants of `venting.cracks`"
+            );
+            let help = "give charges with `venting.cracks` one explosive and the same constants";
+            return self.error_at("source.cracks", at(other), message, help);
+        }
+        let pressure = |(name, explosive, rules): &(String, Products, Cracks)| {
+            let adiabat = explosive.adiabat(1.0).ok()?;
+            (adiabat.pressure(adiabat.v0()) <= rules.air).then(|| name.clone())
+        };
+        if let Some(name) = all.iter().find_map(pressure) {
+            let message = format!("the pressure of the air is above that of the gas of `{name}`");
+            let help = "give a lower `venting.cracks.air_pressure`";
+            self.error_at("source.cracks", at(&name), message, help);
+        }
+    }
+
+    /// Where the source that a charge comes from stands in the scene.
+    fn span_of_source(&self, name: &str) -> Span {
+        let said = self.parsed.scenario.sources.iter().map(|(said, _)| said);
+        let of_name = |said: &&Name| name == said.text || name.starts_with(&format!("{said}."));
+        said.into_iter().find(of_name).map_or(0..0, |said| said.span.clone())
     }
 
     fn pressure(&mut self, name: &Name, cavity: &PressureCavity) {
@@ -472,9 +541,7 @@ impl Builder<'_> {
         );
         let help = "grid.cells with `graded` carries it more evenly; bricks split 1 to 8 are what the source paper does";
         let name = name.clone();
-        let said = self.parsed.scenario.sources.iter().map(|(said, _)| said);
-        let of_name = |said: &&Name| name == said.text || name.starts_with(&format!("{said}."));
-        let span = said.into_iter().find(of_name).map_or(0..0, |said| said.span.clone());
+        let span = self.span_of_source(&name);
         let warning = Diagnostic::warning("source.lattice", message).at(span).help(help);
         self.found.push(warning);
     }
@@ -482,6 +549,7 @@ impl Builder<'_> {
     /// Volumes of charges and of the blocks they replace, for the summary, with a warning where they
     /// have little to do with each other.
     pub(super) fn source_volumes(&mut self) {
+        self.cracks_are_one();
         for k in 0..self.spatial.sources.len() {
             let source = &self.spatial.sources[k];
             let (cells, cavity) = self.removed(&source.place);
@@ -505,11 +573,7 @@ impl Builder<'_> {
                     with_unit(ratio, ""),
                 );
                 let help = "refine the blocks around it so that the finest match its volume: the pressure depends on it";
-                let said = self.parsed.scenario.sources.iter();
-                let span = said
-                    .map(|(said, _)| said)
-                    .find(|said| name == said.text || name.starts_with(&format!("{said}.")))
-                    .map_or(0..0, |said| said.span.clone());
+                let span = self.span_of_source(&name);
                 self.warn_at("source.volume", span, message, help);
             }
             if mass.is_some() {

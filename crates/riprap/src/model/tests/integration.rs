@@ -67,7 +67,11 @@ fn dry_blocks_are_taken_with_steps_of_their_own() {
 
 #[test]
 fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
-    let held = TWO.replace("friction_angle", "cohesion = \"1 MPa\"\nfriction_angle");
+    let strong = "cohesion = \"1 MPa\"\ntension = \"1 MPa\"\nfriction_angle";
+    let held = TWO.replace("friction_angle", &format!("dilation_angle = \"5 deg\"\n{strong}"));
+    let whole = TWO.replace("friction_angle", &format!("failure = \"face\"\n{strong}"));
+    // A brittle joint is taken.
+    assert_eq!(refused(&TWO.replace("friction_angle", strong)), "");
     let parts = TWO.replace(
         "brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] }",
         "parts = [\n  { brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] } },\n  \
@@ -78,7 +82,8 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
         "{TWO}[[boundaries]]\nname = \"top\"\non = {{ block = \"stone\", side = \"z-max\" }}\nviscous = {{}}\n"
     );
     for (text, words) in [
-        (&held, "a joint with more than friction ties blocks `floor` and `stone`"),
+        (&held, "a joint with softening, closure or dilation ties blocks `floor` and `stone`"),
+        (&whole, "a joint that fails as one face ties blocks `floor` and `stone`"),
         (&parts, "block `stone` has glued `parts`"),
         (&off, "contact detection is switched off"),
         (&viscous, "boundary `top` acts on faces of blocks"),

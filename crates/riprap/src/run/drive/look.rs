@@ -167,6 +167,16 @@ impl Clock {
         }
     }
 
+    /// Step before which it is not asked again.
+    pub(super) fn next(&self) -> u64 {
+        self.next
+    }
+
+    /// Takes over from another rank when it is asked next.
+    pub(super) fn set_next(&mut self, step: u64) {
+        self.next = step;
+    }
+
     /// Whether it is time for a look.
     pub(super) fn due(&mut self, step: u64) -> bool {
         if step < self.next {

@@ -86,6 +86,21 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
+    /// The flow of gas in cracks has not been found.
+    #[error(
+        "the flow of gas in cracks did not converge at step {step} (t = {time:.6e} s): {place} is out of balance by {left:.0e} of what it holds; \
+         use a shorter `time_step`, or reduce the contrast of apertures (`venting.cracks.aperture`, `aperture_max`)"
+    )]
+    NoGasFlow {
+        /// The crack or cavity that is farthest out of balance.
+        place: String,
+        /// What does not add up.
+        left: f64,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
     /// The ledger does not explain where energy has come from or gone to.
     #[error(
         "{what} is {percent:.1} % of the largest energy exchanged ({energy:.3e} {unit}) at step {step} (t = {time:.6e} s); the limit is {allowed} % \
@@ -312,6 +327,7 @@ impl RunError {
             Self::NoStep { .. }
             | Self::NotSolved { .. }
             | Self::NoFlow { .. }
+            | Self::NoGasFlow { .. }
             | Self::Edit { .. }
             | Self::Phase { .. } => {}
         }
@@ -341,6 +357,7 @@ impl RunError {
             Self::NoStep { .. } => ("no valid time step", false, false),
             Self::NotSolved { .. } => ("an implicit step did not converge", false, false),
             Self::NoFlow { .. } => ("seepage did not converge", false, true),
+            Self::NoGasFlow { .. } => ("the flow of gas did not converge", true, true),
             Self::Residual { what: Unexplained::Residual, .. } => {
                 ("the energy residual", true, true)
             }

@@ -183,6 +183,17 @@ impl Simulation {
         };
         match left.and_then(|(left, found)| (!found).then_some(left)) {
             Some(left) => Err(RunError::NoFlow { left, step: self.steps(), time: self.time() }),
+            None => self.look_at_gas(),
+        }
+    }
+
+    /// Stops a run whose gas has not found its way through the cracks.
+    fn look_at_gas(&self) -> Result<(), RunError> {
+        let View::Spatial(view) = self.view() else { return Ok(()) };
+        match view.stuck_gas() {
+            Some((place, left)) => {
+                Err(RunError::NoGasFlow { place, left, step: self.steps(), time: self.time() })
+            }
             None => Ok(()),
         }
     }

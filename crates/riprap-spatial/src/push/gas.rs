@@ -1,0 +1,313 @@
+//! Gas of charges that enters cracks, pushes their sides and vents ([`crate::flow`]).
+//!
+//! The network (`network`) is that of the joints between living blocks as they were built. A joint conducts once two of its four points have failed;
+//! its aperture is what it is when its sides touch plus the opening in its middle. At each evaluation apertures and volumes follow from the present positions, the gas
+//! flows for the time that has passed, and its pressures push both sides until the next one. The sides of a crack are pushed at their own places by opposite forces,
+//! so that momentum is kept; the work of a step is that of the mean of the forces at its ends on the way between them, as for all forces of the leapfrog.
+//!
+//! Blocks carry no pressure of the air, so that gas pushes with what it has above that. A cavity shares the adiabat with its cracks by density: as long
+//! as none of them conducts, it is the sealed one.
+
+mod network;
+
+use riprap_geom::Vec3;
+
+use crate::flow::{Cells, Desk, Fluid};
+use crate::setup::{CavityPressure, Cracks, Source, Venting};
+use crate::state::anchor::{Anchor, Freedoms};
+use crate::state::cavity::Cavity;
+use crate::state::event::EditKind;
+use crate::state::gas::{Crack, CrackGas};
+use crate::state::patches::flag;
+use crate::state::push::Account;
+use crate::state::scratch::Scratch;
+use crate::state::world::World;
+
+/// Failed points of a patch from which on gas enters: two of four, a half of it.
+const FAILED: u32 = 2;
+/// Share of the gas that has left when it counts as leaving: less is round-off.
+const LEAVES: f64 = 1e-9;
+/// Step over the inverse of the frequency of blocks on the gas in cracks, as if it could not flow: 2 would be the limit of stability, and
+/// joints have theirs beside it.
+const CRACK_STEP: f64 = 0.8;
+
+/// How the gas of a source flows in cracks, if it does.
+pub(crate) fn rules(source: &Source) -> Option<&Cracks> {
+    match &source.push {
+        CavityPressure::Gas { venting: Some(Venting::Cracks(cracks)), .. } => Some(cracks),
+        CavityPressure::Gas { .. } | CavityPressure::Pressure { .. } => None,
+    }
+}
+
+impl World {
+    /// How the gas of a cavity flows in cracks, if it does.
+    pub(crate) fn cracks_of(&self, cavity: &Cavity) -> Option<&Cracks> {
+        rules(&self.setup.sources[cavity.source as usize])
+    }
+
+    /// The gas in the cracks between two blocks: number of each.
+    fn cracks_between(&self, pair: [u32; 2]) -> impl Iterator<Item = (usize, &Crack)> {
+        let key = [pair[0].min(pair[1]), pair[0].max(pair[1])];
+        let list = self.gas.as_ref().map_or(&[][..], |gas| &gas.cracks);
+        let first = list.partition_point(|crack| crack.blocks < key);
+        (first..).zip(list[first..].iter().take_while(move |c| c.blocks == key))
+    }
+
+    /// Largest of a number over the cracks between two blocks that gas may enter.
+    pub(crate) fn largest_in_cracks(
+        &self,
+        pair: [u32; 2],
+        get: impl Fn(&Crack, f64) -> f64,
+    ) -> f64 {
+        let Some(gas) = &self.gas else { return 0.0 };
+        let open = self.cracks_between(pair).filter(|(_, crack)| crack.open);
+        open.map(|(k, crack)| get(crack, gas.masses[k])).fold(0.0, f64::max)
+    }
+}
+
+/// Lets the gas of all cavities that have gone off flow, and pushes walls and cracks with it; volumes of cavities are known.
+pub(super) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
+    let off = |c: &Cavity| c.ignited.is_some() && world.cracks_of(c).is_some();
+    if !world.cavities.iter().any(off) {
+        return;
+    }
+    let Some(mut gas) = network::current(world) else { return };
+    release(world, &mut gas);
+    if follow(world, &mut gas) {
+        world.gas = Some(gas);
+        // Who is pushed now is done one by one from here on.
+        scratch.tiles.make_rows(world);
+        let Some(again) = world.gas.take() else { return };
+        gas = again;
+    }
+    flow(world, &mut gas, &mut scratch.flow);
+    if gas.books.vented > LEAVES * gas.books.mass {
+        note_venting(world, &gas);
+    }
+    let pushes = &mut scratch.pushes.own;
+    pushes.need_blocks(world.alive.len());
+    push_cracks(world, &mut gas, pushes);
+    for k in 0..gas.cavities.len() {
+        push_walls(world, &mut gas, k, dt, pushes);
+    }
+    world.gas = Some(gas);
+}
+
+/// Notes that the gas of charges that have gone off has begun to leave.
+fn note_venting(world: &mut World, gas: &CrackGas) {
+    for &k in &gas.cavities {
+        let cavity = &mut world.cavities[k as usize];
+        if cavity.ignited.is_some() && cavity.venting.is_none() {
+            cavity.venting = Some(world.time);
+            let event = world.event(EditKind::Vented, k);
+            world.events.push(event);
+        }
+    }
+}
+
+/// Puts the gas of charges that go off now into their cavities.
+fn release(world: &World, gas: &mut CrackGas) {
+    for (k, cell) in (gas.cracks.len()..).enumerate() {
+        let cavity = &world.cavities[gas.cavities[k] as usize];
+        let Some(own) = cavity.gas.filter(|_| cavity.ignited == Some(world.time)) else { continue };
+        if gas.masses[cell] == 0.0 && cavity.pressure == 0.0 {
+            let fluid = Fluid {
+                adiabat: own.adiabat,
+                mass: gas.fluid.mass * own.adiabat.v0() / gas.fluid.adiabat.v0(),
+            };
+            gas.masses[cell] = fluid.mass;
+            gas.books.mass += fluid.mass;
+            gas.books.released += own.adiabat.held(own.start);
+        }
+    }
+}
+
+/// Takes the cracks along to where their blocks are; whether gas may enter new ones.
+fn follow(world: &World, gas: &mut CrackGas) -> bool {
+    let mut new = false;
+    let list = &world.patches;
+    for (ends, flags) in list.ends.iter().zip(&list.flags) {
+        if (flags & flag::BROKEN).count_ones() < FAILED {
+            continue;
+        }
+        let key = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+        let first = gas.cracks.partition_point(|crack| crack.blocks < key);
+        for crack in gas.cracks[first..].iter_mut().take_while(|c| c.blocks == key) {
+            new |= !crack.open;
+            crack.open = true;
+        }
+    }
+    let CrackGas { cracks, masses, rules, fluid, books, .. } = gas;
+    let freedoms = world.all_freedoms();
+    for (crack, &mass) in cracks.iter_mut().zip(masses.iter()).filter(|(c, _)| c.open) {
+        let (jump, opening) = place(world, &freedoms, crack);
+        let before = crack.volume;
+        // What presses its sides together takes nothing from the aperture that they have then.
+        let aperture = rules.aperture + opening.max(0.0);
+        crack.volume = crack.area * aperture;
+        crack.aperture = aperture.min(rules.widest);
+        if mass > 0.0 {
+            let now = fluid.pressure(mass / crack.volume);
+            let air = 0.5 * (crack.pressure.min(rules.air) + now.min(rules.air));
+            books.air += air * (crack.volume - before);
+        }
+        // One that has just opened has no way behind it.
+        let moved = if before > 0.0 { jump - crack.jump } else { Vec3::ZERO };
+        crack.jump = jump;
+        // The first half of the work of this step; the other follows with the new force.
+        let work = 0.5 * crack.push.dot(moved);
+        books.work += work;
+        books.in_cracks += work;
+        crack.moved = moved;
+    }
+    new
+}
+
+/// Displacement of the second side of a crack against the first (m), and its part along the normal.
+fn place(world: &World, freedoms: &Freedoms, crack: &Crack) -> (Vec3, f64) {
+    let [first, second] = crack
+        .blocks
+        .map(|block| Anchor::Block { block, arm: crack.centre - world.reference[block as usize] });
+    let jump = freedoms.jump(&[first, second]);
+    (jump, jump.dot(normal(freedoms, crack)))
+}
+
+/// Outward normal of the first block of a crack now.
+fn normal(freedoms: &Freedoms, crack: &Crack) -> Vec3 {
+    freedoms.arm(crack.blocks[0], crack.normal)
+}
+
+/// Lets the gas flow for the time that has passed.
+fn flow(world: &World, gas: &mut CrackGas, desk: &mut Desk) {
+    let cavities = gas.cavities.iter().map(|k| &world.cavities[*k as usize]);
+    let volume = |c: &Cavity| if c.ignited.is_some() { c.volume } else { 0.0 };
+    let volumes: Vec<f64> =
+        gas.cracks.iter().map(|c| c.volume).chain(cavities.map(volume)).collect();
+    if world.pending > 0.0 && gas.cracks.iter().any(|c| c.open) {
+        let CrackGas { network, fluid, rules, masses, cracks, books, stuck, .. } = gas;
+        let of = |c: &Crack| if c.open { c.aperture } else { 0.0 };
+        let mut apertures: Vec<f64> = cracks.iter().map(of).collect();
+        apertures.resize(masses.len(), 0.0);
+        let mut cells = Cells { volumes: &volumes, apertures: &apertures, masses };
+        let how = (&rules.friction, rules.air);
+        match network.advance(fluid, how, &mut cells, world.pending, desk) {
+            Ok(flowed) => {
+                books.friction += flowed.friction;
+                books.numerical += flowed.numerical;
+                books.carried += flowed.carried;
+                books.vented += flowed.vented;
+            }
+            Err(failed) => {
+                let c = failed.cell as usize;
+                let whose = |c: usize| [(c - cracks.len()) as u32; 2];
+                let blocks = cracks.get(c).map_or_else(|| whose(c), |crack| crack.blocks);
+                *stuck = Some((blocks, failed.left));
+            }
+        }
+        speeds(gas, &volumes, desk);
+    }
+    let CrackGas { cracks, masses, fluid, .. } = gas;
+    for (crack, mass) in cracks.iter_mut().zip(masses.iter()).filter(|(c, _)| c.open) {
+        crack.pressure = fluid.pressure(mass / crack.volume);
+    }
+}
+
+/// Finds the largest speed of the flow in each crack.
+fn speeds(gas: &mut CrackGas, volumes: &[f64], desk: &Desk) {
+    let CrackGas { network, cracks, masses, .. } = gas;
+    cracks.iter_mut().for_each(|crack| crack.speed = 0.0);
+    for (p, port) in network.ports.iter().enumerate() {
+        let c = port.cell as usize;
+        if masses[c] > 0.0 && cracks[c].open {
+            let density = masses[c] / volumes[c];
+            let speed = desk.rate(p).abs() / (density * port.length * cracks[c].aperture);
+            cracks[c].speed = cracks[c].speed.max(speed);
+        }
+    }
+}
+
+/// Pushes the sides of all cracks with gas in them.
+fn push_cracks(world: &mut World, gas: &mut CrackGas, pushes: &mut Account) {
+    let CrackGas { cracks, rules, books, .. } = gas;
+    let freedoms = world.all_freedoms();
+    let mut work = 0.0;
+    for crack in cracks.iter_mut().filter(|c| c.open) {
+        let before = crack.push;
+        let above = (crack.pressure - rules.air).max(0.0);
+        crack.push = above * crack.area * normal(&freedoms, crack);
+        let second = 0.5 * crack.push.dot(crack.moved);
+        books.work += second;
+        books.in_cracks += second;
+        work += second + 0.5 * before.dot(crack.moved);
+        crack.moved = Vec3::ZERO;
+        if above > 0.0 {
+            for (block, sign) in [(crack.blocks[0], -1.0), (crack.blocks[1], 1.0)] {
+                let arm = crack.centre - world.reference[block as usize];
+                freedoms.push(pushes, &Anchor::Block { block, arm }, sign * crack.push);
+            }
+        }
+    }
+    world.works.gas += work;
+}
+
+/// Pressure and work of cavity number `k` of the network, and its push on its walls.
+fn push_walls(world: &mut World, gas: &mut CrackGas, k: usize, dt: f64, pushes: &mut Account) {
+    let (cell, number) = (gas.cracks.len() + k, gas.cavities[k] as usize);
+    let cavity = &mut world.cavities[number];
+    let (Some(own), Some(ignited)) = (cavity.gas, cavity.ignited) else { return };
+    let before = (cavity.known, cavity.pressure);
+    let mass = gas.masses[cell];
+    cavity.kept = mass / (gas.fluid.mass * own.adiabat.v0() / gas.fluid.adiabat.v0());
+    cavity.pressure =
+        if mass > 0.0 { own.adiabat.pressure(cavity.volume / cavity.kept) } else { 0.0 };
+    cavity.known = cavity.volume;
+    let above = |pressure: f64| (pressure - gas.rules.air).max(0.0);
+    // It has no pressure before the evaluation in which it goes off.
+    let old = if ignited == world.time { cavity.pressure } else { before.1 };
+    let moved = cavity.volume - if ignited == world.time { cavity.volume } else { before.0 };
+    let work = 0.5 * (above(old) + above(cavity.pressure)) * moved;
+    let air = 0.5 * (old.min(gas.rules.air) + cavity.pressure.min(gas.rules.air)) * moved;
+    cavity.work += work;
+    gas.books.work += work;
+    gas.books.air += air;
+    world.works.gas += work;
+    let first = ignited == world.time && dt > 0.0;
+    let share = if first { dt / (world.last_dt + dt) } else { 1.0 };
+    let pressure = share * above(world.cavities[number].pressure) * own.factor;
+    super::cavity::press(world, number, pressure, pushes);
+}
+
+impl CrackGas {
+    /// What the sides of cracks carry now: block, present arm (m), force (N).
+    pub fn forces<'a>(
+        &'a self,
+        world: &'a World,
+    ) -> impl Iterator<Item = (usize, Vec3, Vec3)> + 'a {
+        let freedoms = world.all_freedoms();
+        self.cracks.iter().filter(|c| c.push != Vec3::ZERO).flat_map(move |crack| {
+            [(crack.blocks[0], -1.0), (crack.blocks[1], 1.0)].map(|(block, sign)| {
+                let b = block as usize;
+                (b, freedoms.arm(block, crack.centre - world.reference[b]), sign * crack.push)
+            })
+        })
+    }
+}
+
+/// Largest step that the gas in cracks allows, s.
+pub(crate) fn step_limit(world: &World) -> f64 {
+    let Some(gas) = &world.gas else { return f64::INFINITY };
+    let mut stiffness = vec![0.0; world.alive.len()];
+    for (crack, &mass) in gas.cracks.iter().zip(&gas.masses).filter(|(c, m)| c.open && **m > 0.0) {
+        let bulk = gas.fluid.bulk(mass / crack.volume);
+        let spring = bulk * crack.area * crack.area / crack.volume;
+        for block in crack.blocks {
+            let b = block as usize;
+            let solid = world.solid_of(b);
+            let lever = (crack.centre - world.reference[b]).cross(crack.normal);
+            stiffness[b] += spring * (1.0 / solid.mass + lever.dot(solid.inverse * lever));
+        }
+    }
+    // Both sides of a crack may move against each other.
+    let squared = 2.0 * stiffness.into_iter().fold(0.0, f64::max);
+    if squared > 0.0 { CRACK_STEP / squared.sqrt() } else { f64::INFINITY }
+}
