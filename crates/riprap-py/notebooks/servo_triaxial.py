@@ -22,7 +22,8 @@ FRICTION = math.radians(30)
 DIP = math.radians(60)
 STIFFNESS = 20e9  # Pa/m
 HALF, HEIGHT = 0.05, 0.2  # m
-SIDE = 0.1 * 0.16  # m2 under a side platen
+TALL = 2 * HALF * math.tan(DIP)  # m, of a side platen: as far as the joint reaches
+SIDE = 2 * HALF * TALL  # m2 under it
 
 # %% [markdown]
 # ## The scenario
@@ -76,8 +77,8 @@ scenario = riprap.Scenario(
             {"name": "upper", "material": "rock", "polyhedron": {"vertices": prism(joint, lambda x: HEIGHT)}},
             platen("base", (0.14, 0.14, 0.02), (0, 0, -0.01)),
             platen("top", (0.14, 0.14, 0.02), (0, 0, HEIGHT + 0.01)),
-            platen("left", (0.02, 0.1, 0.16), (-HALF - 0.01, 0, HEIGHT / 2)),
-            platen("right", (0.02, 0.1, 0.16), (HALF + 0.01, 0, HEIGHT / 2)),
+            platen("left", (0.02, 2 * HALF, TALL), (-HALF - 0.01, 0, HEIGHT / 2)),
+            platen("right", (0.02, 2 * HALF, TALL), (HALF + 0.01, 0, HEIGHT / 2)),
         ],
         "supports": [driven(name) for name in ("base", "top", "left", "right")],
         "phases": [{"name": "test", "until": {"time": "0.5 s"}, "damping": {"local": 0.5}}],
