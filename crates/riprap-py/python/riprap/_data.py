@@ -260,7 +260,7 @@ class Frame:
                 for face in faces:
                     stream += [len(face), *(int(c) + first for c in face)]
                 cells += [len(stream), *stream]
-        grid = pv.UnstructuredGrid(np.array(cells, np.int64), kinds, np.asarray(self.points))
+        grid = pv.UnstructuredGrid(np.array(cells, np.int64), kinds, np.array(self.points))
         for field in self.blocks.values():
             grid.cell_data[field.label] = _in_space(field)
         for name, values in self._principal_arrays().items():
@@ -272,7 +272,7 @@ class Frame:
         """The contacts as pyvista points with point data named ``name [unit]``."""
         import pyvista as pv
 
-        cloud = pv.PolyData(np.asarray(self.contact_points))
+        cloud = pv.PolyData(np.array(self.contact_points))
         for field in self.contacts.values():
             cloud.point_data[field.label] = _in_space(field)
         return cloud
@@ -287,8 +287,8 @@ def _fields(columns: Mapping[str, tuple[NDArray[Any], str]], kind: str) -> Field
 
 
 def _in_space(field: Field) -> NDArray[Any]:
-    """Vectors of the plane with a third component of zero, as VTK's filters want them."""
-    values = np.asarray(field)
+    """A copy, as VTK wants to own it; vectors of the plane with a third component of zero, as its filters want them."""
+    values = np.array(field)
     if values.ndim == 2 and values.shape[1] == 2:
         return np.column_stack([values, np.zeros(len(values))])
     return values
