@@ -74,6 +74,7 @@ pub enum Verb {
     MonteCarlo(MonteCarlo),
     Bisect(Bisect),
     Safety(Safety),
+    Trust(Trust),
     Compare(Compare),
     ProbeContact(ProbeContact),
     Verify(Verify),
@@ -283,15 +284,19 @@ pub struct Cases {
     pub merge: bool,
 }
 
-/// Find the limit value of a key at which the scene starts to fail.
+/// Find the value of a key at which the scene starts to fail, or at which a result has a wanted value.
 ///
-/// Runs the scene repeatedly, halving the interval of its [bisect] table each time.
+/// Runs the scene repeatedly, halving the interval each time: that of its [bisect] table, or with --vary the --range of any key, until a
+/// result is as wanted. Results are the names of checks and histories, and `safety`, the factor of safety.
 #[derive(Debug, Args)]
+#[command(visible_alias = "find")]
 #[command(after_help = "\
-Example:
+Examples:
   riprap bisect slope.toml
+  riprap find slope.toml --vary bolts.0.pretension --range '0 kN..400 kN' --until 'safety = 1.3'
+  riprap find slide.toml --vary materials.rock.density --range '2 t/m3..3 t/m3' --until 'slip = 5 cm'
 
-The scene says what to look for:
+Without --vary the scene says what to look for:
   [bisect]
   key = \"interfaces.default.friction_angle\"
   low = \"30 deg\"
@@ -303,6 +308,18 @@ pub struct Bisect {
     pub scene: Scene,
     #[command(flatten)]
     pub how: How,
+    /// Key whose value is searched for
+    #[arg(long, value_name = "KEY", requires_all = ["range", "until"])]
+    pub vary: Option<String>,
+    /// Values of the key, at one of which the result is below, at the other above what is wanted
+    #[arg(long, value_name = "A..B", requires = "vary")]
+    pub range: Option<String>,
+    /// The result and what it is to be
+    #[arg(long, value_name = "RESULT=VALUE", requires = "vary", value_parser = riprap::run::study::find::Wanted::read)]
+    pub until: Option<riprap::run::study::find::Wanted>,
+    /// Width of the final range of the key, with its unit [default: a hundredth of the range]
+    #[arg(long, value_name = "WIDTH", requires = "vary")]
+    pub width: Option<String>,
     /// Print each run and the result as JSON lines
     #[arg(long)]
     pub json: bool,
@@ -366,6 +383,41 @@ pub struct Safety {
     #[arg(long)]
     pub force: bool,
     /// Print each trial and the answer as JSON lines
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Give each named result of a scene its error: value, +-, and the share of each cause.
+///
+/// Results are the checks of the scene and its histories at their end. The scene is run as it stands and with one thing changed at a
+/// time: time step, limit of equilibrium, stiffness of contacts, damping, size of generated cells, seed. Where an order is seen in the
+/// time step or the size, the value is extrapolated; chaotic results are given as distributions. Says which key to change to halve the error.
+/// Writes tables of results and runs and a picture into a folder.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap trust slope.toml
+  riprap trust slope.toml --budget 30min --without stiffness,damping
+
+Stiffness and damping that were measured are no errors: leave them out. Causes: step, equilibrium, stiffness, damping, size, seed.")]
+pub struct Trust {
+    #[command(flatten)]
+    pub scene: Scene,
+    #[command(flatten)]
+    pub how: How,
+    /// Wall time for all runs: what is forecast to take longer is left out, and reported
+    #[arg(long, value_name = "TIME", default_value = "10min")]
+    pub budget: String,
+    /// Causes to leave out, separated by commas
+    #[arg(long, value_name = "CAUSES", value_delimiter = ',', value_parser = riprap::run::study::trust::Cause::read)]
+    pub without: Vec<riprap::run::study::trust::Cause>,
+    /// Folder for the results [default: the scene's name with .trust, in the working folder]
+    #[arg(short, long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Replace existing results
+    #[arg(long)]
+    pub force: bool,
+    /// Print each run and the answer as JSON lines
     #[arg(long)]
     pub json: bool,
 }

@@ -47,6 +47,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::MonteCarlo(args) => commands::sweep::monte_carlo(&args.cases),
         Verb::Bisect(args) => commands::trials::bisect(&args),
         Verb::Safety(args) => commands::safety::run(&args, style),
+        Verb::Trust(args) => commands::trust::run(&args, style),
         Verb::Compare(args) => commands::trials::compare(&args),
         Verb::ProbeContact(args) => commands::probe::run(&args, style),
         Verb::Verify(args) => commands::verify::run(&args),

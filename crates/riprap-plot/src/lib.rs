@@ -50,7 +50,7 @@ pub use ppv::ppv;
 /// How choices are named: [`Normal`], [`Projection`], [`Vectors`].
 pub use riprap_keys::Words;
 pub use rose::rose;
-pub use samples::{Sampled, Tornado, histograms, tornado};
+pub use samples::{Sampled, Tornado, histograms, tornado, tornado_with};
 pub use sieve::fragments;
 pub use signals::{cavity, spectrum};
 pub use surface::{CraterOptions, crater, heave};

@@ -117,6 +117,20 @@ const FRAME: f64 = 76.0;
 /// # Errors
 /// No results; files that cannot be written.
 pub fn tornado(title: &str, results: &[Tornado], out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+    let legend = "mean of the samples with the lowest fifth (blue) and the highest fifth (orange) of each value";
+    tornado_with(title, legend, results, out)
+}
+
+/// As [`tornado`], with words of its own on what the two ends of a bar are.
+///
+/// # Errors
+/// No results; files that cannot be written.
+pub fn tornado_with(
+    title: &str,
+    legend: &str,
+    results: &[Tornado],
+    out: &Path,
+) -> Result<Vec<PathBuf>, PlotError> {
     let finite = |[low, high]: &[f64; 2]| low.is_finite() && high.is_finite();
     let results: Vec<(&Tornado, Bars<'_>)> = results
         .iter()
@@ -136,7 +150,6 @@ pub fn tornado(title: &str, results: &[Tornado], out: &Path) -> Result<Vec<PathB
     let height = results.iter().map(|(_, bars)| FRAME + BAR * bars.len() as f64).sum::<f64>();
     let mut page = Page::new(LEFT + WIDTH + 30.0, 64.0 + height);
     page.title([20.0, 26.0], 10.0, title, "");
-    let legend = "mean of the samples with the lowest fifth (blue) and the highest fifth (orange) of each value";
     page.text([20.0, 46.0], 11.0, Anchor::Start, legend);
     let mut top = 64.0;
     for (of, bars) in &results {

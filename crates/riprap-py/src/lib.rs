@@ -14,6 +14,7 @@ mod safety;
 mod scene;
 mod shapes;
 mod sweeps;
+mod trust;
 
 use pyo3::prelude::*;
 
@@ -40,4 +41,6 @@ mod _riprap {
     use crate::shapes::{read_dxf, read_stl, read_tess};
     #[pymodule_export]
     use crate::sweeps::{merged, sweep};
+    #[pymodule_export]
+    use crate::trust::{find, trust};
 }

@@ -12,6 +12,7 @@ use riprap::run::drive::{DriveError, Ending, Pause};
 use riprap::run::engine::steer::Steered;
 use riprap::run::engine::{Reading, View};
 use riprap::run::job::{JobError, Live, Outcome};
+use riprap::run::simulation::ChangeError;
 
 use crate::arrays;
 use crate::errors;
@@ -35,6 +36,27 @@ impl Simulation {
             Err(_) => Err(PyRuntimeError::new_err(
                 "the simulation is advancing; wait until `advance` returns",
             )),
+        })
+    }
+
+    /// Edits the run; what is wrong with an edit is the caller's.
+    fn edited(
+        &self,
+        py: Python<'_>,
+        edit: impl FnOnce(&mut Live) -> Result<(), JobError> + Send,
+    ) -> PyResult<()> {
+        self.with(py, |live| {
+            edit(open(live)?).map_err(|wrong| {
+                Python::attach(|py| match wrong {
+                    JobError::Drive(DriveError::Change(ChangeError::Keys(found))) => {
+                        errors::scenario(py, &found)
+                    }
+                    JobError::Drive(DriveError::Change(wrong)) => {
+                        PyValueError::new_err(wrong.to_string())
+                    }
+                    wrong => errors::job(py, &wrong),
+                })
+            })
         })
     }
 
@@ -144,6 +166,27 @@ impl Simulation {
             }
             Err(wrong) => Err(Python::attach(|py| errors::job(py, &wrong))),
         })
+    }
+
+    /// Makes a change, given as the TOML text of keys of a phase.
+    fn change(&self, py: Python<'_>, keys: &str) -> PyResult<()> {
+        self.edited(py, |live| live.change(keys))
+    }
+
+    /// Sets force and moment on each block of a name.
+    fn set_force(
+        &self,
+        py: Python<'_>,
+        of: &str,
+        force: [f64; 3],
+        moment: [f64; 3],
+    ) -> PyResult<()> {
+        self.edited(py, |live| live.set_force(of, force, moment))
+    }
+
+    /// Sets the velocity of each block of a name.
+    fn set_velocity(&self, py: Python<'_>, of: &str, velocity: [f64; 3]) -> PyResult<()> {
+        self.edited(py, |live| live.set_velocity(of, velocity))
     }
 
     /// Closes the ledger: the manifest as JSON text. What has not ended can be resumed.

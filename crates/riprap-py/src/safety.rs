@@ -114,7 +114,7 @@ pub fn safety(
 }
 
 /// Refuses a folder with something in it that is not to be replaced.
-fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
+pub fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
     if folder.exists() && !folder.is_dir() {
         let text = format!(
             "{} is a file, but the answer needs a folder; choose another name",
@@ -133,11 +133,11 @@ fn vacant(py: Python<'_>, folder: &Path, existing: Existing) -> PyResult<()> {
     Ok(())
 }
 
-fn error(py: Python<'_>, wrong: &StudyError) -> PyErr {
+pub fn error(py: Python<'_>, wrong: &StudyError) -> PyErr {
     match wrong {
         StudyError::Scene(wrong) => errors::scenario(py, wrong),
         StudyError::Job(wrong) => errors::job(py, wrong),
-        StudyError::Stopped => errors::run(py, &wrong.to_string()),
+        StudyError::Stopped | StudyError::Ended(_) => errors::run(py, &wrong.to_string()),
         StudyError::Unknown { .. }
         | StudyError::NoStrength(_)
         | StudyError::Range(_)
@@ -145,6 +145,8 @@ fn error(py: Python<'_>, wrong: &StudyError) -> PyErr {
         | StudyError::NoBisect { .. }
         | StudyError::OneLaw { .. }
         | StudyError::NoLimit(_)
+        | StudyError::NoResults { .. }
+        | StudyError::Outside(_)
         | StudyError::Compare(_) => PyValueError::new_err(wrong.to_string()),
     }
 }

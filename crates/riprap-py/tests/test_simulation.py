@@ -218,3 +218,87 @@ def test_a_support_is_steered_by_its_velocity():
         ]:
             with pytest.raises(ValueError, match=words):
                 sim.steer(name, **options)
+
+
+def test_a_change_is_that_of_a_phase(tmp_path):
+    def go(out=None):
+        with riprap.Simulation(PUSHED, out, threads=1) as sim:
+            sim.advance(time=0.1)
+            sim.set_force("stone", (20e3, 0.0))
+            sim.advance(time=0.2)
+            sim.set_force("stone", (0.0, 0.0), moment=0.0)
+            sim.change({"interfaces": {"default": {"friction_angle": "0 deg"}}, "gravity": ["0 m/s2", "-5 m/s2"]})
+            before = sim.value("block.velocity.x", of="stone").value
+            sim.advance(time=0.2)
+            after = sim.value("block.velocity.x", of="stone").value
+            return before, after, sim.state_hash
+
+    before, after, state = go(tmp_path / "a.run")
+    # 20 kN/m against the friction of 25 kN/m of weight, for 0.2 s on 2.5 t/m.
+    assert before == pytest.approx(0.2 * (20 - 25 * math.tan(math.radians(30))) / 2.5, rel=0.02)
+    assert after == pytest.approx(before, rel=1e-3)
+    assert go()[2] == state
+    run = riprap.RunFolder(tmp_path / "a.run")
+    events = [event for event in run.events() if event["event"] in ("changed", "force set")]
+    assert [event["event"] for event in events] == ["force set", "force set", "changed"]
+    assert events[2]["keys"]["gravity"] == ["0 m/s2", "-5 m/s2"]
+    assert run.ended == "interrupted"
+
+
+def test_wrong_changes_are_refused_at_their_place():
+    with riprap.Simulation(PUSHED, threads=1) as sim:
+        sim.advance(steps=5)
+        before = sim.state_hash
+        with pytest.raises(ValueError, match="`kind` cannot change within a phase"):
+            sim.change({"kind": "static"})
+        with pytest.raises(ValueError, match="remove.0: there is no block or group \"ston\"; did you mean \"stone\""):
+            sim.change({"remove": ["ston"]})
+        with pytest.raises(riprap.ScenarioError, match="gravity"):
+            sim.change({"gravity": [math.nan, 0.0]})
+        with pytest.raises(ValueError, match="not finite"):
+            sim.set_force("stone", (math.nan, 0.0))
+        with pytest.raises(ValueError, match="held or moved by a support"):
+            sim.set_velocity("table", (1.0, 0.0))
+        assert sim.state_hash == before
+        sim.change({"remove": ["stone"]})
+        with pytest.raises(ValueError, match="has been removed"):
+            sim.set_velocity("stone", (1.0, 0.0))
+
+
+def test_a_callback_that_raises_leaves_a_checkpoint(tmp_path):
+    def stumble(sim):
+        if sim.steps >= 100:
+            raise ZeroDivisionError("my law")
+
+    path = tmp_path / "a.run"
+    sim = riprap.Simulation(PUSHED, path, threads=1)
+    with pytest.raises(ZeroDivisionError, match="my law") as raised:
+        sim.run(stumble, every=50)
+    assert "step 100" in raised.value.__notes__[0] and "can be resumed" in raised.value.__notes__[0]
+    with pytest.raises(ValueError, match="closed"):
+        sim.advance()
+    again = riprap.resume(path, threads=1, progress=False)
+    with riprap.Simulation(PUSHED, threads=1) as whole:
+        assert not whole.run(lambda _: None, every=50)
+        assert again.state_hash == whole.state_hash
+    with riprap.Simulation(PUSHED, threads=1) as paused:
+        assert paused.run(lambda sim: sim.steps < 100, every=50) and paused.steps == 100
+        with pytest.raises(ValueError, match="1 or more"):
+            paused.run(lambda _: None, every=0)
+
+
+def test_contacts_are_read_only_arrays_and_a_graph():
+    with riprap.Simulation(PUSHED, threads=1) as sim:
+        sim.advance(time=0.5)
+        contacts = sim.contacts()
+        assert contacts["point"].shape == (len(contacts["block_a"]), 3)
+        for name in ("block_a", "block_b", "force_on_a", "length", "slipping"):
+            with pytest.raises(ValueError, match="read-only"):
+                contacts[name][...] = 0
+        with pytest.raises(ValueError, match="read-only"):
+            sim.frame().points[0] = 0
+        nodes, edges = sim.graph()
+        assert [name for name, _ in nodes] == ["table", "stone"]
+        ((a, b, data),) = edges
+        assert {a, b} == {"table", "stone"} and data["length"] == pytest.approx(1.0, rel=1e-3)
+        assert abs(data["force_on_a"][1]) == pytest.approx(25e3, rel=0.01)

@@ -99,6 +99,7 @@ fn a_resumed_run_ends_in_the_same_bits() {
         checks: Vec::new(),
         resolved: String::new(),
         manifest: riprap::record::Manifest::default(),
+        folder: std::path::PathBuf::new(),
     };
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| -> PathBuf { Path::join(folder.path(), name) };

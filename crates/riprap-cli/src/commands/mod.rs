@@ -14,6 +14,7 @@ pub mod scratch;
 pub mod shell;
 pub mod sweep;
 pub mod trials;
+pub mod trust;
 pub mod verify;
 pub mod view;
 

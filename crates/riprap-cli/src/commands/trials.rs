@@ -4,12 +4,18 @@ use std::path::Path;
 
 use riprap::record::folder::Existing;
 use riprap::run::drive::Ending;
+use riprap::run::scene::Scene;
 use riprap::run::study::bisect::{self, Trial};
+use riprap::run::study::find::{self, Wanted};
+use riprap::run::study::range::Quantity;
+use riprap::run::study::safety::Rules;
 use riprap::run::study::{Executor, StudyError, laws};
+use riprap::scenario::Case;
 
 use crate::args::{Bisect, Compare};
 use crate::commands::run::target;
 use crate::commands::{threads, write_file};
+use crate::diagnostics::print_line;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::numbers::ratio;
@@ -32,6 +38,10 @@ pub fn make_folder(folder: &Path, existing: Existing) -> Result<(), Failure> {
 /// `riprap bisect`.
 pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     let (scene, case) = scenes::chosen(&args.scene)?;
+    if let (Some(key), Some(range), Some(wanted)) = (&args.vary, &args.range, &args.until) {
+        let range = Quantity::read(key, range, args.width.as_deref()).map_err(StudyError::from)?;
+        return find(args, (&scene, &case), (&range, wanted));
+    }
     let interrupt = Interrupt::listen()?;
     let mut display = Display::new(args.how.quiet || args.json);
     let mut count = 0;
@@ -56,6 +66,68 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     let [limit, holds, fails] =
         [found.limit(), found.holds_at, found.fails_at].map(|value| bisect::words(range, value));
     screen::line(&format!("{}: limit {limit} (holds at {holds}, fails at {fails})", range.key));
+    Ok(())
+}
+
+/// `riprap find`: until a result is as wanted.
+fn find(
+    args: &Bisect,
+    (scene, case): (&Scene, &Case),
+    (range, wanted): (&Quantity, &Wanted),
+) -> Result<(), Failure> {
+    let interrupt = Interrupt::listen()?;
+    let executor = Executor { threads: threads(&args.how), stop: &|| interrupt.asked() };
+    let key = |value: f64| bisect::words(range, value);
+    let mut count = 0;
+    let mut report = |trial: &find::Trial| {
+        count += 1;
+        let text = match trial.result {
+            _ if args.json => serde_json::json!({
+                "trial": count, "value": trial.value, "result": trial.result, "note": trial.note,
+            })
+            .to_string(),
+            Some(result) => {
+                let (key, result) = (key(trial.value), wanted.text(result));
+                format!("trial {count}: {key}: {} = {result}", wanted.result)
+            }
+            None => format!("trial {count}: {}: no result; {}", key(trial.value), trial.note),
+        };
+        if args.json || !args.how.quiet {
+            screen::line(&text);
+        }
+    };
+    let rules = Rules::default();
+    let found = find::find(scene, case, (range, wanted), &rules, &executor, &mut report)?;
+    if args.json {
+        let line = serde_json::json!({
+            "key": range.key, "unit": range.unit, "at": found.at, "result": wanted.result,
+            "wanted": wanted.value, "below": found.below, "above": found.above,
+            "monotone": found.monotone, "undecided": found.undecided,
+        });
+        screen::line(&line.to_string());
+        return Ok(());
+    }
+    let end = |[value, result]: [f64; 2]| format!("{} at {}", wanted.text(result), key(value));
+    screen::line(&format!(
+        "{}: {} ({}: {}, {})",
+        range.key,
+        key(found.at),
+        wanted.result,
+        end(found.below),
+        end(found.above)
+    ));
+    if !found.monotone {
+        print_line(
+            "warning",
+            &format!(
+                "`{}` neither rises nor falls all along the trials: other values of `{}` may give it too; search parts of the range",
+                wanted.result, range.key
+            ),
+        );
+    }
+    if found.undecided {
+        print_line("warning", "runs inside the range had no result; the answer is a wider range");
+    }
     Ok(())
 }
 
@@ -121,7 +193,10 @@ impl From<StudyError> for Failure {
             StudyError::Scene(wrong) => Failure::Scene(wrong),
             StudyError::Job(wrong) => wrong.into(),
             StudyError::Stopped => Failure::Interrupted("nothing was found yet".to_owned()),
+            StudyError::Ended(_) => Failure::Physics(error.to_string()),
             StudyError::NoBisect { .. }
+            | StudyError::NoResults { .. }
+            | StudyError::Outside(_)
             | StudyError::OneLaw { .. }
             | StudyError::NoLimit(_)
             | StudyError::Compare(_)

@@ -421,3 +421,61 @@ fn every_template_is_written_and_can_be_used() {
     }
     bench.run(&["new", "x", "--template", "nonsense"]).expect(2).warns(&["unknown template"]);
 }
+
+#[test]
+fn trust_gives_each_result_its_error() {
+    let bench = Bench::with_scene();
+    let said = bench.run(&["trust", "fall.toml", "--without", "stiffness,damping"]).expect(0);
+    said.says(&[
+        "free fall: -",
+        "expected",
+        ": inside",
+        "not varied: size",
+        "fall.trust/trust.csv",
+    ]);
+    for (file, head) in [
+        ("fall.trust/trust.csv", "result,unit,as_run,value,error,low,high,error_step"),
+        ("fall.trust/trials.csv", "cause,factor,steps,seconds,note,free fall"),
+    ] {
+        assert!(bench.read(file).starts_with(head), "{}", bench.read(file));
+    }
+    let json = bench.run(&["trust", "fall.toml", "--json", "--out", "other"]).expect(0);
+    let last: serde_json::Value =
+        serde_json::from_str(json.out.lines().last().unwrap_or("")).expect("JSON");
+    // Five centimetres of free fall in a tenth of a second.
+    let value = last["results"][0]["value"].as_f64().expect("a value");
+    assert!((value + 0.05).abs() < 1e-6, "{value}");
+    bench
+        .run(&["trust", "fall.toml", "--without", "steps"])
+        .expect(2)
+        .warns(&["valid names: step"]);
+    bench
+        .run(&["trust", "fall.toml", "--budget", "10 m"])
+        .expect(2)
+        .warns(&["is not a valid time"]);
+    let model = FALL.split("[[outputs]]").next().expect("the model");
+    bench.file("bare.toml", model);
+    bench.run(&["trust", "bare.toml"]).expect(2).warns(&["no named result", "history"]);
+}
+
+#[test]
+fn find_searches_until_a_result_is_as_wanted() {
+    let bench = Bench::with_scene();
+    let of = |range: &str, until: &str| {
+        let key = "blocks.stone.velocity.1";
+        bench.run(&["find", "fall.toml", "--vary", key, "--range", range, "--until", until])
+    };
+    // -0.05 m of free fall and v t: 0.15 m in a tenth of a second from 1 m/s downwards on.
+    of("-2 m/s..0 m/s", "free fall = -15 cm")
+        .expect(0)
+        .says(&["blocks.stone.velocity.1: -1", "trial 1"]);
+    of("-2 m/s..0 m/s", "free fall = 1 m").expect(2).warns(&[
+        "`free fall` is",
+        "at -2 m/s",
+        "at 0 m/s",
+        "does not lie between them",
+    ]);
+    of("-2 m/s..0 m/s", "free fell = 1 m").expect(2).warns(&["unknown result", "free fall"]);
+    of("-2 m/s..0 m/s", "free fall = 1 kg").expect(2).warns(&["is in m"]);
+    of("-2 m/s..0 m/s", "free fall").expect(2).warns(&["is not a condition"]);
+}

@@ -23,6 +23,7 @@ from ._safety import Safety, safety
 from ._scenario import Report, Scenario
 from ._simulation import Simulation, Value
 from ._sweep import Sweep, sweep
+from ._trust import Found, Trust, Trusted, find, trust
 from ._words import FieldInfo, fields, schema
 from .errors import (
     Diagnostic,
@@ -44,6 +45,7 @@ __all__ = [
     "FieldInfo",
     "Fields",
     "FolderError",
+    "Found",
     "Frame",
     "MonteCarlo",
     "OutputError",
@@ -61,11 +63,14 @@ __all__ = [
     "Simulation",
     "Sweep",
     "Table",
+    "Trust",
+    "Trusted",
     "UnstableError",
     "Value",
     "__version__",
     "explain",
     "fields",
+    "find",
     "monte_carlo",
     "plot",
     "resume",
@@ -75,4 +80,5 @@ __all__ = [
     "shapes",
     "si",
     "sweep",
+    "trust",
 ]

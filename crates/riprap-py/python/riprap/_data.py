@@ -136,7 +136,7 @@ class Table(Fields):
 class Frame:
     """Blocks and contacts at one time, in current positions.
 
-    Arrays are snapshots: they do not change when the simulation goes on.
+    Arrays are snapshots: they do not change when the simulation goes on, and cannot be written to.
 
     Attributes:
         time: model time [s].
@@ -159,6 +159,10 @@ class Frame:
         self._solids: tuple[NDArray[np.uint32], ...] | None = parts["solids"]
         self.blocks = _fields(parts["blocks"], "field on blocks")
         self.contacts = _fields(parts["contacts"], "field on contacts")
+        columns = [*self.blocks.values(), *self.contacts.values()]
+        for array in (self.points, self.offsets, self.contact_points, *columns):
+            # What is written into a snapshot would change no simulation: it raises.
+            array.flags.writeable = False
 
     def __repr__(self) -> str:
         kind = "planar" if self._solids is None else "spatial"
@@ -256,7 +260,7 @@ class Frame:
                 for face in faces:
                     stream += [len(face), *(int(c) + first for c in face)]
                 cells += [len(stream), *stream]
-        grid = pv.UnstructuredGrid(np.array(cells, np.int64), kinds, np.asarray(self.points))
+        grid = pv.UnstructuredGrid(np.array(cells, np.int64), kinds, np.array(self.points))
         for field in self.blocks.values():
             grid.cell_data[field.label] = _in_space(field)
         for name, values in self._principal_arrays().items():
@@ -268,7 +272,7 @@ class Frame:
         """The contacts as pyvista points with point data named ``name [unit]``."""
         import pyvista as pv
 
-        cloud = pv.PolyData(np.asarray(self.contact_points))
+        cloud = pv.PolyData(np.array(self.contact_points))
         for field in self.contacts.values():
             cloud.point_data[field.label] = _in_space(field)
         return cloud
@@ -283,8 +287,8 @@ def _fields(columns: Mapping[str, tuple[NDArray[Any], str]], kind: str) -> Field
 
 
 def _in_space(field: Field) -> NDArray[Any]:
-    """Vectors of the plane with a third component of zero, as VTK's filters want them."""
-    values = np.asarray(field)
+    """A copy, as VTK wants to own it; vectors of the plane with a third component of zero, as its filters want them."""
+    values = np.array(field)
     if values.ndim == 2 and values.shape[1] == 2:
         return np.column_stack([values, np.zeros(len(values))])
     return values

@@ -79,6 +79,11 @@ class Simulation:
     def steer(
         self, name: str, factor: float | None = None, velocity: tuple[float, float, float] | None = None
     ) -> None: ...
+    def change(self, keys: str) -> None: ...
+    def set_force(
+        self, of: str, force: tuple[float, float, float], moment: tuple[float, float, float]
+    ) -> None: ...
+    def set_velocity(self, of: str, velocity: tuple[float, float, float]) -> None: ...
     def close(self) -> str | None: ...
     @property
     def state(self) -> tuple[str, str]: ...
@@ -110,6 +115,21 @@ def safety(
     options: Mapping[str, Any],
     report: Callable[[str], object] | None,
 ) -> tuple[str, str, str]: ...
+def trust(
+    scene: Scene,
+    case: str | None,
+    folder: _Path,
+    existing_folder: str,
+    options: tuple[str, list[str], int],
+    report: Callable[[str], object] | None,
+) -> tuple[str, str]: ...
+def find(
+    scene: Scene,
+    case: str | None,
+    what: tuple[str, str, str | None, str],
+    threads: int,
+    report: Callable[[float, float | None], object] | None,
+) -> str: ...
 def sweep(
     scene: Scene,
     folder: _Path,

@@ -8,9 +8,10 @@ from pathlib import Path
 from types import TracebackType
 from typing import Any, NamedTuple
 
+import numpy as np
 
 from . import _riprap
-from ._data import Frame, Field
+from ._data import Field, Fields, Frame
 from ._folder import RunFolder
 from ._run import _threads
 from ._scenario import Scenario, scenario
@@ -25,6 +26,11 @@ class Value(NamedTuple):
 
     def __float__(self) -> float:
         return self.value
+
+
+def _three(vector: "Iterable[float]") -> tuple[float, float, float]:
+    x, y, *rest = (float(v) for v in vector)
+    return (x, y, rest[0] if rest else 0.0)
 
 
 class Simulation:
@@ -127,6 +133,103 @@ class Simulation:
             x, y, *rest = (float(v) for v in velocity)
             to = (x, y, rest[0] if rest else 0.0)
         self._sim.steer(name, factor, to)
+
+    def change(self, keys: "Mapping[str, Any]") -> None:
+        """Changes the model at the present instant by keys of a phase.
+
+        ``remove``, ``removal_ramp``, ``fix``, ``release`` (names of blocks and groups), ``gravity``, ``water``, ``reset``, ``interfaces``,
+        ``install`` (names of bolts), and the rules ``until``, ``time_step``, ``safety``, ``damping``, ``max_residual`` of the
+        present phase. The energy that it adds is booked (``energy.edit_defect``), ``events.jsonl`` says what was changed, and the same
+        changes at the same steps give the same bits, also after a restart::
+
+            sim.change({"remove": ["key"], "interfaces": {"joint": {"friction_angle": "20 deg"}}})
+
+        Raises:
+            ScenarioError: a value that is wrong, at its place.
+            ValueError: a key that cannot change within a phase, a block that is not there or has been removed.
+        """
+        self._sim.change(_riprap.to_toml(dict(keys)))
+
+    def set_force(self, of: str, force: "Iterable[float]", moment: "float | Iterable[float]" = 0.0) -> None:
+        """Sets the force [N] and the moment [N m] on each block of a name, beside the loads of the scenario, until they are set again.
+
+        In the plane both are per metre of thickness, and the moment is a number. Their work is that of the load ``force on NAME``.
+
+        Args:
+            of: a block or a group.
+            force: the force, two or three components.
+            moment: the moment, in space three components.
+
+        Raises:
+            ValueError: there is no such name, its blocks have been removed, or a number is none.
+        """
+        turning = (0.0, 0.0, float(moment)) if isinstance(moment, (int, float)) else _three(moment)
+        self._sim.set_force(of, _three(force), turning)
+
+    def set_velocity(self, of: str, velocity: "Iterable[float]") -> None:
+        """Sets the velocity [m/s] of each block of a name at this instant; spins stay. The energy that it adds is booked as an edit.
+
+        Raises:
+            ValueError: there is no such name, its blocks have been removed, deform or are held by a support, or a number is none.
+        """
+        self._sim.set_velocity(of, _three(velocity))
+
+    def run(self, callback: "Callable[[Simulation], object]", *, every: int) -> bool:
+        """Goes on to the end and calls ``callback`` with this simulation every ``every`` steps.
+
+        A callback that returns False pauses it. One that raises stops the run: it is closed with a checkpoint, from which
+        :func:`riprap.resume` goes on, and the exception goes on with its traceback.
+
+        Returns:
+            Whether there is more to do.
+        """
+        if every < 1:
+            raise ValueError(f"every={every}; it must be 1 or more")
+        while self.advance(steps=every):
+            try:
+                if callback(self) is False:
+                    return True
+            except BaseException as error:
+                if self._sim.state[0] == "running":
+                    where = "" if self.path is None else f"; {self.path} can be resumed"
+                    error.add_note(f"raised in a callback at step {self.steps}, t = {self.time:g} s{where}")
+                self.close()
+                raise
+        return False
+
+    def contacts(self) -> "Fields":
+        """Contacts and joints as read-only arrays, a row each: ``point`` [m], ``block_a`` and ``block_b`` (numbers into :attr:`names`),
+        ``force_on_a``, ``area`` or in the plane ``length``, in space ``normal``, and their state (``slipping`` or ``sliding_points``,
+        ``broken_points`` ...): a snapshot, as in frames, which leave out intact joints of very large models."""
+        frame = self.frame()
+        return Fields({"point": frame.contact_points, **frame.contacts}, "field on contacts")
+
+    def graph(self) -> tuple[list[tuple[str, dict[str, Any]]], list[tuple[str, str, dict[str, Any]]]]:
+        """Blocks and what joins them, for a graph: nodes with their fields, and an edge a pair of blocks with the number of its contacts, the sum of
+        their forces on the first block (``force_on_a``) and of their ``area`` (in the plane ``length``)::
+
+            nodes, edges = sim.graph()
+            graph = networkx.Graph()
+            graph.add_nodes_from(nodes)
+            graph.add_edges_from(edges)
+        """
+        frame, names = self.frame(), self.names
+        nodes = [
+            (names[int(number)], {"block": int(number), "centre": np.asarray(frame.corners(k)).mean(axis=0)})
+            for k, number in enumerate(frame.blocks["block"])
+        ]
+        size = "area" if frame.spatial else "length"
+        ends = zip(frame.contacts["block_a"], frame.contacts["block_b"], strict=True)
+        forces, sizes = np.asarray(frame.contacts["force_on_a"]), np.asarray(frame.contacts[size])
+        pairs: dict[tuple[int, int], dict[str, Any]] = {}
+        for k, (a, b) in enumerate(ends):
+            # A joint and a contact of one pair may have it either way round.
+            pair, sign = ((int(a), int(b)), 1.0) if a < b else ((int(b), int(a)), -1.0)
+            edge = pairs.setdefault(pair, {"contacts": 0, "force_on_a": 0.0 * forces[k], size: 0.0})
+            edge["contacts"] += 1
+            edge["force_on_a"] = edge["force_on_a"] + sign * forces[k]
+            edge[size] += float(sizes[k])
+        return nodes, [(names[a], names[b], data) for (a, b), data in pairs.items()]
 
     def close(self) -> RunFolder | None:
         """Closes the ledger and gives the run folder, if there is one."""

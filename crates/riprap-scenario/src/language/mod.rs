@@ -19,6 +19,7 @@ mod loads;
 mod outputs;
 mod phases;
 mod points;
+mod regions;
 mod samples;
 mod solids;
 mod sources;
@@ -51,6 +52,7 @@ pub use loads::{
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Rest, Until};
 pub use points::{Point, Point3};
+pub use regions::{Cylinder, Group, HalfSpace, Near, Prism, SizeRange, Sphere};
 pub use samples::{Beta, Correlation, MeasuredValues, Moments, MonteCarlo, RandomValue, Sampling};
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Graded, Grid, GridBox, GridCells, Mechanics, Mesh,
@@ -60,7 +62,7 @@ pub use sources::{
     Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, JwlConstants, JwlSet,
     Octree, Pattern, Place, PressureCavity, Refine, Source, Venting, VentingCracks, VentingTime,
 };
-pub use space::{Air, Group, Material, Planar, Space, Spatial, Start};
+pub use space::{Air, Material, Planar, Space, Spatial, Start};
 pub use water::{Drain, Seepage, Water};
 
 use super::quantity::{PositivePlain, Quantity, Table};

@@ -6,7 +6,6 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::outputs::Period;
-use super::solids::BoxRegion;
 use crate::quantity::{
     Acceleration, Angle, Density, Down, Modulus, Name, NotNegativeLength, Poisson, PositiveAngle,
     PositiveLength, PositivePlain, Quantity,
@@ -80,18 +79,6 @@ pub struct Air {
     /// Drag coefficient: 0.5 of a ball, about 1 of a cube or a fragment.
     #[key(default = "1")]
     pub drag: Option<Quantity<PositivePlain>>,
-}
-
-/// A named set of blocks, besides the groups that blocks name themselves. `box`, `blocks` or both.
-#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
-#[serde(deny_unknown_fields)]
-pub struct Group {
-    /// The blocks whose centroid lies in this box at the start.
-    #[serde(rename = "box")]
-    pub region: Option<BoxRegion>,
-    /// Blocks by name.
-    #[serde(default)]
-    pub blocks: Vec<Name>,
 }
 
 /// States of blocks at the start.

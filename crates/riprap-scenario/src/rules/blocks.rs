@@ -183,6 +183,28 @@ impl Rules {
         if let Some(region) = &group.region {
             self.region(region);
         }
+        if let Some(prism) = &group.prism
+            && let Some(first) = prism.points.first()
+        {
+            self.corners(&first[0].span, "`prism`", prism.points.len());
+        }
+        if let Some(size) = &group.size
+            && let (Some(low), Some(high)) = (&size.above, &size.below)
+        {
+            self.in_order(low, high, false, "`size` is { above = smallest, below = largest }");
+        }
+        if let Some(half) = &group.half_space
+            && self.values_sound
+            && half.normal.xyz().iter().all(|x| *x == 0.0)
+        {
+            let message = "the normal of the half-space has no length".to_owned();
+            self.error(
+                "group.normal",
+                &half.normal.span,
+                message,
+                "write for example normal = [0, 0, 1]",
+            );
+        }
     }
 
     pub(super) fn corners(&mut self, span: &Span, of: &str, count: usize) {

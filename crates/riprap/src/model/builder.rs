@@ -116,25 +116,6 @@ impl Builder<'_> {
         global(point) - self.origin
     }
 
-    /// Groups by place or by name.
-    pub(super) fn groups(&mut self) {
-        for (name, group) in self.parsed.scenario.groups.iter() {
-            let mut blocks = Vec::new();
-            if let Some(region) = &group.region {
-                blocks = self.inside(region);
-                if blocks.is_empty() {
-                    let message = format!("no block centroid lies in the box of `{name}`");
-                    let help = "check the box; the group is empty";
-                    let note = Diagnostic::warning("group.empty", message).help(help);
-                    self.found.push(note.at(region.min.span.clone()));
-                }
-            }
-            let named = self.directory.all(&group.blocks);
-            blocks.extend(self.take(named).unwrap_or_default());
-            self.directory.extend(name.as_str(), blocks);
-        }
-    }
-
     /// Blocks whose centroid lies in a box.
     pub(super) fn inside(&self, region: &BoxRegion) -> Vec<u32> {
         let (min, max) = (self.local3(region.min.xyz()), self.local3(region.max.xyz()));
@@ -165,7 +146,7 @@ impl Builder<'_> {
     }
 
     /// A place in local coordinates; in the plane z stays.
-    fn local3(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    pub(super) fn local3(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         match self.space {
             InSpace::Planar => [x - self.origin.x, y - self.origin.y, z],
             InSpace::Spatial => (Vec3::new(x, y, z) - self.spatial.origin).into(),

@@ -30,6 +30,7 @@ pub(crate) mod memory;
 mod motion;
 mod names;
 mod phases;
+mod regions;
 mod solid;
 mod start;
 mod summary;

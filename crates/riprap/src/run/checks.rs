@@ -39,6 +39,9 @@ pub struct CheckResult {
     pub status: Status,
     /// What came out; absent when there was nothing to read.
     pub measured: Option<f64>,
+    /// What was expected, SI, where that is one number; not written.
+    #[serde(skip)]
+    pub target: Option<f64>,
     /// What was expected, in words (`5.31 m`, `0.254 to 0.275 m`).
     pub expected: String,
     /// Allowed difference, in words.

@@ -16,7 +16,7 @@ use super::checks::Watch;
 use super::engine::Reading;
 use super::engine::steer::{SteerError, Steered};
 use super::recorder::{RecordError, Recorded, Recorder};
-use super::simulation::{RunError, Simulation, Snapshot, Stage};
+use super::simulation::{ChangeError, RunError, Simulation, Snapshot, Stage};
 use crate::ledger::{Balance, COLUMNS};
 use crate::peers::Trouble;
 use crate::plan::Window;
@@ -66,6 +66,9 @@ pub enum DriveError {
     /// A load or a support that cannot be steered.
     #[error(transparent)]
     Steer(#[from] SteerError),
+    /// What code wants to change.
+    #[error(transparent)]
+    Change(#[from] ChangeError),
     /// The ranks cannot go on together.
     #[error(transparent)]
     Ranks(#[from] Trouble),
@@ -227,6 +230,40 @@ impl Drive {
         }
         self.standing = false;
         Ok(())
+    }
+
+    /// Edits the simulation at the present instant; an event of the run says what was edited. Where it fails everything is as it was.
+    ///
+    /// # Errors
+    /// What the edit says, the disk.
+    pub(super) fn edit(
+        &mut self,
+        mut event: serde_json::Value,
+        edit: impl Fn(&mut Simulation) -> Result<(), ChangeError>,
+    ) -> Result<(), DriveError> {
+        event["step"] = self.simulation.steps().into();
+        event["time"] = self.simulation.time().into();
+        // The present forces are those before the edit: they are found again from where they were found first.
+        let found = self.paused.take();
+        let (held, before) = match found {
+            Some(paused) => (true, paused.snapshot),
+            None => (false, self.simulation.snapshot()),
+        };
+        if held {
+            self.simulation.restore(before.clone());
+        }
+        let edited = edit(&mut self.simulation);
+        if edited.is_err() {
+            self.simulation.restore(before);
+        } else if let Some(recorder) = &mut self.recorder {
+            recorder.folder.event(&event)?;
+        }
+        if held {
+            self.paused = Some(self.pause());
+            self.told = true;
+        }
+        self.standing = false;
+        Ok(edited?)
     }
 
     /// The simulation alone.

@@ -23,7 +23,7 @@ use super::forecast::doubts;
 use super::given_step::{self, RefusedStep};
 use super::origin::Origin;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
-use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
+use super::simulation::{ChangeError, PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
 use crate::ledger::{Balance, COLUMNS};
 use crate::peers::Traffic;
@@ -47,6 +47,8 @@ pub struct Job {
     pub resolved: String,
     /// What the manifest says of the input: scenario, hash, variant, case, overrides, warnings.
     pub manifest: Manifest,
+    /// The folder from which relative paths in the scene are seen.
+    pub folder: PathBuf,
 }
 
 /// How a run came out.
@@ -149,6 +151,7 @@ impl JobError {
                 DriveError::Record(RecordError::Field(_))
                 | DriveError::Field(_)
                 | DriveError::Steer(_)
+                | DriveError::Change(_)
                 | DriveError::Ranks(_),
             )
             | JobError::Record(RecordError::Field(_))
@@ -234,6 +237,9 @@ pub struct Live {
     notes: Vec<String>,
     /// Steps and wall time (s) of the run when this began.
     begun: (u64, f64),
+    /// The scene, for what code changes.
+    #[cfg(feature = "scenario")]
+    scene: Option<super::change::SceneText>,
 }
 
 impl Live {
@@ -262,6 +268,8 @@ impl Live {
     ) -> Result<Self, JobError> {
         ranks::greet(&exec, &job)?;
         let silent = ranks::follows(&exec);
+        #[cfg(feature = "scenario")]
+        let scene = super::change::SceneText::of(&job);
         let mut manifest = job.manifest;
         manifest.threads = exec.threads();
         manifest.machine = Machine::this();
@@ -283,6 +291,10 @@ impl Live {
         let recorder = Recorder::new(folder, origin, kind, simulation.plan(), None)?;
         let watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
         let mut live = Self::new(simulation, Some(recorder), watches, manifest)?;
+        #[cfg(feature = "scenario")]
+        {
+            live.scene = Some(scene);
+        }
         // Whatever happens from now on, there is something to resume from.
         live.drive.checkpoint()?;
         Ok(live)
@@ -410,10 +422,15 @@ impl Live {
     /// ```
     pub fn unrecorded(job: Job, threads: usize) -> Result<Self, JobError> {
         let exec = Exec::new(threads)?;
+        #[cfg(feature = "scenario")]
+        let scene = super::change::SceneText::of(&job);
         let simulation = Simulation::new(job.setup, job.plan, exec)?;
         given_step::check(&simulation)?;
         let watches: Vec<Watch> = job.checks.into_iter().map(Watch::new).collect();
-        Self::new(simulation, None, watches, job.manifest)
+        let live = Self::new(simulation, None, watches, job.manifest)?;
+        #[cfg(feature = "scenario")]
+        let live = Self { scene: Some(scene), ..live };
+        Ok(live)
     }
 
     fn new(
@@ -424,7 +441,15 @@ impl Live {
     ) -> Result<Self, JobError> {
         let drive = Drive::new(simulation, recorder, watches).map_err(DriveError::from)?;
         let begun = (drive.simulation().steps(), manifest.wall_time);
-        Ok(Self { drive, manifest, ending: None, notes: Vec::new(), begun })
+        Ok(Self {
+            drive,
+            manifest,
+            ending: None,
+            notes: Vec::new(),
+            begun,
+            #[cfg(feature = "scenario")]
+            scene: None,
+        })
     }
 
     /// The simulation; between two calls of [`Live::advance`] its forces are those of the present positions.
@@ -439,6 +464,118 @@ impl Live {
     /// As [`Drive::steer`].
     pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), JobError> {
         Ok(self.drive.steer(name, to)?)
+    }
+
+    /// Makes a change at the present instant, written as the keys of a phase in TOML: `remove`, `removal_ramp`, `fix`, `release`, `gravity`, `water`,
+    /// `reset`, `interfaces`, `install` (names of bolts), and the rules `until`, `time_step`, `safety`, `damping`, `max_residual` of the
+    /// present phase. What it adds to the energy is booked as an edit, an event of the run says what was changed, and the same changes
+    /// at the same steps give the same bits.
+    ///
+    /// # Errors
+    /// Keys that are wrong or that cannot change within a phase, blocks that are not there any more; the run stays as it was then.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap::run::drive::{Control, Pause};
+    /// use riprap::run::job::Live;
+    /// use riprap::run::scene::Scene;
+    /// use riprap::scenario::Source;
+    ///
+    /// // A stone on a slope of 30 degrees, friction angle 40 degrees.
+    /// # let text = r#"
+    /// # riprap = 1
+    /// # title = "a stone on a slope"
+    /// # [space.planar]
+    /// # gravity = ["0 m/s2", "-9.81 m/s2"]
+    /// # tilt = "30 deg"
+    /// # [materials.rock]
+    /// # density = "2500 kg/m3"
+    /// # [interfaces.default]
+    /// # normal_stiffness = "1 GPa/m"
+    /// # friction_angle = "40 deg"
+    /// # [[blocks]]
+    /// # name = "slope"
+    /// # material = "rock"
+    /// # rectangle = { size = ["20 m", "1 m"], corner = ["-10 m", "-1 m"] }
+    /// # [[blocks]]
+    /// # name = "stone"
+    /// # material = "rock"
+    /// # rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
+    /// # [[supports]]
+    /// # on = { block = "slope" }
+    /// # fixed = {}
+    /// # [[phases]]
+    /// # name = "slide"
+    /// # until = { time = "1 s" }
+    /// # "#;
+    /// let scene = Scene::parse(Source::new("slope.toml", text), ".".into(), &[])?;
+    /// let mut live = Live::unrecorded(scene.prepare(&scene.plain())?.job(), 1)?;
+    /// live.advance(Pause { time: Some(0.5), step: None }, &mut |_| Control::Continue)?;
+    /// assert!(live.simulation().field("block.speed", &["stone"])? < 0.1);
+    /// live.change("interfaces.default.friction_angle = \"10 deg\"")?;
+    /// live.advance(Pause { time: Some(0.9), step: None }, &mut |_| Control::Continue)?;
+    /// assert!(live.simulation().field("block.speed", &["stone"])? > 1.0);
+    /// assert!(live.change("remove = [\"stoen\"]").is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[cfg(feature = "scenario")]
+    pub fn change(&mut self, keys: &str) -> Result<(), JobError> {
+        self.not_ended()?;
+        let scene = self.scene.as_ref().ok_or(ChangeError::NoScene).map_err(DriveError::from)?;
+        let keys = super::change::parse(keys).map_err(DriveError::from)?;
+        let read = scene.read(&keys, self.drive.simulation());
+        let (change, scene) = read.map_err(DriveError::from)?;
+        let event = serde_json::json!({ "event": "changed", "keys": keys });
+        self.edit(event, |simulation| simulation.change(change.clone()))?;
+        self.scene = Some(scene);
+        Ok(())
+    }
+
+    /// As [`Simulation::set_force`]; an event of the run says so.
+    ///
+    /// # Errors
+    /// As there, and the disk.
+    pub fn set_force(
+        &mut self,
+        of: &str,
+        force: [f64; 3],
+        moment: [f64; 3],
+    ) -> Result<(), JobError> {
+        self.not_ended()?;
+        let event = serde_json::json!({
+            "event": "force set", "of": of, "force": force, "moment": moment,
+        });
+        self.edit(event, |simulation| simulation.set_force(of, force, moment))
+    }
+
+    /// As [`Simulation::set_velocity`]; an event of the run says so.
+    ///
+    /// # Errors
+    /// As there, and the disk.
+    pub fn set_velocity(&mut self, of: &str, velocity: [f64; 3]) -> Result<(), JobError> {
+        self.not_ended()?;
+        let event = serde_json::json!({ "event": "velocity set", "of": of, "velocity": velocity });
+        self.edit(event, |simulation| simulation.set_velocity(of, velocity))
+    }
+
+    fn not_ended(&self) -> Result<(), DriveError> {
+        match self.ending {
+            Some(Ending::Finished | Ending::Unstable(_)) => Err(ChangeError::Ended.into()),
+            Some(Ending::Stopped) | None => Ok(()),
+        }
+    }
+
+    /// Edits the simulation, and finds the forces of the present instant, so that they can be read, whether it was edited or not.
+    fn edit(
+        &mut self,
+        event: serde_json::Value,
+        edit: impl Fn(&mut Simulation) -> Result<(), ChangeError>,
+    ) -> Result<(), JobError> {
+        let edited = self.drive.edit(event, edit);
+        let here = Pause { step: Some(self.simulation().steps()), time: None };
+        self.advance(here, &mut |_| Control::Continue)?;
+        Ok(edited?)
     }
 
     /// How it ended, once it has.

@@ -14,6 +14,8 @@ macro_rules! either {
 }
 
 pub mod ask;
+#[cfg(feature = "scenario")]
+mod change;
 pub mod checks;
 pub mod cpu;
 pub mod drive;

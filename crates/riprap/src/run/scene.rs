@@ -108,7 +108,7 @@ impl Scene {
             parsed.folder.clone_from(&self.parsed.folder);
             parsed
         };
-        let mut model = model::build(&parsed, &case.variant, fields(&parsed))?;
+        let mut model = build(&parsed, &case.variant)?;
         model.checks.extend(self.asks.clone());
         let changed = case.changes.iter().chain(&self.changes).chain(&case.trial);
         let manifest = Manifest {
@@ -157,6 +157,7 @@ impl Prepared {
             checks: self.model.checks,
             resolved: self.resolved,
             manifest: self.manifest,
+            folder: self.parsed.folder,
         }
     }
 }
@@ -240,6 +241,11 @@ impl Simulation {
         let scene = Scene::parse(Source::new("scene", text), PathBuf::from("."), &[])?;
         scene.prepare(&scene.plain())?.simulation(Exec::serial())
     }
+}
+
+/// The model of a scene without variants.
+pub(super) fn build(parsed: &Parsed, variant: &str) -> Result<Model, Diagnostics> {
+    model::build(parsed, variant, fields(parsed))
 }
 
 /// Field table of the engine that the scene needs.

@@ -7,6 +7,7 @@
 mod advance;
 mod automatic;
 mod cause;
+mod change;
 mod cursor;
 mod ends;
 mod error;
@@ -18,6 +19,7 @@ mod stop;
 mod tests;
 
 pub use advance::Reached;
+pub use change::{Change, ChangeError};
 pub use cursor::{
     Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stage, Thrown, Unconverged,
 };
@@ -354,14 +356,21 @@ impl Simulation {
         self.cursor.start_time = self.time();
         self.cursor.start_step = self.steps();
         self.cursor.gravity_before = self.engine.gravity();
-        let Some(mut phase) = self.phase().cloned() else {
+        let Some(phase) = self.phase().cloned() else {
             return Ok(());
         };
         if let Some(gravity) = phase.gravity {
             self.cursor.gravity_after = gravity;
         }
-        self.end_motion(&phase)?;
+        let before = self.cursor.phase.checked_sub(1);
+        let before = before.and_then(|k| self.plan.phases.get(k)).cloned();
+        self.end_motion(before, &phase)?;
         self.choose_integration(&phase)?;
+        self.apply(phase)
+    }
+
+    /// Changes what the beginning of a phase changes; the energy this adds is booked as an edit.
+    fn apply(&mut self, mut phase: Phase) -> Result<(), RunError> {
         if phase.gravity_ramp.is_none() {
             self.engine.set_gravity(self.cursor.gravity_after);
         }
@@ -395,11 +404,10 @@ impl Simulation {
         Ok(())
     }
 
-    /// Ends the phase before `phase` with the half kick of its own step and forces where those of `phase` are others: velocities are
+    /// Ends the motion under `before` with the half kick of its own step and forces where those of `phase` are others: velocities are
     /// those of the instant then, and `phase` begins with a half kick of its own.
-    fn end_motion(&mut self, phase: &Phase) -> Result<(), RunError> {
-        let before = self.cursor.phase.checked_sub(1);
-        let Some(before) = before.and_then(|k| self.plan.phases.get(k)).cloned() else {
+    fn end_motion(&mut self, before: Option<Phase>, phase: &Phase) -> Result<(), RunError> {
+        let Some(before) = before else {
             return Ok(());
         };
         let relaxes = phase.deform.is_some_and(|d| d.relax.is_some());

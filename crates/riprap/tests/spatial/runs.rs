@@ -92,6 +92,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         checks: vec![check],
         resolved: "riprap = 1\n".to_owned(),
         manifest: Manifest::default(),
+        folder: std::path::PathBuf::new(),
     }
 }
 

@@ -31,7 +31,7 @@ mod turn;
 
 pub(super) use boundaries::boundary_name;
 pub(super) use joints::{change_joint, reduce_joint};
-pub(super) use shapes::bounds;
+pub(super) use shapes::{bounds, volume};
 pub(super) use turn::put_solid;
 
 use riprap_geom::Vec3;

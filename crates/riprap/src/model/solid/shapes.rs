@@ -469,7 +469,7 @@ pub(in crate::model) fn bounds(shape: &Shape) -> (Vec3, Vec3) {
 }
 
 /// Volume, m³.
-pub(super) fn volume(shape: &Shape) -> f64 {
+pub(in crate::model) fn volume(shape: &Shape) -> f64 {
     match shape {
         Shape::Brick { half, .. } => 8.0 * half.element_product(),
         Shape::Polyhedron(_) | Shape::Terrain(_) | Shape::Glued(_) => solid(shape).moments().volume,

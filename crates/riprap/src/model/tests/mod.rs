@@ -17,6 +17,7 @@ mod integration;
 mod interfaces;
 mod loose;
 mod numbers;
+mod regions;
 mod restitution;
 mod solid;
 mod terrain;

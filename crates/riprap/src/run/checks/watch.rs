@@ -188,6 +188,7 @@ impl Watch {
             check: self.check.name.clone(),
             status: Status::Failed,
             measured: None,
+            target: None,
             expected: String::new(),
             tolerance: self.tolerance(&unit),
             unit: unit.clone(),
@@ -203,6 +204,7 @@ impl Watch {
             }
             Ok((time, value)) => {
                 result.measured = Some(value);
+                result.target = self.expected_at(time);
                 at = time;
                 result.expected = self.expected_text(time, &unit);
                 if let Some(why) = self.no_number(time, value) {

@@ -1,11 +1,12 @@
 //! What code in the loop changes between two steps: loads and the motion of supports, by the names that the scene gives them.
 
-use riprap_core::accounts::{Condition, Holder};
+use riprap_core::accounts::{Account, Condition, Holder};
 use thiserror::Error;
 
 use super::{Engine, State};
 use crate::dynamics::TimeFunction;
 use crate::record::field::nearest;
+use crate::{Vec2, Vec3};
 use crate::{planar, spatial};
 
 /// The new value.
@@ -184,4 +185,123 @@ fn spatial(world: &mut spatial::world::World, name: &str, to: Steered) -> Result
         }
         Motion::Fixed { .. } | Motion::Acceleration { .. } => prescribe(&mut [], velocity, name),
     })
+}
+
+/// Number of the account of a load that code puts on blocks; a new one where there is none yet.
+fn account_of(accounts: &mut Vec<Condition>, works: &mut Vec<Account>, name: &str) -> u16 {
+    let is = |of: &Condition| of.holder == Holder::Load && of.name == name;
+    let at = accounts.iter().position(is).unwrap_or_else(|| {
+        accounts.push(Condition { name: name.to_owned(), holder: Holder::Load });
+        works.push(Account::default());
+        accounts.len() - 1
+    });
+    at as u16
+}
+
+impl Engine {
+    /// Puts a force (N) and a moment (N m) on each of some blocks, in place of those that had this name; forces must be re-evaluated
+    /// afterwards.
+    pub(in crate::run) fn push(
+        &mut self,
+        name: &str,
+        blocks: &[u32],
+        force: [f64; 3],
+        moment: [f64; 3],
+    ) {
+        match self {
+            Self::Planar(e) => {
+                use planar::setup::{Load, LoadKind};
+                let (setup, works) = (&mut e.world.setup, &mut e.world.accounts);
+                let account = Some(account_of(&mut setup.accounts, works, name));
+                setup.loads.retain(|load| load.account != account);
+                let force = Vec2::new(force[0], force[1]);
+                let kinds = [
+                    LoadKind::Point { force, at: None, follows: false },
+                    LoadKind::Moment { moment: moment[2] },
+                ];
+                let time = TimeFunction::Constant(1.0);
+                setup.loads.extend(kinds.map(|kind| Load {
+                    blocks: blocks.to_vec(),
+                    kind,
+                    time: time.clone(),
+                    account,
+                }));
+                e.scratch.invalidate(&mut e.world);
+            }
+            Self::Spatial(e) => {
+                use spatial::setup::{Load, LoadKind};
+                let (setup, works) = (&mut e.world.setup, &mut e.world.accounts);
+                let account = Some(account_of(&mut setup.accounts, works, name));
+                let had = |load: &Load| load.account == account;
+                let same = setup
+                    .loads
+                    .iter()
+                    .find(|load| had(load))
+                    .is_some_and(|load| load.blocks == blocks);
+                setup.loads.retain(|load| !had(load));
+                let kinds = [
+                    LoadKind::Point { force: Vec3::from(force), at: None },
+                    LoadKind::Moment { moment: Vec3::from(moment) },
+                ];
+                let time = TimeFunction::Constant(1.0);
+                setup.loads.extend(kinds.map(|kind| Load {
+                    blocks: blocks.to_vec(),
+                    kind,
+                    time: time.clone(),
+                    account,
+                }));
+                // Which blocks are pushed at all is known beforehand.
+                if !same {
+                    e.scratch.invalidate(&mut e.world);
+                }
+            }
+        }
+    }
+
+    /// Sets the velocity (m/s) of some rigid blocks; those at the present instant must be in the state.
+    pub(in crate::run) fn set_velocity(&mut self, blocks: &[u32], velocity: [f64; 3]) {
+        match self {
+            Self::Planar(e) => {
+                for b in blocks {
+                    e.world.bodies[*b as usize].velocity = Vec2::new(velocity[0], velocity[1]);
+                }
+                e.world.last_dt = 0.0;
+            }
+            Self::Spatial(e) => {
+                for b in blocks.iter().map(|b| *b as usize) {
+                    let spin = e.world.bodies.spin(b);
+                    e.world.bodies.set_velocity(b, Vec3::from(velocity), spin);
+                }
+                e.world.last_dt = 0.0;
+            }
+        }
+    }
+
+    /// Why the velocity of a block is not free to be set, if it is not.
+    pub(in crate::run) fn bound(&self, block: u32) -> Option<&'static str> {
+        let b = block as usize;
+        let moved = "it is held or moved by a support; `release` it, or steer the support";
+        match self {
+            Self::Planar(e) => e.world.motion[b].is_some().then_some(moved),
+            Self::Spatial(e) if e.world.deforms(b) => Some("it deforms"),
+            Self::Spatial(e) => e.world.motion[b].is_some().then_some(moved),
+        }
+    }
+
+    /// Names of groups with their blocks.
+    pub(in crate::run) fn groups(&self) -> Vec<(&str, &[u32])> {
+        either!(self, e => {
+            e.world.setup.groups.iter().map(|g| (g.name.as_str(), &g.blocks[..])).collect()
+        })
+    }
+
+    /// Whether a block has not been removed.
+    pub(in crate::run) fn is_alive(&self, block: u32) -> bool {
+        either!(self, e => e.world.alive.get(block as usize).copied().unwrap_or(false))
+    }
+
+    /// Numbers of the bolts that have been installed.
+    pub(in crate::run) fn installed(&self) -> Vec<u32> {
+        either!(self, e => e.world.bolts.iter().map(|bolt| bolt.number).collect())
+    }
 }

@@ -94,6 +94,7 @@ fn falling() -> Job {
         checks: vec![check],
         resolved: "riprap = 1\n".to_owned(),
         manifest: Manifest::default(),
+        folder: std::path::PathBuf::new(),
     }
 }
 

@@ -26,6 +26,18 @@ pub enum StudyError {
         /// The scene.
         path: std::path::PathBuf,
     },
+    /// The scene says nothing that could have an error.
+    #[cfg(feature = "scenario")]
+    #[error(
+        "{} has no named result: give it [[checks]], or a `history` in [[outputs]], each with a name", path.display()
+    )]
+    NoResults {
+        /// The scene.
+        path: std::path::PathBuf,
+    },
+    /// The scene as it stands has no results.
+    #[error("the scene as it stands does not come to its end: {0}")]
+    Ended(String),
     /// In space there is one normal law.
     #[error(
         "{} uses [space.spatial], but compare works in the plane, which has two normal laws; to study a law or a value in space write [variants] and \
@@ -38,6 +50,10 @@ pub enum StudyError {
     /// Both ends of the search behave the same.
     #[error("no limit between the two ends: {0}")]
     NoLimit(String),
+    /// What is wanted does not lie between the ends, or is no value of the result.
+    #[cfg(feature = "scenario")]
+    #[error("{0}")]
+    Outside(String),
     /// The runs could not be compared.
     #[error(transparent)]
     Compare(#[from] CompareError),

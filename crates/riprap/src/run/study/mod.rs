@@ -7,8 +7,10 @@
 //! | [`sweep`] | cases: variants and swept values | all | a table, a row a case |
 //! | [`monte_carlo`] | samples of random values | all | probability of failure, influences |
 //! | [`verify`] | cases of many scenes | all | verdicts of checks |
+//! | [`trust`] | step, stiffness, damping, size, seed changed one at a time | all that fit into the budget | error of each result |
 //! | [`laws`] | a case under both normal laws | all | differences ([`compare`]) |
 //! | [`bisect`] | values of a key | those that narrow a [`bracket`] | the limit |
+//! | [`find`] | values of a key | those that narrow a [`bracket`] | the value at which a result is as wanted |
 //! | [`safety`] | factors of strength, or values of a key | those that narrow a [`bracket`] | the limit, the mechanism |
 //!
 //! * A variant is a [`Case`](crate::scenario::Case): a name and overrides. [`range`] makes those of a key. A factor of strength is no key:
@@ -33,6 +35,8 @@ pub mod safety;
 #[cfg(feature = "scenario")]
 pub mod bisect;
 #[cfg(feature = "scenario")]
+pub mod find;
+#[cfg(feature = "scenario")]
 pub mod laws;
 #[cfg(feature = "scenario")]
 pub mod monte_carlo;
@@ -40,6 +44,8 @@ pub mod monte_carlo;
 pub mod range;
 #[cfg(feature = "scenario")]
 pub mod sweep;
+#[cfg(feature = "scenario")]
+pub mod trust;
 #[cfg(feature = "scenario")]
 pub mod verify;
 

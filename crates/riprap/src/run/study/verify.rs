@@ -191,6 +191,7 @@ fn broken(path: &Path, case: &str, (check, why): Broken) -> CheckResult {
         check: check.to_owned(),
         status: Status::Failed,
         measured: None,
+        target: None,
         expected: String::new(),
         words: String::new(),
         tolerance: String::new(),

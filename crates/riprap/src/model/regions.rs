@@ -1,0 +1,382 @@
+//! Groups: sets of blocks by place, size, material and name, and what `and`, `or`, `not` make of them.
+
+use riprap_geom::Vec3;
+
+use super::builder::Builder;
+use super::solid::volume;
+use crate::scenario::language::{Cylinder, Group, HalfSpace, Near, Prism, SizeRange, Sphere};
+use crate::scenario::quantity::Quantity;
+use crate::scenario::vectors::InSpace;
+use crate::scenario::{Diagnostic, Name, Span};
+
+/// Blocks that the warning of an empty region names.
+const NAMED: usize = 3;
+
+/// A region: whether a place (local, m) lies in it, the middle of it, and the word for it.
+struct Region<'a> {
+    holds: Box<dyn Fn(Vec3) -> bool + 'a>,
+    middle: Vec3,
+    word: &'static str,
+    at: Span,
+}
+
+/// Distance of a point from a straight piece, m, and the place along it, 0 to 1 within.
+fn from_line(point: Vec3, [from, to]: [Vec3; 2]) -> (f64, f64) {
+    let way = to - from;
+    let square = way.length_squared();
+    let share = if square > 0.0 { (point - from).dot(way) / square } else { 0.0 };
+    ((point - from - share.clamp(0.0, 1.0) * way).length(), share)
+}
+
+impl Builder<'_> {
+    /// Groups by place, size, material, name, and then those that others make.
+    pub(super) fn groups(&mut self) {
+        let said = &self.parsed.scenario.groups;
+        for (name, group) in said.iter() {
+            let mut blocks = self.in_regions(name, group);
+            blocks.extend(group.size.iter().flat_map(|size| self.of_size(size)));
+            if let Some(material) = &group.material {
+                let of = self.of_material(material.as_str());
+                if of.is_none() {
+                    let known: Vec<&str> = self.parsed.scenario.materials.names().collect();
+                    self.found.push(Diagnostic::unknown("material", material, known));
+                }
+                blocks.extend(of.unwrap_or_default());
+            }
+            let named = self.directory.all(&group.blocks);
+            blocks.extend(self.take(named).unwrap_or_default());
+            // A group that a condition makes is there when the groups in it are.
+            if group.condition.is_none() || !blocks.is_empty() {
+                self.directory.extend(name.as_str(), blocks);
+            }
+        }
+        let mut waiting: Vec<(&Name, &Name)> =
+            said.iter().filter_map(|(name, of)| Some((name, of.condition.as_ref()?))).collect();
+        while !waiting.is_empty() {
+            let names: Vec<&str> = waiting.iter().map(|(name, _)| name.as_str()).collect();
+            let ready = |text: &Name| !words(text.as_str()).iter().any(|w| names.contains(&&w[..]));
+            let (now, later): (Vec<_>, Vec<_>) = waiting.iter().partition(|(_, text)| ready(text));
+            if now.is_empty() {
+                let (name, text) = later[0];
+                let message = format!(
+                    "the conditions of `{name}` and of other groups refer to each other in a circle"
+                );
+                self.error_at(
+                    "group.circle",
+                    text,
+                    message,
+                    "write one of them without the others",
+                );
+                return;
+            }
+            for (name, text) in now {
+                self.condition(name, text);
+            }
+            waiting = later;
+        }
+    }
+
+    /// Blocks in the regions of a group; a warning for one without blocks.
+    fn in_regions(&mut self, name: &Name, group: &Group) -> Vec<u32> {
+        let mut all = Vec::new();
+        for region in self.regions_of(group) {
+            let places = self.directory.centroids.iter().map(|c| Vec3::from(*c));
+            let inside: Vec<u32> = (0u32..)
+                .zip(places)
+                .filter(|(_, place)| (region.holds)(*place))
+                .map(|(block, _)| block)
+                .collect();
+            if inside.is_empty() {
+                let message = format!("no block centroid lies in the {} of `{name}`", region.word);
+                let help = self.nearest(region.middle);
+                let note = Diagnostic::warning("group.empty", message).help(help);
+                self.found.push(note.at(region.at.clone()));
+            }
+            all.extend(inside);
+        }
+        all
+    }
+
+    /// The blocks nearest to the middle of an empty region, in words.
+    fn nearest(&self, middle: Vec3) -> String {
+        let places = self.directory.centroids.iter().map(|c| Vec3::from(*c));
+        let mut near: Vec<(f64, u32, Vec3)> =
+            (0u32..).zip(places).map(|(b, c)| ((c - middle).length(), b, c)).collect();
+        near.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let words = near.iter().take(NAMED).map(|(_, block, place)| {
+            let [x, y, z] = self.everywhere(*place).to_array();
+            let place = match self.space {
+                InSpace::Planar => format!("{x:.4}, {y:.4}"),
+                InSpace::Spatial => format!("{x:.4}, {y:.4}, {z:.4}"),
+            };
+            format!("`{}` at ({place}) m", self.directory.name(*block))
+        });
+        let words: Vec<String> = words.collect();
+        format!(
+            "check place and units; nearest to its middle: {}; the group is empty",
+            words.join(", ")
+        )
+    }
+
+    /// A local place in the coordinates of the scene.
+    fn everywhere(&self, place: Vec3) -> Vec3 {
+        match self.space {
+            InSpace::Planar => place + Vec3::new(self.origin.x, self.origin.y, 0.0),
+            InSpace::Spatial => place + self.spatial.origin,
+        }
+    }
+
+    /// The regions of a group.
+    fn regions_of(&self, group: &Group) -> Vec<Region<'static>> {
+        let mut all = Vec::new();
+        let local = |place: [f64; 3]| Vec3::from(self.local3(place));
+        if let Some(of) = &group.region {
+            let (min, max) = (local(of.min.xyz()), local(of.max.xyz()));
+            all.push(Region {
+                holds: Box::new(move |c| c.cmpge(min).all() && c.cmple(max).all()),
+                middle: 0.5 * (min + max),
+                word: "box",
+                at: of.min.span.clone(),
+            });
+        }
+        if let Some(HalfSpace { at, normal }) = &group.half_space {
+            let (place, normal) = (local(at.xyz()), Vec3::from(normal.xyz()));
+            all.push(Region {
+                holds: Box::new(move |c| (c - place).dot(normal) >= 0.0),
+                middle: place,
+                word: "half-space",
+                at: at.span.clone(),
+            });
+        }
+        if let Some(Sphere { centre, radius }) = &group.sphere {
+            let (middle, radius) = (local(centre.xyz()), radius.si());
+            all.push(Region {
+                holds: Box::new(move |c| (c - middle).length() <= radius),
+                middle,
+                word: "sphere",
+                at: centre.span.clone(),
+            });
+        }
+        if let Some(Cylinder { from, to, radius }) = &group.cylinder {
+            let (ends, radius, at) =
+                ([from, to].map(|end| local(end.xyz())), radius.si(), &from.span);
+            all.push(Region {
+                holds: Box::new(move |c| {
+                    let (distance, share) = from_line(c, ends);
+                    (0.0..=1.0).contains(&share) && distance <= radius
+                }),
+                middle: 0.5 * (ends[0] + ends[1]),
+                word: "cylinder",
+                at: at.clone(),
+            });
+        }
+        if let Some(Near { from, to, distance }) = &group.near {
+            let (ends, most) = ([from, to].map(|end| local(end.xyz())), distance.si());
+            all.push(Region {
+                holds: Box::new(move |c| from_line(c, ends).0 <= most),
+                middle: 0.5 * (ends[0] + ends[1]),
+                word: "neighbourhood of the line",
+                at: from.span.clone(),
+            });
+        }
+        all.extend(group.prism.as_ref().and_then(|prism| self.prism(prism)));
+        all
+    }
+
+    fn prism(&self, prism: &Prism) -> Option<Region<'static>> {
+        let z = |bound: &Option<Quantity<_>>, none: f64| bound.as_ref().map_or(none, Quantity::si);
+        let (low, high) = (z(&prism.from, f64::NEG_INFINITY), z(&prism.to, f64::INFINITY));
+        let corner = |point: &crate::scenario::language::Point| {
+            let [x, y, _] = self.local3([point[0].si(), point[1].si(), 0.0]);
+            [x, y]
+        };
+        let corners: Vec<[f64; 2]> = prism.points.iter().map(corner).collect();
+        let shift = self.local3([0.0; 3])[2];
+        let first = prism.points.first()?;
+        let n = corners.len() as f64;
+        let sum = corners.iter().fold([0.0; 2], |s, c| [s[0] + c[0], s[1] + c[1]]);
+        let height = if low.is_finite() && high.is_finite() { 0.5 * (low + high) } else { 0.0 };
+        Some(Region {
+            holds: Box::new(move |c| {
+                let height = c.z - shift;
+                height >= low && height <= high && in_polygon(&corners, c.x, c.y)
+            }),
+            middle: Vec3::new(sum[0] / n, sum[1] / n, height + shift),
+            word: "prism",
+            at: first[0].span.clone(),
+        })
+    }
+
+    /// Blocks of a size.
+    fn of_size(&self, size: &SizeRange) -> Vec<u32> {
+        let edges: Vec<f64> = match self.space {
+            InSpace::Planar => {
+                let area = |b: &crate::planar::setup::BlockSpec| {
+                    libm::sqrt(riprap_geom::polygon::mass_properties(&b.vertices).area)
+                };
+                self.setup.blocks.iter().map(area).collect()
+            }
+            InSpace::Spatial => {
+                self.spatial.blocks.iter().map(|b| libm::cbrt(volume(&b.shape))).collect()
+            }
+        };
+        let holds = |edge: f64| {
+            size.above.as_ref().is_none_or(|of| edge > of.si())
+                && size.below.as_ref().is_none_or(|of| edge < of.si())
+        };
+        (0u32..).zip(edges).filter(|(_, edge)| holds(*edge)).map(|(b, _)| b).collect()
+    }
+
+    /// Blocks of a material; `None` where there is none of that name.
+    fn of_material(&self, name: &str) -> Option<Vec<u32>> {
+        let number = self.parsed.scenario.materials.names().position(|of| of == name)?;
+        let all: Vec<u16> = match self.space {
+            InSpace::Planar => self.setup.blocks.iter().map(|b| b.material).collect(),
+            InSpace::Spatial => self.spatial.blocks.iter().map(|b| b.material).collect(),
+        };
+        let of = (0u32..).zip(all).filter(|(_, material)| usize::from(*material) == number);
+        Some(of.map(|(b, _)| b).collect())
+    }
+
+    /// Adds what a condition holds to a group.
+    fn condition(&mut self, name: &Name, text: &Name) {
+        let tokens = words(text.as_str());
+        let mut reader = Reader { tokens: &tokens, at: 0, builder: self, counts: Vec::new() };
+        let read = reader.any().and_then(|set| match reader.tokens.get(reader.at) {
+            None => Ok(set),
+            Some(more) => Err((format!("`{more}` is not expected here"), None)),
+        });
+        let counts = std::mem::take(&mut reader.counts);
+        match read {
+            Ok(set) => {
+                let blocks: Vec<u32> =
+                    (0u32..).zip(&set).filter(|(_, is)| **is).map(|(b, _)| b).collect();
+                if blocks.is_empty() {
+                    let message = format!("no block fulfils `where` of `{name}`");
+                    let counts: Vec<String> =
+                        counts.iter().map(|(of, n)| format!("`{of}` has {n} blocks")).collect();
+                    let help = format!("{}; the group is empty", counts.join(", "));
+                    let note = Diagnostic::warning("group.empty", message).help(help);
+                    self.found.push(note.at(text.span.clone()));
+                }
+                self.directory.extend(name.as_str(), blocks);
+            }
+            Err((why, help)) => {
+                let message = format!("`where` of `{name}`: {why}");
+                let error = Diagnostic::error("group.where", message).at(text.span.clone());
+                let usual = "write names with `and`, `or`, `not` and parentheses, for example \"roof and not (ore or key)\"";
+                self.found.push(error.help(help.unwrap_or_else(|| usual.to_owned())));
+            }
+        }
+    }
+}
+
+/// Whether a point lies in a polygon.
+fn in_polygon(corners: &[[f64; 2]], x: f64, y: f64) -> bool {
+    let mut inside = false;
+    for (k, [x0, y0]) in corners.iter().enumerate() {
+        let [x1, y1] = corners[(k + 1) % corners.len()];
+        if (*y0 > y) != (y1 > y) && x < x0 + (y - y0) * (x1 - x0) / (y1 - y0) {
+            inside = !inside;
+        }
+    }
+    inside
+}
+
+/// Words and parentheses of a condition; names in single quotes are one word.
+fn words(text: &str) -> Vec<String> {
+    let (mut all, mut word, mut quoted) = (Vec::new(), String::new(), false);
+    for c in text.chars() {
+        match c {
+            '\'' => quoted = !quoted,
+            c if quoted => word.push(c),
+            c if c.is_whitespace() || c == '(' || c == ')' => {
+                if !word.is_empty() {
+                    all.push(std::mem::take(&mut word));
+                }
+                if !c.is_whitespace() {
+                    all.push(c.to_string());
+                }
+            }
+            c => word.push(c),
+        }
+    }
+    if !word.is_empty() {
+        all.push(word);
+    }
+    all
+}
+
+/// A fault of a condition, and what to write.
+type Fault = (String, Option<String>);
+
+/// Reads a condition: `or` of `and` of what may be negated. A set has a mark for each block.
+struct Reader<'a, 'b, 'c> {
+    tokens: &'a [String],
+    at: usize,
+    builder: &'b Builder<'c>,
+    /// Names with their numbers of blocks.
+    counts: Vec<(String, usize)>,
+}
+
+impl Reader<'_, '_, '_> {
+    fn take(&mut self, word: &str) -> bool {
+        let is = self.tokens.get(self.at).is_some_and(|token| token == word);
+        self.at += usize::from(is);
+        is
+    }
+
+    fn any(&mut self) -> Result<Vec<bool>, Fault> {
+        let mut set = self.all()?;
+        while self.take("or") {
+            let more = self.all()?;
+            set.iter_mut().zip(more).for_each(|(is, more)| *is |= more);
+        }
+        Ok(set)
+    }
+
+    fn all(&mut self) -> Result<Vec<bool>, Fault> {
+        let mut set = self.one()?;
+        while self.take("and") {
+            let more = self.one()?;
+            set.iter_mut().zip(more).for_each(|(is, more)| *is &= more);
+        }
+        Ok(set)
+    }
+
+    fn one(&mut self) -> Result<Vec<bool>, Fault> {
+        if self.take("not") {
+            return Ok(self.one()?.into_iter().map(|is| !is).collect());
+        }
+        if self.take("(") {
+            let set = self.any()?;
+            return if self.take(")") {
+                Ok(set)
+            } else {
+                Err(("a parenthesis is not closed".to_owned(), None))
+            };
+        }
+        let Some(word) = self.tokens.get(self.at).filter(|w| !["and", "or", ")"].contains(&&w[..]))
+        else {
+            return Err(("a name is missing".to_owned(), None));
+        };
+        self.at += 1;
+        let name = Name { text: word.clone(), span: 0..0 };
+        let blocks = match self.builder.directory.blocks(&name) {
+            Ok(blocks) => blocks,
+            Err(wrong) => match self.builder.of_material(word) {
+                Some(blocks) => blocks,
+                None => {
+                    let message = format!("there is no group, block or material `{word}`");
+                    return Err((message, wrong.help));
+                }
+            },
+        };
+        self.counts.push((word.clone(), blocks.len()));
+        let mut set = vec![false; self.builder.directory.centroids.len()];
+        for block in blocks {
+            set[block as usize] = true;
+        }
+        Ok(set)
+    }
+}

@@ -1,0 +1,235 @@
+//! Keys of a phase as a change in the midst of a run.
+//!
+//! The keys are put into the text of the scene as a phase of their own behind the present one, and the model is built: so names, units, laws and
+//! messages are those of a scene, and phases to come keep what they change beside what the change has changed. Only what that phase
+//! edits, and the rules that may change, are taken from it.
+
+use std::path::PathBuf;
+
+use toml::{Table, Value};
+
+use super::job::Job;
+use super::scene::build;
+use super::simulation::{Change, ChangeError, Simulation};
+use crate::plan::Phase;
+use crate::scenario::{self, Diagnostics, Source};
+
+/// Keys that edit.
+const EDITS: [&str; 9] = [
+    "remove",
+    "removal_ramp",
+    "fix",
+    "release",
+    "gravity",
+    "water",
+    "reset",
+    "interfaces",
+    "install",
+];
+
+/// Keys of rules that hold from then on.
+const RULES: [&str; 5] = ["until", "time_step", "safety", "damping", "max_residual"];
+
+/// Name of the phase that stands for a change in the text.
+const NAME: &str = "change by code";
+
+/// The scene of a run, with the changes that were made so far.
+#[derive(Clone, Debug)]
+pub(super) struct SceneText {
+    text: String,
+    name: String,
+    folder: PathBuf,
+    variant: String,
+    /// Number of changes; each stands behind the phase in which it was made.
+    count: usize,
+}
+
+impl SceneText {
+    /// That of a job.
+    pub(super) fn of(job: &Job) -> Self {
+        Self {
+            text: job.resolved.clone(),
+            name: job.manifest.scenario.clone(),
+            folder: job.folder.clone(),
+            variant: job.manifest.variant.clone(),
+            count: 0,
+        }
+    }
+
+    /// A change in numbers, and the text with it.
+    pub(super) fn read(
+        &self,
+        keys: &Table,
+        simulation: &Simulation,
+    ) -> Result<(Change, Self), ChangeError> {
+        allowed(keys)?;
+        names_are_there(keys, simulation)?;
+        let install = bolts(keys, simulation)?;
+        let now = simulation.cursor().phase;
+        let present = simulation.plan().phases.get(now).ok_or(ChangeError::Ended)?;
+        // Each change before stands behind a phase before this place.
+        let at = now + self.count + 1;
+        let text = self.with(keys, at, &present.name)?;
+        let source = Source::new(format!("{} (with a change)", self.name), text.clone());
+        let mut parsed = scenario::parse_with(source, Vec::new()).map_err(ChangeError::Keys)?;
+        parsed.folder.clone_from(&self.folder);
+        let model = build(&parsed, &self.variant).map_err(ChangeError::Keys)?;
+        let mut phases = model.plan.phases.into_iter().skip(at);
+        let said = phases.next().ok_or(ChangeError::NoScene)?;
+        let mut later: Vec<Phase> = phases.collect();
+        for phase in &mut later {
+            phase.install.retain(|bolt| !install.contains(bolt));
+        }
+        let rules = rules(keys, present, &said, simulation);
+        let ramp = if said.gravity.is_some() { None } else { rules.gravity_ramp };
+        let edits = Phase {
+            name: NAME.to_owned(),
+            remove: alive(&said.remove, simulation),
+            fix: alive(&said.fix, simulation),
+            release: alive(&said.release, simulation),
+            install,
+            gravity_ramp: ramp,
+            ..said
+        };
+        let edits = Phase {
+            kind: rules.kind,
+            integration: rules.integration,
+            damping: rules.damping,
+            time_step: rules.time_step,
+            deform: rules.deform,
+            reduction: None,
+            ..edits
+        };
+        let change = Change { edits, rules, later };
+        Ok((change, Self { text, count: self.count + 1, ..self.clone() }))
+    }
+
+    /// The text with the keys as phase number `at`, in the phase `present`.
+    fn with(&self, keys: &Table, at: usize, present: &str) -> Result<String, ChangeError> {
+        let wrong = |error: toml::de::Error| {
+            let found = scenario::Diagnostic::error("toml", error.message().to_owned());
+            ChangeError::Keys(Diagnostics::new(Source::new(&self.name[..], ""), vec![found]))
+        };
+        let mut root: Table = toml::from_str(&self.text).map_err(wrong)?;
+        let phases = root.get_mut("phases").and_then(Value::as_array_mut);
+        let phases = phases.ok_or(ChangeError::NoScene)?;
+        let mut phase = keys.clone();
+        phase.remove("install");
+        phase.insert("name".to_owned(), format!("{NAME} {}", self.count + 1).into());
+        if !phase.contains_key("until") {
+            phase.insert(
+                "until".to_owned(),
+                Table::from_iter([("steps".to_owned(), 1.into())]).into(),
+            );
+        }
+        // A change keeps the integration, whose keys it may have.
+        let is_present =
+            |phase: &&Value| phase.get("name").and_then(Value::as_str) == Some(present);
+        if let Some(present) = phases.iter().find(is_present) {
+            for key in ["kind", "integration"] {
+                if let Some(value) = present.get(key) {
+                    phase.insert(key.to_owned(), value.clone());
+                }
+            }
+        }
+        phases.insert(at.min(phases.len()), Value::Table(phase));
+        Ok(root.to_string())
+    }
+}
+
+/// Reads the keys of a change.
+pub(super) fn parse(text: &str) -> Result<Table, ChangeError> {
+    toml::from_str(text).map_err(|error| {
+        let found = scenario::Diagnostic::error("toml", error.message().to_owned());
+        let found = error.span().map_or(found.clone(), |span| found.at(span));
+        ChangeError::Keys(Diagnostics::new(Source::new("the change", text), vec![found]))
+    })
+}
+
+/// Whether all keys can change.
+fn allowed(keys: &Table) -> Result<(), ChangeError> {
+    let known = || EDITS.iter().chain(&RULES);
+    match keys.keys().find(|key| !known().any(|one| one == key)) {
+        None => Ok(()),
+        Some(key) => Err(ChangeError::Forbidden {
+            key: key.clone(),
+            known: known().copied().collect::<Vec<_>>().join(", "),
+        }),
+    }
+}
+
+/// Whether each block and group is there and has not been removed.
+fn names_are_there(keys: &Table, simulation: &Simulation) -> Result<(), ChangeError> {
+    for list in ["remove", "fix", "release"] {
+        let names = keys.get(list).and_then(Value::as_array);
+        for (k, name) in names.into_iter().flatten().enumerate() {
+            if let Some(name) = name.as_str() {
+                simulation.blocks_of(&format!("{list}.{k}"), name)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Numbers of the bolts to be installed: those of a name, or of the pattern of that name.
+fn bolts(keys: &Table, simulation: &Simulation) -> Result<Vec<u32>, ChangeError> {
+    let there = simulation.engine().installed();
+    let known = simulation.view().bolts();
+    let mut all = Vec::new();
+    let names = keys.get("install").and_then(Value::as_array);
+    for (k, name) in names.into_iter().flatten().enumerate() {
+        let name = name.as_str().unwrap_or_default();
+        let key = format!("install.{k}");
+        let of = |bolt: &str| {
+            bolt == name || bolt.strip_prefix(name).is_some_and(|s| s.starts_with('.'))
+        };
+        let found: Vec<u32> =
+            (0..).zip(&known).filter(|(_, bolt)| of(bolt)).map(|(n, _)| n).collect();
+        let why = match found.iter().find(|bolt| there.contains(bolt) || all.contains(*bolt)) {
+            _ if found.is_empty() => format!("there is no bolt {name:?} in the scene"),
+            Some(bolt) => format!("bolt {:?} is installed already", known[*bolt as usize]),
+            None => {
+                all.extend(found);
+                continue;
+            }
+        };
+        return Err(ChangeError::Bolt { key, why });
+    }
+    all.sort_unstable();
+    Ok(all)
+}
+
+/// Those that have not been removed: a group loses its blocks one by one.
+fn alive(blocks: &[u32], simulation: &Simulation) -> Vec<u32> {
+    blocks.iter().copied().filter(|b| simulation.engine().is_alive(*b)).collect()
+}
+
+/// The present phase with what the keys say of its rules.
+fn rules(keys: &Table, present: &Phase, said: &Phase, simulation: &Simulation) -> Phase {
+    let has = |key: &str| keys.contains_key(key);
+    let mut rules = present.clone();
+    if has("until") {
+        rules.until = said.until;
+    }
+    if has("time_step") || has("safety") {
+        rules.time_step = said.time_step;
+    }
+    if has("damping") {
+        rules.damping = said.damping;
+    }
+    if has("max_residual") {
+        rules.max_residual = said.max_residual;
+    }
+    if has("gravity") {
+        // The ramp of the phase would go on to another end.
+        rules.gravity_ramp = None;
+    }
+    if let Some(span) = said.removal_ramp {
+        let elapsed = simulation.time() - simulation.cursor().start_time;
+        rules.removal_ramp = Some(elapsed + span);
+    }
+    rules
+}
+
+#[cfg(test)]
+mod tests;

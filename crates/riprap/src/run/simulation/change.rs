@@ -1,0 +1,238 @@
+//! Edits by code in the loop: what the beginning of a phase can change, and forces and velocities, at any step.
+//!
+//! A change is made at the present instant within the present phase. It goes through what a phase goes through when it begins
+//! (`Simulation::apply`): the motion is ended with its half kick where forces jump, the edit is made, and the energy that it adds is booked as
+//! edit defect. All that a change leaves is in the world and in the plan, so that a checkpoint holds it.
+
+use thiserror::Error;
+
+use super::{RunError, Simulation, damping_of};
+use crate::plan::Phase;
+use crate::record::field::nearest;
+
+/// A change in numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Change {
+    /// What is edited now: the lists and laws of a phase.
+    pub edits: Phase,
+    /// The present phase with its rules from now on.
+    pub rules: Phase,
+    /// The phases after it, with laws that know of the change.
+    pub later: Vec<Phase>,
+}
+
+/// Why something cannot be changed.
+#[derive(Debug, Error)]
+pub enum ChangeError {
+    /// Keys of a phase that are wrong, at their places.
+    #[cfg(feature = "scenario")]
+    #[error("{0}")]
+    Keys(crate::scenario::Diagnostics),
+    /// A key that cannot change within a phase.
+    #[error("`{key}` cannot change within a phase; valid keys: {known}")]
+    Forbidden {
+        /// The key.
+        key: String,
+        /// What can.
+        known: String,
+    },
+    /// A name of nothing.
+    #[error("{key}: there is no block or group {name:?}{}",
+        near.as_ref().map_or(String::new(), |n| format!("; did you mean {n:?}?")))]
+    Unknown {
+        /// Where it stands.
+        key: String,
+        /// The name.
+        name: String,
+        /// The nearest there is.
+        near: Option<String>,
+    },
+    /// Blocks that have been removed.
+    #[error("{key}: {name:?} has been removed")]
+    Removed {
+        /// Where it stands.
+        key: String,
+        /// The block or group.
+        name: String,
+    },
+    /// A bolt that is there already, or that there is not.
+    #[error("{key}: {why}")]
+    Bolt {
+        /// Where it stands.
+        key: String,
+        /// What is wrong.
+        why: String,
+    },
+    /// Not a number.
+    #[error("{key} is not finite")]
+    NotFinite {
+        /// What was given.
+        key: &'static str,
+    },
+    /// Motion of nodes, or one that a support prescribes.
+    #[error("the velocity of {name:?} cannot be set: {why}")]
+    Held {
+        /// The block.
+        name: String,
+        /// Why.
+        why: &'static str,
+    },
+    /// No phase is left.
+    #[error("the run has ended: there is nothing left to change")]
+    Ended,
+    /// The run does not know its scene.
+    #[error("this run was not begun from a scene in this process, which the keys of a change need")]
+    NoScene,
+    /// The physics.
+    #[error(transparent)]
+    Physics(#[from] RunError),
+}
+
+impl Simulation {
+    /// Makes a change now.
+    ///
+    /// # Errors
+    /// A bolt that cannot be installed, forces that are not finite; the run may not go on then, but can be
+    /// [resumed](Simulation::resume) from a snapshot.
+    pub fn change(&mut self, change: Change) -> Result<(), ChangeError> {
+        let Change { edits, rules, later } = change;
+        self.begin_present()?;
+        let now = self.cursor.phase;
+        let before = self.plan.phases[now].clone();
+        self.plan.phases.truncate(now);
+        self.plan.phases.push(rules);
+        self.plan.phases.extend(later);
+        if let Some(gravity) = edits.gravity {
+            self.cursor.gravity_after = gravity;
+        }
+        if self.view().last_dt() > 0.0 {
+            self.end_motion(Some(before), &edits)?;
+        }
+        self.apply(edits)?;
+        self.forget();
+        Ok(())
+    }
+
+    /// Sets the force (N) and the moment (N m; in the plane about z, per metre of thickness) that code puts on each block of a name, from now on until it is set again:
+    /// beside the loads of the scene. Their work is that of the load `force on NAME`.
+    ///
+    /// # Errors
+    /// A name of nothing, blocks that have been removed, numbers that are none.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap::run::simulation::Simulation;
+    ///
+    /// # let text = r#"
+    /// # riprap = 1
+    /// # title = "a stone in the void"
+    /// # [space.planar]
+    /// # gravity = ["0 m/s2", "0 m/s2"]
+    /// # [materials.rock]
+    /// # density = "2500 kg/m3"
+    /// # [interfaces.default]
+    /// # normal_stiffness = "1 GPa/m"
+    /// # friction_angle = "30 deg"
+    /// # [[blocks]]
+    /// # name = "stone"
+    /// # material = "rock"
+    /// # rectangle = { size = ["1 m", "1 m"], corner = ["0 m", "0 m"] }
+    /// # [[phases]]
+    /// # name = "go"
+    /// # until = { time = "1 s" }
+    /// # time_step = "1 ms"
+    /// # "#;
+    /// let mut simulation = Simulation::from_toml(text)?;
+    /// simulation.set_force("stone", [2500.0, 0.0, 0.0], [0.0; 3])?;
+    /// simulation.run()?;
+    /// assert!((simulation.field("block.velocity.x", &["stone"])? - 1.0).abs() < 1e-3);
+    /// assert!(simulation.set_force("stoen", [0.0; 3], [0.0; 3]).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn set_force(
+        &mut self,
+        of: &str,
+        force: [f64; 3],
+        moment: [f64; 3],
+    ) -> Result<(), ChangeError> {
+        if !force.iter().chain(&moment).all(|x| x.is_finite()) {
+            return Err(ChangeError::NotFinite { key: "the force" });
+        }
+        let blocks = self.blocks_of("set_force", of)?;
+        self.engine.push(&format!("force on {of}"), &blocks, force, moment);
+        self.forget();
+        Ok(())
+    }
+
+    /// Sets the velocity (m/s) of each block of a name at the present instant; spins stay, and so does what supports prescribe. The energy
+    /// that this adds is booked as an edit.
+    ///
+    /// # Errors
+    /// A name of nothing, blocks that have been removed, deform or are held, numbers that are none.
+    pub fn set_velocity(&mut self, of: &str, velocity: [f64; 3]) -> Result<(), ChangeError> {
+        if !velocity.iter().all(|x| x.is_finite()) {
+            return Err(ChangeError::NotFinite { key: "the velocity" });
+        }
+        let blocks = self.blocks_of("set_velocity", of)?;
+        for &b in &blocks {
+            if let Some(why) = self.engine.bound(b) {
+                return Err(ChangeError::Held { name: self.view().name(b), why });
+            }
+        }
+        self.begin_present()?;
+        let phase = self.plan.phases[self.cursor.phase].clone();
+        let damping = damping_of(&phase);
+        if self.view().last_dt() > 0.0 {
+            let ended = self.engine.end_motion(&damping);
+            ended.map_err(|block| self.no_force(block))?;
+        }
+        self.evaluate(&damping, 0.0)?;
+        let before = self.view().balance().residual();
+        self.engine.set_velocity(&blocks, velocity);
+        self.evaluate(&damping, 0.0)?;
+        let after = self.view().balance().residual();
+        self.engine.works().edit_defect += after - before;
+        self.forget();
+        Ok(())
+    }
+
+    /// Enters the present phase, where that has not been done yet.
+    fn begin_present(&mut self) -> Result<(), ChangeError> {
+        if self.phase().is_none() {
+            return Err(ChangeError::Ended);
+        }
+        if !self.cursor.entered {
+            self.enter_phase()?;
+        }
+        Ok(())
+    }
+
+    /// What was found for the state before a change.
+    fn forget(&mut self) {
+        self.standing = false;
+        self.stable = None;
+        self.cursor.stable = None;
+        self.reason = None;
+    }
+
+    /// Blocks that are left of the block or the group of a name, which stands at `key`.
+    pub(crate) fn blocks_of(&self, key: &str, name: &str) -> Result<Vec<u32>, ChangeError> {
+        let view = self.view();
+        let groups = self.engine.groups();
+        let group = groups.iter().find(|(known, _)| *known == name).map(|(_, all)| all.to_vec());
+        let one = || (0..view.all_blocks() as u32).find(|b| view.name(*b) == name);
+        let Some(all) = group.or_else(|| one().map(|b| vec![b])) else {
+            let names: Vec<String> = (0..view.all_blocks() as u32).map(|b| view.name(b)).collect();
+            let known =
+                names.iter().map(String::as_str).chain(groups.iter().map(|(name, _)| *name));
+            let near = nearest(name, known).map(str::to_owned);
+            return Err(ChangeError::Unknown { key: key.to_owned(), name: name.to_owned(), near });
+        };
+        let left: Vec<u32> = all.into_iter().filter(|b| self.engine.is_alive(*b)).collect();
+        if left.is_empty() {
+            return Err(ChangeError::Removed { key: key.to_owned(), name: name.to_owned() });
+        }
+        Ok(left)
+    }
+}
