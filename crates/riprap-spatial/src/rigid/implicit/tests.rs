@@ -165,10 +165,11 @@ fn turning_row(rate: f64) -> Setup {
     setup
 }
 
-/// The middle joint of a row bears `rho w^2 L^2/8`: 28.8 kPa at 4 rad/s and, since that comes at once, up to twice as much; 115 kPa at 8 rad/s.
+/// The middle joint of a row bears `rho w^2 L^2/8`: 28.8 kPa at 4 rad/s and, since that comes at once, up to twice as much; at 8 rad/s 115 kPa, and those
+/// beside it 102 kPa.
 #[test]
 fn joints_hold_what_they_can_bear_and_keep_momentum() {
-    for (rate, broken) in [(4.0, 0), (8.0, 4)] {
+    for (rate, broken) in [(4.0, 0), (8.0, 12)] {
         let mut run = Run::new(turning_row(rate), 1, 1e-3);
         let [p, l] = run.momentum();
         let start = run.balance().total();

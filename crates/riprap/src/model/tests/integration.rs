@@ -68,7 +68,10 @@ fn dry_blocks_are_taken_with_steps_of_their_own() {
 #[test]
 fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
     let strong = "cohesion = \"1 MPa\"\ntension = \"1 MPa\"\nfriction_angle";
-    let held = TWO.replace("friction_angle", &format!("dilation_angle = \"5 deg\"\n{strong}"));
+    let held = TWO.replace(
+        "friction_angle",
+        &format!("dilation_angle = \"5 deg\"\ndilation_end = \"5 mm\"\n{strong}"),
+    );
     let whole = TWO.replace("friction_angle", &format!("failure = \"face\"\n{strong}"));
     // A brittle joint is taken.
     assert_eq!(refused(&TWO.replace("friction_angle", strong)), "");
