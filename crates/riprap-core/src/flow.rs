@@ -142,7 +142,7 @@ impl Network {
     ) -> Result<Flowed, Stuck> {
         let start = cells.masses.to_vec();
         let (mut done, mut part, mut all) = (0.0, 1.0, Flowed::default());
-        let shortest = 0.5_f64.powi(MOST_HALVINGS as i32);
+        let shortest = 1.0 / (1_u64 << MOST_HALVINGS) as f64;
         desk.prepare(self, friction, cells);
         let air = [air, fluid.density(air)];
         while done < 1.0 {

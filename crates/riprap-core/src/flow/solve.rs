@@ -133,13 +133,13 @@ pub(super) fn step(
         step.look(fluid, cells.masses, desk);
         step.flow(desk, turn / TURNS % 2 == 1);
         worst = Stuck { cell: 0, left: 0.0 };
-        for c in 0..old.len() {
+        for (c, &old) in old.iter().enumerate() {
             let [out, size] = desk.out[c];
-            desk.residual[c] = cells.masses[c] - old[c] + dt * out;
+            desk.residual[c] = cells.masses[c] - old + dt * out;
             let scale = cells.masses[c].max(dt * size).max(NOTHING * all);
             let left = if scale > 0.0 { desk.residual[c].abs() / scale } else { 0.0 };
             // Numbers that are none are the worst.
-            if !(left <= worst.left) {
+            if left > worst.left || left.is_nan() {
                 worst = Stuck { cell: c as u32, left };
             }
         }

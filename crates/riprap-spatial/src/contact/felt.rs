@@ -7,7 +7,7 @@ use crate::kernel::{ContactLaw, Pose, Shape};
 use crate::state::contact_scratch::FacePair;
 
 /// Where springs of a contact are, seen from a block.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct AreaMoments {
     /// Unit normal, of either sign.
     pub(super) normal: Vec3,
@@ -93,15 +93,21 @@ impl FacePair {
 /// inertia.
 #[derive(Default)]
 pub(super) struct ContactStiffness {
-    contacts: Vec<(AreaMoments, [f64; 2])>,
+    /// Those that are not in the matrix yet, the first `count` of them, with their stiffness across and along.
+    contacts: [(AreaMoments, [f64; 2]); WAITING],
+    count: usize,
+    matrix: Matrix,
     /// Trace of the matrix.
     trace: f64,
     /// Of contacts whose place is not known, wherever they are.
     pub(super) anywhere: f64,
 }
 
+/// Contacts of a block that are kept, so that most matrices are never put together: more than most blocks have.
+const WAITING: usize = 12;
+
 /// The symmetric matrix of displacements along x, y, z and rotations about x, y, z.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Matrix {
     rows: [[f64; 6]; 6],
 }
@@ -112,8 +118,10 @@ const ROUNDING: f64 = 1e-9;
 impl ContactStiffness {
     /// Forgets all contacts.
     pub(super) fn clear(&mut self) {
-        self.contacts.clear();
-        (self.trace, self.anywhere) = (0.0, 0.0);
+        if self.count > WAITING {
+            self.matrix = Matrix::default();
+        }
+        (self.count, self.trace, self.anywhere) = (0, 0.0, 0.0);
     }
 
     /// Adds a contact.
@@ -127,7 +135,24 @@ impl ContactStiffness {
             + (across - along) * lever
             + polar * (2.0 * across + along);
         self.trace += ease.mass * moved + ease.inertia * turned;
-        self.contacts.push((*spread, [across, along]));
+        if self.count < WAITING {
+            self.contacts[self.count] = (*spread, [across, along]);
+        } else {
+            if self.count == WAITING {
+                self.matrix = self.waiting(ease);
+            }
+            self.matrix.add(ease, spread, [across, along]);
+        }
+        self.count += 1;
+    }
+
+    /// The matrix of the contacts that are kept.
+    fn waiting(&self, ease: &InverseInertia) -> Matrix {
+        let mut matrix = Matrix::default();
+        for (spread, stiffness) in &self.contacts[..self.count.min(WAITING)] {
+            matrix.add(ease, spread, *stiffness);
+        }
+        matrix
     }
 
     /// Bound of the largest eigenvalue, 1/s², that costs nothing: at most six times as large.
@@ -137,11 +162,11 @@ impl ContactStiffness {
 
     /// Bound of the largest eigenvalue, 1/s²: `|K⁴|^(1/4)` of the matrix K of displacements and rotations, at most 6^(1/8) too much.
     pub(super) fn bound(&self, ease: &InverseInertia) -> f64 {
-        let mut matrix = Matrix::default();
-        for (spread, stiffness) in &self.contacts {
-            matrix.add(ease, spread, *stiffness);
-        }
-        matrix.norm() + self.anywhere
+        let norm = match self.count > WAITING {
+            true => self.matrix.norm(),
+            false => self.waiting(ease).norm(),
+        };
+        norm + self.anywhere
     }
 }
 
@@ -256,19 +281,37 @@ mod tests {
             };
             part.add(&ease, &LAW, &spread);
             assert!(part.bound(&ease) <= share.bound(&ease), "{s} {t}");
-            let rows = |felt: &ContactStiffness| {
-                let mut matrix = Matrix::default();
-                for (spread, stiffness) in &felt.contacts {
-                    matrix.add(&ease, spread, *stiffness);
-                }
-                matrix.rows
-            };
+            let rows = |felt: &ContactStiffness| felt.waiting(&ease).rows;
             let [of_part, of_share] = [&part, &share].map(rows);
             for k in 0..6 {
                 assert!(of_part[k][k] <= of_share[k][k], "{s} {t}: {k}");
             }
             let trace: f64 = (0..6).map(|k| of_part[k][k]).sum();
             assert!((part.trace / trace - 1.0).abs() < 1e-12, "{s} {t}");
+        }
+    }
+
+    /// A block with more contacts than are kept.
+    #[test]
+    fn many_contacts_are_those_of_a_matrix() {
+        let (shape, ease) = cube();
+        let mut felt = ContactStiffness::default();
+        for round in 0..3 {
+            felt.clear();
+            let mut whole = Matrix::default();
+            for k in 0..[WAITING + 5, 3, WAITING + 1][round] {
+                let spread = FacePair::new(0.1, 0, &shape, k % 6);
+                let spread = spread.spread(Mat3::IDENTITY, Vec3::splat(0.01 * k as f64));
+                felt.add(&ease, &LAW, &spread);
+                let area = 2.0 * spread.area;
+                whole.add(
+                    &ease,
+                    &spread,
+                    [area * LAW.normal_stiffness, area * LAW.shear_stiffness],
+                );
+            }
+            assert_eq!(felt.bound(&ease), whole.norm());
+            assert!(felt.rough_bound() >= whole.norm());
         }
     }
 

@@ -18,6 +18,9 @@ use crate::state::world::World;
 /// three million patches.
 pub const MANY_PATCHES: usize = 200_000;
 
+/// A number of a crack, with the mass in it, kg.
+type OfCrack = fn(&Crack, f64) -> f64;
+
 /// A picture of the living blocks and their patches.
 #[must_use]
 pub fn frame(view: &View<'_>, phase: &str) -> Frame {
@@ -62,7 +65,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     // From the first frame on, so that all have the same columns.
     if world.cavities.iter().any(|cavity| world.cracks_of(cavity).is_some()) {
         let rows = pairs_of(world, &frame);
-        let columns: [(&str, &str, fn(&Crack, f64) -> f64); 4] = [
+        let columns: [(&str, &str, OfCrack); 4] = [
             ("gas_pressure", "Pa", |crack, _| crack.pressure),
             ("gas_aperture", "m", |crack, _| crack.aperture),
             ("gas_mass", "kg", |_, mass| mass),

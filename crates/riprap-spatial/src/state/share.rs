@@ -31,7 +31,7 @@ use crate::state::face::Face;
 use crate::state::patches::Patches;
 use crate::state::scratch::{FaceEntry, Lost, Partial};
 use crate::state::sums::Sums;
-use crate::state::tiles::Tiles;
+use crate::state::tiles::{Tile, Tiles};
 use crate::state::world::World;
 
 /// What of a model one rank computes, and what it sends to others.
@@ -78,7 +78,7 @@ impl Share {
 
     /// Lists what travels.
     fn list(&mut self, tiles: &Tiles) {
-        let group = |tile: usize| tiles.list[..tile].iter().map(|t| t.groups()).sum();
+        let group = |tile: usize| tiles.list[..tile].iter().map(Tile::groups).sum();
         self.groups = Shared::new(self.cuts.bounds().iter().map(|tile| group(*tile)).collect());
         self.slots = [0, 1].map(|_| vec![Vec::new(); self.peers.size()]);
         self.list_slots(tiles);

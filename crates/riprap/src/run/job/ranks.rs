@@ -87,10 +87,11 @@ fn nothing(_: &mut Look<'_>) -> Control {
     Control::Continue
 }
 
+/// How the run of a rank ended.
+type Ended = Result<Outcome, JobError>;
+
 /// What rank 0 says; where it missed another rank, what that one says.
-fn outcome(
-    (lead, others): (Result<Outcome, JobError>, Vec<Option<Result<Outcome, JobError>>>),
-) -> Result<Outcome, JobError> {
+fn outcome((lead, others): (Ended, Vec<Option<Ended>>)) -> Result<Outcome, JobError> {
     let gone = match &lead {
         Err(JobError::Drive(DriveError::Ranks(Trouble::Gone { rank, .. }))) => *rank,
         Ok(_) | Err(_) => return lead,
