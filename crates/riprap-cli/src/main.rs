@@ -9,7 +9,6 @@ mod failure;
 mod interrupt;
 mod numbers;
 mod progress;
-mod ranks;
 mod scenes;
 mod screen;
 mod slip;

@@ -7,6 +7,7 @@ pub mod new;
 pub mod paraview;
 pub mod plot;
 pub mod probe;
+mod ranks;
 pub mod report;
 pub mod run;
 pub mod safety;

@@ -13,13 +13,13 @@ use riprap::run::simulation::PhaseEnd;
 
 use crate::args::{Resume, Run};
 use crate::commands::check::imports_text;
+use crate::commands::ranks::Crew;
 use crate::commands::{check_lines, default_folder, run_folder};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::numbers::{duration, grouped, ratio, si};
 use crate::progress::Display;
-use crate::ranks::Crew;
 use crate::{scenes, screen};
 
 /// `riprap run`.
