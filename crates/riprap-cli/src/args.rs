@@ -312,7 +312,7 @@ pub struct Bisect {
     #[arg(long, value_name = "KEY", requires_all = ["range", "until"])]
     pub vary: Option<String>,
     /// Values of the key, at one of which the result is below, at the other above what is wanted
-    #[arg(long, value_name = "A..B", requires = "vary")]
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, requires = "vary")]
     pub range: Option<String>,
     /// The result and what it is to be
     #[arg(long, value_name = "RESULT=VALUE", requires = "vary", value_parser = riprap::run::study::find::Wanted::read)]
@@ -362,7 +362,7 @@ pub struct Safety {
     #[arg(long, value_name = "KEY", requires = "range")]
     pub quantity: Option<String>,
     /// Values of the key that bracket the limit; either end may be the stable one
-    #[arg(long, value_name = "A..B", requires = "quantity")]
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, requires = "quantity")]
     pub range: Option<String>,
     /// Displacement above which a trial may count as failing, with its unit [default: a thousandth of a block]
     #[arg(long, value_name = "LENGTH")]

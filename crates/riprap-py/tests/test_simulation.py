@@ -234,8 +234,9 @@ def test_a_change_is_that_of_a_phase(tmp_path):
             return before, after, sim.state_hash
 
     before, after, state = go(tmp_path / "a.run")
-    # 20 kN/m against the friction of 25 kN/m of weight, for 0.2 s on 2.5 t/m.
-    assert before == pytest.approx(0.2 * (20 - 25 * math.tan(math.radians(30))) / 2.5, rel=0.02)
+    # 20 kN/m against the friction of 25 kN/m of weight, for 0.2 s on 2.5 t/m. Friction takes 1.3 sqrt(m/ks) = 3 ms to rise, in which the stone gains
+    # some 0.01 m/s more.
+    assert before == pytest.approx(0.2 * (20 - 25 * math.tan(math.radians(30))) / 2.5 + 0.01, rel=0.01)
     assert after == pytest.approx(before, rel=1e-3)
     assert go()[2] == state
     run = riprap.RunFolder(tmp_path / "a.run")
