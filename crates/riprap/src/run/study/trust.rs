@@ -11,7 +11,7 @@
 //! | size | size of cells that the scene generates: twice, a half | 0, extrapolated where an order is seen |
 //! | seed | seeds of generated blocks | spread of the realisations |
 //!
-//! The variants are runs of the same scene side by side; [`reduce`] makes an interval of what they give. A step that is a thousandth
+//! The variants are runs of the same scene side by side; `reduce` makes an interval of what they give. A step that is a thousandth
 //! shorter shows what is chaotic: where such a change moves a result as much as half the step does, an order means nothing and the runs are
 //! samples of a distribution.
 //!
