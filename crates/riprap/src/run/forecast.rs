@@ -44,13 +44,13 @@ pub enum ForecastError {
 /// What to expect of a run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Forecast {
-    /// Stable time step at the start (safety 1), s; absent when nothing can touch.
+    /// Stable time step at the start (safety 1), s; absent when nothing can touch, and in an implicit phase.
     pub stable_time_step: Option<f64>,
     /// Block that sets it.
     pub governing_block: Option<String>,
     /// Time step of the first phase as it will be used, s.
     pub time_step: f64,
-    /// `time_step` over the stable one; absent in a static phase of deformable blocks, whose iterations have no length.
+    /// `time_step` over the stable one; absent in a static phase of deformable blocks, whose iterations have no length, and in an implicit phase.
     pub share_of_stable: Option<f64>,
     /// Blocks at the start, after splitting and the removal of charges.
     pub blocks: usize,
@@ -160,9 +160,11 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     // Blocks that are apart have no stable step: what steps become once they touch is a better guess than none.
     let touching = found.as_ref().and_then(|found| found.steps);
     let touching = touching.map_or(f64::INFINITY, |[step, _]| step);
-    let governing_block = stable.block.map(|b| view.name(b));
+    // What bounds explicit steps bounds no implicit one.
+    let bounded = !simulation.engine().is_implicit();
+    let governing_block = stable.block.filter(|_| bounded).map(|b| view.name(b));
     let guard_shortens = simulation.cursor().shortened > 0;
-    let timed = stable.dt.is_finite() && !simulation.relaxes();
+    let timed = bounded && stable.dt.is_finite() && !simulation.relaxes();
     let at_most = plan.phases.iter().any(may_rest);
     let relaxed = plan.phases.iter().filter_map(relaxing);
     let iterations = relaxed.map(|relax| relax.iterations).max();
@@ -176,7 +178,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         None => total_steps(plan, stable.dt, touching).map(|n| n.map(|n| n.max(trial.steps))),
     };
     Ok(Forecast {
-        stable_time_step: Some(stable.dt).filter(|dt| dt.is_finite()),
+        stable_time_step: Some(stable.dt).filter(|dt| bounded && dt.is_finite()),
         governing_block,
         time_step: dt,
         share_of_stable: timed.then(|| dt / stable.dt),
@@ -258,7 +260,8 @@ pub(super) fn doubts(simulation: &Simulation, plan: &Plan, stable: f64) -> Vec<S
     }
     found.extend(simulation.shorter());
     let dt = simulation.dt();
-    if stable.is_finite() && !simulation.relaxes() && dt > stable {
+    let explicit = !simulation.relaxes() && !simulation.engine().is_implicit();
+    if explicit && stable.is_finite() && dt > stable {
         found.push(format!(
             "the time step of the first phase is {:.1} times the stable step ({stable:.3e} s); leave `time_step` out or shorten it",
             dt / stable

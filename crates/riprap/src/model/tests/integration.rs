@@ -101,6 +101,22 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
     }
 }
 
+/// What bounds explicit steps of joints is nothing to implicit ones, and no cause for a warning.
+#[test]
+fn a_stable_step_is_named_for_explicit_phases_alone() {
+    let strong = "cohesion = \"1 MPa\"\ntension = \"1 MPa\"\nfriction_angle";
+    let joined = TWO.replace("friction_angle", strong);
+    let of = |text: &str| {
+        let model = model(text).expect("good");
+        let forecast = crate::run::forecast::forecast(&model.setup, &model.plan).expect("built");
+        let named = forecast.warnings.iter().any(|w| w.contains("stable step"));
+        (forecast.stable_time_step.is_some(), named)
+    };
+    assert_eq!(of(&joined), (false, false));
+    let explicit = joined.replace("\"implicit\"", "\"explicit\"\ntime_step = \"1 ms\"");
+    assert!(of(&explicit).0);
+}
+
 #[test]
 fn keys_that_have_no_meaning_in_an_implicit_phase_are_refused() {
     let said = refused(&format!("{TWO}damping.local = 0.5\n"));

@@ -323,6 +323,9 @@ pub(super) fn of_step(simulation: &Simulation) -> String {
         return "a relaxing phase has no time step".to_owned();
     }
     let dt = simulation.dt();
+    if simulation.engine().is_implicit() {
+        return format!("steps are implicit, and {dt:.3e} s long");
+    }
     let damping = simulation.phase().map_or(0.0, |p| p.damping.stiffness);
     let stable = simulation.engine().stable(damping).dt;
     let share = dt / stable;

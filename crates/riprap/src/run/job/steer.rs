@@ -1,0 +1,128 @@
+//! A run that code steers between steps: other values, changes as of a phase, forces and velocities.
+
+use super::{JobError, Live};
+use crate::run::drive::{Control, DriveError, Ending, Pause};
+use crate::run::engine::steer::Steered;
+use crate::run::simulation::{ChangeError, Simulation};
+
+impl Live {
+    /// Gives a load or a support that the scene names another value from the present instant on.
+    ///
+    /// # Errors
+    /// As [`Drive::steer`].
+    pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), JobError> {
+        Ok(self.drive.steer(name, to)?)
+    }
+
+    /// Makes a change at the present instant, written as the keys of a phase in TOML: `remove`, `removal_ramp`, `fix`, `release`, `gravity`, `water`,
+    /// `reset`, `interfaces`, `install` (names of bolts), and the rules `until`, `time_step`, `safety`, `damping`, `max_residual` of the
+    /// present phase. What it adds to the energy is booked as an edit, an event of the run says what was changed, and the same changes
+    /// at the same steps give the same bits.
+    ///
+    /// # Errors
+    /// Keys that are wrong or that cannot change within a phase, blocks that are not there any more; the run stays as it was then.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use riprap::run::drive::{Control, Pause};
+    /// use riprap::run::job::Live;
+    /// use riprap::run::scene::Scene;
+    /// use riprap::scenario::Source;
+    ///
+    /// // A stone on a slope of 30 degrees, friction angle 40 degrees.
+    /// # let text = r#"
+    /// # riprap = 1
+    /// # title = "a stone on a slope"
+    /// # [space.planar]
+    /// # gravity = ["0 m/s2", "-9.81 m/s2"]
+    /// # tilt = "30 deg"
+    /// # [materials.rock]
+    /// # density = "2500 kg/m3"
+    /// # [interfaces.default]
+    /// # normal_stiffness = "1 GPa/m"
+    /// # friction_angle = "40 deg"
+    /// # [[blocks]]
+    /// # name = "slope"
+    /// # material = "rock"
+    /// # rectangle = { size = ["20 m", "1 m"], corner = ["-10 m", "-1 m"] }
+    /// # [[blocks]]
+    /// # name = "stone"
+    /// # material = "rock"
+    /// # rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
+    /// # [[supports]]
+    /// # on = { block = "slope" }
+    /// # fixed = {}
+    /// # [[phases]]
+    /// # name = "slide"
+    /// # until = { time = "1 s" }
+    /// # "#;
+    /// let scene = Scene::parse(Source::new("slope.toml", text), ".".into(), &[])?;
+    /// let mut live = Live::unrecorded(scene.prepare(&scene.plain())?.job(), 1)?;
+    /// live.advance(Pause { time: Some(0.5), step: None }, &mut |_| Control::Continue)?;
+    /// assert!(live.simulation().field("block.speed", &["stone"])? < 0.1);
+    /// live.change("interfaces.default.friction_angle = \"10 deg\"")?;
+    /// live.advance(Pause { time: Some(0.9), step: None }, &mut |_| Control::Continue)?;
+    /// assert!(live.simulation().field("block.speed", &["stone"])? > 1.0);
+    /// assert!(live.change("remove = [\"stoen\"]").is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[cfg(feature = "scenario")]
+    pub fn change(&mut self, keys: &str) -> Result<(), JobError> {
+        self.not_ended()?;
+        let scene = self.scene.as_ref().ok_or(ChangeError::NoScene).map_err(DriveError::from)?;
+        let keys = crate::run::change::parse(keys).map_err(DriveError::from)?;
+        let read = scene.read(&keys, self.drive.simulation());
+        let (change, scene) = read.map_err(DriveError::from)?;
+        let event = serde_json::json!({ "event": "changed", "keys": keys });
+        self.edit(event, |simulation| simulation.change(change.clone()))?;
+        self.scene = Some(scene);
+        Ok(())
+    }
+
+    /// As [`Simulation::set_force`]; an event of the run says so.
+    ///
+    /// # Errors
+    /// As there, and the disk.
+    pub fn set_force(
+        &mut self,
+        of: &str,
+        force: [f64; 3],
+        moment: [f64; 3],
+    ) -> Result<(), JobError> {
+        self.not_ended()?;
+        let event = serde_json::json!({
+            "event": "force set", "of": of, "force": force, "moment": moment,
+        });
+        self.edit(event, |simulation| simulation.set_force(of, force, moment))
+    }
+
+    /// As [`Simulation::set_velocity`]; an event of the run says so.
+    ///
+    /// # Errors
+    /// As there, and the disk.
+    pub fn set_velocity(&mut self, of: &str, velocity: [f64; 3]) -> Result<(), JobError> {
+        self.not_ended()?;
+        let event = serde_json::json!({ "event": "velocity set", "of": of, "velocity": velocity });
+        self.edit(event, |simulation| simulation.set_velocity(of, velocity))
+    }
+
+    fn not_ended(&self) -> Result<(), DriveError> {
+        match self.ending {
+            Some(Ending::Finished | Ending::Unstable(_)) => Err(ChangeError::Ended.into()),
+            Some(Ending::Stopped) | None => Ok(()),
+        }
+    }
+
+    /// Edits the simulation, and finds the forces of the present instant, so that they can be read, whether it was edited or not.
+    fn edit(
+        &mut self,
+        event: serde_json::Value,
+        edit: impl Fn(&mut Simulation) -> Result<(), ChangeError>,
+    ) -> Result<(), JobError> {
+        let edited = self.drive.edit(event, edit);
+        let here = Pause { step: Some(self.simulation().steps()), time: None };
+        self.advance(here, &mut |_| Control::Continue)?;
+        Ok(edited?)
+    }
+}
