@@ -1,7 +1,7 @@
 //! Running commands: their output is shown as it comes and, where they count, counted.
 
 use std::cell::{Cell, RefCell};
-use std::io::{BufRead, BufReader, Write};
+use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -43,11 +43,33 @@ pub fn failures() -> Vec<String> {
 }
 
 /// Whether `line` names a failed check: of cargo (`test a::b ... FAILED`), of pytest and of `riprap verify`
-/// (`FAILED …`), of the browser's tally (`failed: …`).
+/// (`FAILED …`), of the browser's tally (`failed: …`), an error of rustc, clippy or rustdoc (`error: …`).
 fn names_failure(line: &str) -> bool {
     let line = line.trim();
-    ["FAILED ", "failed: "].iter().any(|word| line.starts_with(word))
+    ["FAILED ", "failed: ", "error: ", "error["].iter().any(|word| line.starts_with(word))
         || (line.starts_with("test ") && line.ends_with("FAILED"))
+}
+
+/// Copies what a command says of errors to ours, whole lines at a time, and returns the lines that name a failure, each with the
+/// place that rustc writes below it.
+fn copy_errors(stream: impl Read, mark: &str) -> Vec<String> {
+    let mut kept: Vec<String> = Vec::new();
+    let mut named = false;
+    for line in BufReader::new(stream).split(b'\n') {
+        let Ok(line) = line else { break };
+        let _ = std::io::stderr().write_all(&[mark.as_bytes(), &line, b"\n"].concat());
+        let line = String::from_utf8_lossy(&line);
+        let place = line.trim().strip_prefix("--> ");
+        if let (true, Some(place), Some(last)) = (named, place, kept.last_mut()) {
+            last.push_str(" at ");
+            last.push_str(place);
+        }
+        named = names_failure(&line);
+        if named && kept.len() < KEPT {
+            kept.push(line.trim().to_owned());
+        }
+    }
+    kept
 }
 
 /// Keeps a line that names a failed check.
@@ -107,8 +129,13 @@ pub fn run(root: &Path, command: &mut Command) -> Result<Finished, String> {
         .current_dir(root)
         .stdin(Stdio::null())
         .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
         .spawn()
         .map_err(|e| format!("{name} could not be started: {e}"))?;
+    let errors = child.stderr.take().map(|stream| {
+        let mark = mark.clone();
+        std::thread::spawn(move || copy_errors(stream, &mark))
+    });
     let mut counts = Counts::default();
     if let Some(stdout) = child.stdout.take() {
         let mut out = std::io::stdout();
@@ -123,6 +150,10 @@ pub fn run(root: &Path, command: &mut Command) -> Result<Finished, String> {
                 counts.add(found);
             }
         }
+    }
+    if let Some(lines) = errors {
+        let lines = lines.join().map_err(|_| format!("reading the errors of {name} failed"))?;
+        lines.iter().for_each(|line| keep_failure(line));
     }
     let status = child.wait().map_err(|e| format!("waiting for {name}: {e}"))?;
     Ok(Finished { success: status.success(), counts })
@@ -189,6 +220,15 @@ mod tests {
         }
         assert_eq!(failures(), named);
         assert!(failures().is_empty());
+    }
+
+    #[test]
+    fn errors_of_the_compiler_are_kept_with_their_place() {
+        let said = "warning: unused\n  --> src/a.rs:1:1\nerror: unresolved link to `A`\n  --> src/b.rs:12:14\n   |\nerror: could not document `b`\n";
+        assert_eq!(
+            copy_errors(said.as_bytes(), ""),
+            ["error: unresolved link to `A` at src/b.rs:12:14", "error: could not document `b`"]
+        );
     }
 
     #[test]

@@ -9,7 +9,7 @@ impl Live {
     /// Gives a load or a support that the scene names another value from the present instant on.
     ///
     /// # Errors
-    /// As [`Drive::steer`].
+    /// As [`crate::run::drive::Drive::steer`].
     pub fn steer(&mut self, name: &str, to: Steered) -> Result<(), JobError> {
         Ok(self.drive.steer(name, to)?)
     }
