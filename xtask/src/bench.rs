@@ -1,12 +1,17 @@
 //! `cargo xtask bench`: speed of the planar and the spatial step, and of `riprap run`, as CSV.
 
+mod threads;
+
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
+pub use threads::threads;
+
 use crate::shell::cargo;
 use crate::source_tree::files;
+use threads::stages_of;
 
 /// Cases that a benchmark scene has: the scene as it stands and two variants.
 const SIZES: [&str; 3] = ["default", "medium", "large"];
@@ -64,16 +69,19 @@ const RUNS: [(&str, [u64; 3]); 5] = [
     ("blast_throw", [2_000, 300, 100]),
 ];
 
-/// Times the command itself: what it loses to everything outside the stages of a step.
-fn commands(root: &Path) -> Result<String, String> {
+/// Builds the command as users have it.
+fn release(root: &Path) -> Result<(), String> {
     let built = Command::new(cargo())
         .args(["build", "--release", "--quiet", "--package", "riprap-cli"])
         .current_dir(root)
         .status()
         .map_err(|error| format!("cargo could not be started: {error}"))?;
-    if !built.success() {
-        return Err("riprap-cli could not be built".to_owned());
-    }
+    built.success().then_some(()).ok_or_else(|| "riprap-cli could not be built".to_owned())
+}
+
+/// Times the command itself: what it loses to everything outside the stages of a step.
+fn commands(root: &Path) -> Result<String, String> {
+    release(root)?;
     let mut table =
         "scene,case,threads,steps,loop_s,stages_s,outside_percent,process_s,state_hash\n"
             .to_owned();
@@ -85,36 +93,44 @@ fn commands(root: &Path) -> Result<String, String> {
     Ok(table)
 }
 
-/// One row: a run of a scene, from its manifest.
-fn command(root: &Path, scene: &str, case: &str, steps: u64) -> Result<String, String> {
+/// The manifest of a run of the last phase of a scene with so many steps, and the time of the process, s.
+fn manifest_of(
+    root: &Path,
+    scene: &Path,
+    words: &[&str],
+) -> Result<(serde_json::Value, f64), String> {
     let target = root.join("target");
     let folder = target.join("bench.run");
     let begun = Instant::now();
     let output = Command::new(target.join("release").join("riprap"))
         .arg("run")
-        .arg(root.join("scenes").join("bench").join(format!("{scene}.toml")))
-        .args(["-q", "--force", "--case", case, "--set"])
-        .arg(format!("phases.timed.until.steps={steps}"))
+        .arg(scene)
+        .args(["-q", "--force"])
+        .args(words)
         .arg("--out")
         .arg(&folder)
         .output()
         .map_err(|error| format!("riprap could not be started: {error}"))?;
     let process = begun.elapsed().as_secs_f64();
-    if !output.status.success() {
+    // 1: a check of the whole motion, which is not run here, has failed.
+    if !matches!(output.status.code(), Some(0 | 1)) {
         return Err(String::from_utf8_lossy(&output.stderr).into_owned());
     }
     let path = folder.join("manifest.json");
     let text = std::fs::read_to_string(&path)
         .map_err(|error| format!("{} could not be read: {error}", path.display()))?;
-    let manifest: serde_json::Value = serde_json::from_str(&text)
+    let manifest = serde_json::from_str(&text)
         .map_err(|error| format!("{} is no manifest: {error}", path.display()))?;
+    Ok((manifest, process))
+}
+
+/// One row: a run of a scene, from its manifest.
+fn command(root: &Path, scene: &str, case: &str, steps: u64) -> Result<String, String> {
+    let path = root.join("scenes").join("bench").join(format!("{scene}.toml"));
+    let steps = format!("phases.timed.until.steps={steps}");
+    let (manifest, process) = manifest_of(root, &path, &["--case", case, "--set", &steps])?;
     let number = |key: &str| manifest[key].as_f64().unwrap_or(f64::NAN);
-    let stages: f64 = manifest["profile"]
-        .as_array()
-        .into_iter()
-        .flatten()
-        .filter_map(|stage| stage["seconds"].as_f64())
-        .sum();
+    let stages: f64 = stages_of(&manifest).map(|stage| stage.wall).sum();
     let wall = number("wall_time");
     Ok(format!(
         "{scene},{case},{},{},{wall:.3},{stages:.3},{:.2},{process:.3},{}\n",

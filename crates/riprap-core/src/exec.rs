@@ -5,8 +5,9 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError, mpsc};
+use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
@@ -77,9 +78,29 @@ macro_rules! cut {
     }};
 }
 
+/// Threads, and the time in which they had work.
+struct Pool {
+    threads: rayon::ThreadPool,
+    /// Wall time of whoever waited for them, ns.
+    nanos: AtomicU64,
+}
+
+impl Pool {
+    /// Does work on the threads. Within work of theirs it is a part of that.
+    fn install<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        if rayon::current_thread_index().is_some() {
+            return self.threads.install(work);
+        }
+        let begun = Instant::now();
+        let result = self.threads.install(work);
+        self.nanos.fetch_add(begun.elapsed().as_nanos() as u64, Ordering::Relaxed);
+        result
+    }
+}
+
 /// Runs chunked loops, serially or on a pool of its own.
 pub struct Exec {
-    pool: Option<rayon::ThreadPool>,
+    pool: Option<Pool>,
     threads: usize,
     /// The ranks that compute the same model, where there are others.
     peers: Option<Arc<Peers>>,
@@ -120,6 +141,7 @@ impl Exec {
             .num_threads(threads)
             .build()
             .map_err(|e| ExecError { threads, reason: e.to_string() })?;
+        let pool = Pool { threads: pool, nanos: AtomicU64::new(0) };
         Ok(Self { pool: Some(pool), threads, peers: None, workers: threads })
     }
 
@@ -150,6 +172,13 @@ impl Exec {
     #[must_use]
     pub fn workers(&self) -> usize {
         self.workers
+    }
+
+    /// Wall time in which several threads had work; what else a stage takes is serial.
+    #[must_use]
+    pub fn pooled(&self) -> Duration {
+        let nanos = self.pool.as_ref().map(|pool| pool.nanos.load(Ordering::Relaxed));
+        Duration::from_nanos(nanos.unwrap_or(0))
     }
 
     /// Number of threads.
@@ -348,7 +377,7 @@ impl Exec {
             let one = |at: usize| (at..range.end.min(at + GROUP)).map(&f).fold([0.0; N], add);
             groups.map(one).fold(Tree::default(), tree).sum()
         };
-        match self.pool {
+        match &self.pool {
             Some(_) => self.chunked(n, chunk).into_iter().fold(Tree::default(), tree),
             // Without a list: a look on one thread allocates nothing.
             None => chunks_of(n).map(chunk).fold(Tree::default(), tree),
@@ -371,7 +400,7 @@ impl Exec {
     ) -> Option<(f64, T)> {
         let later = |a: &(f64, T), b: &(f64, T)| a.0.total_cmp(&b.0);
         let one = |range: Range<usize>| range.filter_map(&f).max_by(later);
-        match self.pool {
+        match &self.pool {
             Some(_) => self.chunked(n, one).into_iter().flatten().max_by(later),
             None => chunks_of(n).filter_map(one).max_by(later),
         }

@@ -7,8 +7,6 @@
 mod entries;
 mod kick;
 
-use std::time::Instant;
-
 use riprap_geom::Vec2;
 
 use super::bolts;
@@ -32,7 +30,7 @@ use crate::failed::FailedPoints;
 use crate::ledger::Works;
 use crate::sums::{self, GROUP};
 use kick::kicks;
-use riprap_core::profile::Profile;
+use riprap_core::profile::{Begun, Profile};
 
 /// Damping of a phase besides that of the contacts.
 pub use crate::dynamics::damping::Damping;
@@ -312,9 +310,9 @@ pub fn end_motion(
 
 /// Does a stage and books its time.
 fn stage<T>(scratch: &mut Scratch, name: &'static str, work: impl FnOnce(&mut Scratch) -> T) -> T {
-    let start = Instant::now();
+    let begun = Begun::now(&scratch.exec);
     let result = work(scratch);
-    scratch.profile.add(name, start.elapsed());
+    scratch.profile.add(name, begun.spent(&scratch.exec));
     result
 }
 

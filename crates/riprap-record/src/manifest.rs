@@ -35,6 +35,9 @@ pub struct StageTime {
     pub name: String,
     /// Wall time in s.
     pub seconds: f64,
+    /// The part of it in which several threads had work, s; the rest is serial.
+    #[serde(default)]
+    pub pooled: f64,
     /// How often it ran.
     pub calls: u64,
 }
@@ -220,6 +223,9 @@ pub struct Manifest {
     pub started: String,
     /// Wall time in s.
     pub wall_time: f64,
+    /// The part of it, since the run was begun or resumed, in which several threads had work, s.
+    #[serde(default)]
+    pub pooled_time: f64,
     /// Last time step in s.
     pub dt: f64,
     /// Steps done.
@@ -268,6 +274,7 @@ impl Default for Manifest {
             machine: Machine::default(),
             started: String::new(),
             wall_time: 0.0,
+            pooled_time: 0.0,
             dt: 0.0,
             steps: 0,
             time: 0.0,
@@ -385,7 +392,12 @@ mod tests {
             title: "sliding block".to_owned(),
             ended: Ended::Interrupted,
             overrides: vec![Override { key: "a.b".to_owned(), value: "5 deg".to_owned() }],
-            profile: vec![StageTime { name: "gather".to_owned(), seconds: 0.25, calls: 7 }],
+            profile: vec![StageTime {
+                name: "gather".to_owned(),
+                seconds: 0.25,
+                pooled: 0.125,
+                calls: 7,
+            }],
             machine: Machine::this(),
             ..Manifest::default()
         };

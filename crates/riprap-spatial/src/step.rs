@@ -17,6 +17,7 @@ use crate::deform;
 use crate::joint::forces;
 use crate::joint::forces::{First, Memory, Shared};
 use crate::joint::patch::Poses;
+use crate::profile::Begun;
 use crate::push;
 use crate::push::bolts;
 use crate::query::view::View;
@@ -175,9 +176,9 @@ pub fn end_motion(
 
 /// Does a stage and books its time.
 fn stage<T>(scratch: &mut Scratch, name: &'static str, work: impl FnOnce(&mut Scratch) -> T) -> T {
-    let start = Instant::now();
+    let begun = Begun::now(&scratch.exec);
     let result = work(scratch);
-    scratch.profile.add(name, start.elapsed());
+    scratch.profile.add(name, begun.spent(&scratch.exec));
     result
 }
 

@@ -15,8 +15,6 @@ pub(crate) mod settling;
 #[cfg(test)]
 mod tests;
 
-use std::time::Instant;
-
 use riprap_geom::Vec3;
 
 use crate::contact;
@@ -24,6 +22,7 @@ use crate::implicit::memory::{Books, Kept};
 use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Solver, Unsolved};
 use crate::joint::patch::turned_inertia;
+use crate::profile::Begun;
 use crate::rigid::kick::Acting;
 use crate::state::contact_scratch::Acting as Felt;
 use crate::state::found::FoundPair;
@@ -109,13 +108,13 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
         dt => dt,
     };
     let step = Stepping { span: 0.5 * (world.last_dt + scratch.coming_dt), dt };
-    let start = Instant::now();
+    let begun = Begun::now(&scratch.exec);
     if meet {
         meet::find(world, scratch, dt);
     }
     joints::find(world, scratch);
-    let found = Instant::now();
-    scratch.profile.add("pieces", found - start);
+    scratch.profile.add("pieces", begun.spent(&scratch.exec));
+    let begun = Begun::now(&scratch.exec);
     lay_out(world, scratch);
     let solver = &mut scratch.implicit.solver;
     let fall = world.gravity.length() * dt + STILL;
@@ -139,7 +138,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
             Some(NotSolved { blocks: pair.map_or([0; 2], of), rounds })
         }
     };
-    scratch.profile.add("implicit step", found.elapsed());
+    scratch.profile.add("implicit step", begun.spent(&scratch.exec));
     if scratch.implicit.failed.is_none() {
         if meet {
             meet::hand_over(world, scratch);

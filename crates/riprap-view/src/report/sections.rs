@@ -268,14 +268,15 @@ pub(super) fn provenance(out: &mut String, m: &Manifest) {
     );
     if !m.profile.is_empty() {
         let all: f64 = m.profile.iter().map(|s| s.seconds).sum();
-        out.push_str("<table class=\"grid\"><tr><th>stage of the step</th><th>time [s]</th><th>share</th></tr>\n");
+        out.push_str("<table class=\"grid\"><tr><th>stage of the step</th><th>time [s]</th><th>share</th><th>on one thread</th></tr>\n");
         for stage in m.profile.iter().filter(|s| s.seconds > 0.0) {
             let _ = writeln!(
                 out,
-                "<tr><td>{}</td><td>{:.3}</td><td>{:.1} %</td></tr>",
+                "<tr><td>{}</td><td>{:.3}</td><td>{:.1} %</td><td>{:.1} %</td></tr>",
                 escape(&stage.name),
                 stage.seconds,
-                100.0 * stage.seconds / all
+                100.0 * stage.seconds / all,
+                100.0 * (1.0 - stage.pooled / stage.seconds)
             );
         }
         out.push_str("</table>\n");

@@ -7,6 +7,7 @@ mod ranks;
 mod steer;
 #[cfg(test)]
 mod tests;
+mod times;
 
 pub use ranks::{resume_among, resume_ranks, run_among, run_ranks};
 
@@ -30,7 +31,7 @@ use crate::peers::Traffic;
 use crate::plan::{Check, Every, Plan};
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
-use crate::record::manifest::{Machine, ManifestError, StageTime, utc};
+use crate::record::manifest::{Machine, ManifestError, utc};
 use crate::record::{Ended, Manifest, OutputError, RunFolder};
 use crate::setup::Setup;
 
@@ -584,11 +585,6 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
     manifest.steps = view.step();
     manifest.time = view.time();
     manifest.state_hash = simulation.engine().hash();
-    let stage = |(name, seconds): (String, f64)| StageTime { name, seconds, calls: view.step() };
-    manifest.profile = simulation.engine().profile().seconds().into_iter().map(stage).collect();
-    // Part of the stages before.
-    if let Some(peers) = simulation.engine().exec().peers() {
-        let waiting = peers.traffic().waiting.as_secs_f64();
-        manifest.profile.push(stage(("waiting for ranks".to_owned(), waiting)));
-    }
+    manifest.profile = times::stages(simulation.engine(), view.step());
+    manifest.pooled_time = simulation.engine().exec().pooled().as_secs_f64();
 }
