@@ -202,7 +202,48 @@ pub struct Frame {
     pub tetrahedra: Option<Surfaces>,
 }
 
+/// What frames hold besides the blocks, their numbers and materials.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Content {
+    /// Columns of the blocks; `None`: all.
+    pub fields: Option<Vec<String>>,
+    /// Whether contacts are written, with their columns.
+    pub contacts: bool,
+    /// Whether the tetrahedra of deformable blocks are.
+    pub tetrahedra: bool,
+}
+
+impl Default for Content {
+    fn default() -> Self {
+        Self { fields: None, contacts: true, tetrahedra: false }
+    }
+}
+
+/// Columns that say which block a row is and of what: frames always hold them.
+const ALWAYS: [&str; 2] = ["block", "material"];
+
+impl Content {
+    /// Whether this column of the blocks is wanted.
+    #[must_use]
+    pub fn wants(&self, column: &str) -> bool {
+        let asked = |fields: &Vec<String>| fields.iter().any(|field| field == column);
+        ALWAYS.contains(&column) || self.fields.as_ref().is_none_or(asked)
+    }
+}
+
 impl Frame {
+    /// Bytes of its arrays, before they are compressed.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let columns = self.block_columns.iter().chain(&self.contact_columns);
+        let numbers: usize = columns.map(|column| column.data.len()).sum();
+        // Three numbers and the number of each point; end and kind of each cell.
+        let points = self.points.len() + self.contact_points.len();
+        let cells = self.blocks() + self.contact_points.len();
+        let faces = self.solids.as_ref().map_or(0, |s| s.corners.len() + 2 * s.ends.len());
+        8 * (numbers + 4 * points + faces) + 9 * cells
+    }
+
     /// Number of blocks.
     pub fn blocks(&self) -> usize {
         self.offsets.len().saturating_sub(1)

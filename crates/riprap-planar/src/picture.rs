@@ -7,10 +7,24 @@ use super::fields::unit_of_slice;
 use super::view::View;
 use super::world::Contact;
 use crate::field::Site;
-use crate::frame::{Column, Frame, SEEPAGE_FLOW, stress};
+use crate::frame::{Column, Content, Frame, SEEPAGE_FLOW, stress};
 
 /// Joints beyond which a frame holds only those of which a point has failed.
 pub const MANY_JOINTS: usize = 200_000;
+
+/// Names of the columns of blocks.
+pub const FIELDS: [&str; 10] = [
+    "block",
+    "material",
+    "displacement",
+    "rotation",
+    "velocity",
+    "spin",
+    "force",
+    "held",
+    stress::NORMAL,
+    stress::SHEAR,
+];
 
 fn flat(v: Vec2) -> [f64; 3] {
     [v.x, v.y, 0.0]
@@ -18,7 +32,7 @@ fn flat(v: Vec2) -> [f64; 3] {
 
 /// A picture of the living blocks, their found contacts and the joints between them.
 #[must_use]
-pub fn frame(view: &View<'_>, phase: &str) -> Frame {
+pub fn frame(view: &View<'_>, phase: &str, content: &Content) -> Frame {
     let (world, scratch) = (view.world, view.scratch);
     let origin = Vec2::from(world.setup.origin);
     let mut frame = Frame {
@@ -57,12 +71,16 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     let stresses = view.stresses();
     let stresses: Vec<[f64; 3]> = living.iter().map(|&b| stresses[b]).collect();
     frame.block_columns.extend(stress::in_plane(&stresses));
+    frame.block_columns.retain(|column| content.wants(&column.name));
+    frame.bolts = crate::frame::bars::surfaces(&crate::bolts::read::bars(view));
+    if !content.contacts {
+        return frame;
+    }
     let mut rows: Vec<Row> =
         view.contacts().map(|(i, j, contact)| found(view, [i, j], contact)).collect();
     rows.extend(joints(view));
     frame.contact_columns = contact_columns(&rows, slice, unit);
     frame.contact_columns.extend(water_columns(view, &rows));
-    frame.bolts = crate::frame::bars::surfaces(&crate::bolts::read::bars(view));
     frame.contact_points = rows.iter().map(|r| flat(r.place + origin)).collect();
     frame
 }

@@ -10,6 +10,7 @@ pub use check::{Check, Expected, Part, Reduce, Window};
 pub use crate::dynamics::damping::Damping;
 pub use crate::dynamics::relaxation::{Breaks, Integration, PhaseKind, Relaxation};
 use crate::planar::setup::ContactLaw;
+use crate::record::frame::Content;
 pub use crate::rhythm::Every;
 use crate::spatial::setup::JointLaw;
 pub use crate::spatial::setup::deform::CutRules as Cutting;
@@ -45,8 +46,8 @@ pub struct Plan {
     pub histories: Vec<History>,
     /// When frames are written besides the first and the last of each phase; [`Every::Never`] writes none at all.
     pub frames: Option<Every>,
-    /// Whether frames hold the tetrahedra of deformable blocks.
-    pub tetrahedra: bool,
+    /// What frames hold.
+    pub pictures: Content,
     /// When checkpoints are written besides the end of each phase.
     pub checkpoints: Option<Every>,
     /// When a line of `energy.csv` is written; `None` follows the frames.

@@ -63,6 +63,12 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     screen::print(&imports_text(summary));
     let memory = grouped((1e-6 * expected.memory).ceil() as u64);
     screen::line(&format!("  memory     about {memory} MB"));
+    if expected.frame > LARGE_FRAME {
+        let size = si(expected.frame as f64, "B");
+        screen::line(&format!(
+            "  frames     {size} each before compression (`outputs.*.frames.fields`, `contacts` choose)"
+        ));
+    }
     screen::print(&expected_text(&expected, laid_out + expected.build_time));
     if let Some(ranks) = args.ranks {
         screen::print(&ranks_text(&model.setup, ranks as usize, expected.memory)?);
@@ -77,6 +83,9 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     ));
     Ok(())
 }
+
+/// Bytes from which the size of a frame is worth a line.
+const LARGE_FRAME: usize = 10_000_000;
 
 /// How so many ranks would share the model out; `memory` of each of them, bytes.
 fn ranks_text(setup: &Setup, ranks: usize, memory: f64) -> Result<String, Failure> {

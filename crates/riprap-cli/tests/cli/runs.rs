@@ -60,6 +60,39 @@ fn a_run_leaves_everything_behind_and_says_what_next() {
     assert!(bench.path("fall-2.run").exists());
 }
 
+/// Frames hold what is asked for; a plot of what is left out says so, and a field that does not exist is an error at its name.
+#[test]
+fn frames_hold_the_fields_that_are_chosen() {
+    let bench = Bench::new();
+    let scene =
+        |keys: &str| FALL.replace("every = \"50 ms\" }", &format!("every = \"50 ms\"{keys} }}"));
+    bench.file("some.toml", scene(", fields = [\"velocity\"], contacts = false"));
+    bench.file("all.toml", FALL);
+    bench.run(&["run", "some.toml", "-q"]).expect(0);
+    bench.run(&["run", "all.toml", "-q"]).expect(0);
+    let hash = |run: &str| bench.run(&["hash", run]).expect(0).out;
+    assert_eq!(hash("some.run"), hash("all.run"));
+    let head = |run: &str| {
+        let bytes = std::fs::read(bench.path(run).join("frames/frame_000002.vtu")).unwrap();
+        String::from_utf8_lossy(&bytes).into_owned()
+    };
+    let (some, all) = (head("some.run"), head("all.run"));
+    for field in ["block", "material", "velocity"] {
+        assert!(some.contains(&format!("Name=\"{field}\"")), "{field}");
+    }
+    for field in ["displacement", "held", "stress_normal"] {
+        let name = format!("Name=\"{field}\"");
+        assert!(all.contains(&name) && !some.contains(&name), "{field}");
+    }
+    bench.run(&["plot", "some.run", "blocks", "--field", "velocity"]).expect(0);
+    bench.run(&["plot", "some.run", "blocks", "--field", "held"]).expect(2).warns(&["held"]);
+    bench.file("wrong.toml", scene(", fields = [\"velocity\", \"speed\"]"));
+    bench
+        .run(&["check", "wrong.toml"])
+        .expect(2)
+        .warns(&["frames have no field `speed`", "valid fields: block, material, displacement"]);
+}
+
 #[test]
 fn the_result_does_not_depend_on_the_threads() {
     let bench = Bench::with_scene();

@@ -141,7 +141,8 @@ fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String
             return Err(format!("{key} is not {value}"));
         }
     }
-    let mut out = Vtu { dimension: 2, ..Vtu::default() };
+    let mut whole = Vtu { dimension: 2, ..Vtu::default() };
+    let mut out = Vtu::default();
     let (mut points, mut cells) = (0, 0);
     let mut section = "";
     let mut i = 0;
@@ -151,6 +152,13 @@ fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String
             "Piece" => {
                 points = t.count("NumberOfPoints")?;
                 cells = t.count("NumberOfCells")?;
+                out = Vtu { dimension: whole.dimension, ..Vtu::default() };
+            }
+            "/Piece" => {
+                if wanted.geometry {
+                    whole_piece(&out, points, cells)?;
+                }
+                whole.append(std::mem::take(&mut out))?;
             }
             "FieldData" | "PointData" | "CellData" | "Points" | "Cells" => section = t.name,
             "DataArray" | "Array" => {
@@ -163,27 +171,106 @@ fn contents(tags: &[Tag], data: &[u8], wanted: Wanted<'_>) -> Result<Vtu, String
                     .get(i)
                     .filter(|u| u.name == "InformationKey")
                     .map_or_else(|| "-".to_owned(), |u| unescape(u.text.trim()));
-                array(&mut out, t, section, unit, data, (points, cells))?;
+                let to = if section == "FieldData" { &mut whole } else { &mut out };
+                array(to, t, section, unit, data, (points, cells))?;
                 continue;
             }
             _other => {}
         }
         i += 1;
     }
-    if !wanted.geometry {
-        return Ok(out);
-    }
-    if out.points.len() != points || out.offsets.len() != cells {
+    Ok(whole)
+}
+
+/// Checks that a piece has its points, cells and faces.
+fn whole_piece(piece: &Vtu, points: usize, cells: usize) -> Result<(), String> {
+    if piece.points.len() != points || piece.offsets.len() != cells {
         return Err("it has no points or no cells".to_owned());
     }
-    let end = out.offsets.last().map_or(0, |o| *o as usize);
-    if !out.offsets.is_sorted() || end != points || out.kinds.len() != cells {
+    let end = piece.offsets.last().map_or(0, |o| *o as usize);
+    if !piece.offsets.is_sorted() || end != points || piece.kinds.len() != cells {
         return Err("its cells do not match its points".to_owned());
     }
-    if !out.face_ends.is_empty() && out.face_ends.len() != cells {
+    if !piece.face_ends.is_empty() && piece.face_ends.len() != cells {
         return Err("its faces do not match its cells".to_owned());
     }
-    Ok(out)
+    Ok(())
+}
+
+impl Vtu {
+    /// Appends a piece, whose points and faces are counted from its own first.
+    fn append(&mut self, piece: Self) -> Result<(), String> {
+        let many = || "it has more points than can be numbered".to_owned();
+        if self.kinds.is_empty() && self.cell_columns.is_empty() && self.point_columns.is_empty() {
+            let Self { time, step, dimension, .. } = *self;
+            let phase = std::mem::take(&mut self.phase);
+            *self = Self { time, step, phase, dimension, ..piece };
+            return Ok(());
+        }
+        let base = u32::try_from(self.points.len()).map_err(|_| many())?;
+        for end in piece.offsets {
+            self.offsets.push(end.checked_add(base).ok_or_else(many)?);
+        }
+        self.append_faces(piece.faces, piece.face_ends, piece.kinds.len(), i64::from(base))?;
+        self.points.extend(piece.points);
+        self.kinds.extend(piece.kinds);
+        for (to, from) in [
+            (&mut self.cell_columns, piece.cell_columns),
+            (&mut self.point_columns, piece.point_columns),
+        ] {
+            if to.len() != from.len() {
+                return Err("its pieces do not have the same arrays".to_owned());
+            }
+            for (to, from) in to.iter_mut().zip(from) {
+                if to.name != from.name || to.components != from.components {
+                    return Err("its pieces do not have the same arrays".to_owned());
+                }
+                to.data.extend(from.data);
+            }
+        }
+        Ok(())
+    }
+
+    /// Appends the faces of a piece of so many cells, whose points are counted from `base` on.
+    fn append_faces(
+        &mut self,
+        mut faces: Vec<i64>,
+        ends: Vec<i64>,
+        cells: usize,
+        base: i64,
+    ) -> Result<(), String> {
+        if self.face_ends.is_empty() && ends.is_empty() {
+            return Ok(());
+        }
+        let bad = || "its faces cannot be read".to_owned();
+        let mut rest = &mut faces[..];
+        while let Some((count, more)) = rest.split_first_mut() {
+            rest = more;
+            for _ in 0..*count {
+                let (corners, more) = rest.split_first_mut().ok_or_else(bad)?;
+                let corners = usize::try_from(*corners).map_err(|_| bad())?;
+                let (corners, more) = more.split_at_mut_checked(corners).ok_or_else(bad)?;
+                for corner in corners {
+                    *corner = corner.checked_add(base).ok_or_else(bad)?;
+                }
+                rest = more;
+            }
+        }
+        let before = self.faces.len() as i64;
+        // A piece of bricks alone has no faces.
+        self.face_ends.resize(self.kinds.len(), -1);
+        let end = |end: i64| if end < 0 { Some(-1) } else { end.checked_add(before) };
+        match ends.is_empty() {
+            true => self.face_ends.resize(self.kinds.len() + cells, -1),
+            false => {
+                for of in ends {
+                    self.face_ends.push(end(of).ok_or_else(bad)?);
+                }
+            }
+        }
+        self.faces.extend(faces);
+        Ok(())
+    }
 }
 
 /// Refuses a file whose counts say that what is wanted of it unpacks to far more than it can hold, before anything is unpacked.

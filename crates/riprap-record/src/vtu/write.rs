@@ -1,16 +1,19 @@
 //! The writer: header text with offsets, then the blocks of compressed bytes.
 
 use std::io;
+use std::ops::Range;
 
 use flate2::{Compress, Compression, FlushCompress, Status};
 use riprap_core::exec::Exec;
 
-use crate::frame::{Column, Frame, Surfaces};
+use crate::frame::{Column, Frame, Solids, Surfaces};
 
 /// Uncompressed bytes per zlib block, as VTK's own writer uses.
 const BLOCK: usize = 1 << 15;
 /// Blocks that one thread compresses in a row.
 const RUN: usize = 4;
+/// Cells in a piece of a file, which a reader can have without the others. Most models have one.
+const PIECE: usize = 1 << 17;
 /// Of 9. Level 5 makes files 2 to 4 % smaller (frames of bricks) and takes a quarter more time.
 const LEVEL: u32 = 3;
 /// VTK cell types.
@@ -26,6 +29,11 @@ pub(super) const POLYHEDRON: u8 = 42;
 /// # Errors
 /// A frame whose parts do not fit together is `InvalidData`: a mistake of the engine.
 pub fn blocks(frame: &Frame, exec: &Exec) -> io::Result<Vec<u8>> {
+    blocks_in_pieces(frame, exec, PIECE)
+}
+
+/// As [`blocks`], with so many in a piece.
+pub(super) fn blocks_in_pieces(frame: &Frame, exec: &Exec, piece: usize) -> io::Result<Vec<u8>> {
     check(frame)?;
     let ends: Vec<i64> = frame.offsets.iter().skip(1).map(|o| i64::from(*o)).collect();
     let kinds = match &frame.solids {
@@ -40,11 +48,11 @@ pub fn blocks(frame: &Frame, exec: &Exec) -> io::Result<Vec<u8>> {
         points: &frame.points,
         ends: &ends,
         kinds: &kinds,
-        faces: face_stream(frame),
+        faces: frame.solids.as_ref().map(|solids| Faces { solids, offsets: &frame.offsets }),
         on_cells: &frame.block_columns,
         on_points: &[],
     };
-    file(frame, &mesh, exec)
+    file(frame, &mesh, exec, piece)
 }
 
 /// The contacts of a frame as a `.vtu` file of vertices.
@@ -62,7 +70,7 @@ pub fn contacts(frame: &Frame, exec: &Exec) -> io::Result<Vec<u8>> {
         on_cells: &[],
         on_points: &frame.contact_columns,
     };
-    file(frame, &mesh, exec)
+    file(frame, &mesh, exec, PIECE)
 }
 
 /// The cracks of a frame as a `.vtu` file of polygons; `None` where no block is deformable.
@@ -108,7 +116,7 @@ fn cells(frame: &Frame, cells: &Surfaces, kind: u8, exec: &Exec) -> io::Result<V
         on_cells: &cells.columns,
         on_points: &[],
     };
-    file(frame, &mesh, exec)
+    file(frame, &mesh, exec, PIECE)
 }
 
 fn check(frame: &Frame) -> io::Result<()> {
@@ -124,33 +132,44 @@ struct Mesh<'a> {
     ends: &'a [i64],
     /// Shape `[cells]`: VTK cell types.
     kinds: &'a [u8],
-    /// For polyhedra: VTK's stream of faces and where each cell ends in it (-1 for other cells).
-    faces: Option<(Vec<i64>, Vec<i64>)>,
+    /// Where there are polyhedra.
+    faces: Option<Faces<'a>>,
     on_cells: &'a [Column],
     on_points: &'a [Column],
 }
 
-/// Of each polyhedron: number of faces, then for each face its number of corners and their points.
-fn face_stream(frame: &Frame) -> Option<(Vec<i64>, Vec<i64>)> {
-    let solids = frame.solids.as_ref().filter(|s| !s.corners.is_empty())?;
-    let (mut stream, mut ends) = (Vec::new(), Vec::new());
-    for (i, range) in solids.faces.windows(2).enumerate() {
-        if range[0] == range[1] {
-            ends.push(-1);
-            continue;
-        }
-        let faces = solids.of(i);
-        stream.push(faces.len() as i64);
-        for face in faces {
-            stream.push(face.len() as i64);
-            stream.extend(face.iter().map(|&c| i64::from(frame.offsets[i] + c)));
-        }
-        ends.push(stream.len() as i64);
-    }
-    Some((stream, ends))
+/// The blocks of a frame with their faces.
+#[derive(Clone, Copy)]
+struct Faces<'a> {
+    solids: &'a Solids,
+    /// First point of each block.
+    offsets: &'a [u32],
 }
 
-fn file(frame: &Frame, mesh: &Mesh, exec: &Exec) -> io::Result<Vec<u8>> {
+impl Faces<'_> {
+    /// Of each polyhedron: number of faces, then for each face its number of corners and their points; and where each cell ends in that. `None`
+    /// where there is no polyhedron.
+    fn stream(&self, cells: &Range<usize>) -> Option<(Vec<i64>, Vec<i64>)> {
+        let (mut stream, mut ends) = (Vec::new(), Vec::new());
+        for i in cells.clone() {
+            if self.solids.faces[i] == self.solids.faces[i + 1] {
+                ends.push(-1);
+                continue;
+            }
+            let faces = self.solids.of(i);
+            let first = self.offsets[i] - self.offsets[cells.start];
+            stream.push(faces.len() as i64);
+            for face in faces {
+                stream.push(face.len() as i64);
+                stream.extend(face.iter().map(|&c| i64::from(first + c)));
+            }
+            ends.push(stream.len() as i64);
+        }
+        (!stream.is_empty()).then_some((stream, ends))
+    }
+}
+
+fn file(frame: &Frame, mesh: &Mesh, exec: &Exec, piece: usize) -> io::Result<Vec<u8>> {
     let mut w = Writer { head: String::new(), data: Vec::new(), exec };
     w.put("<?xml version=\"1.0\"?>\n");
     w.put(
@@ -173,36 +192,10 @@ fn file(frame: &Frame, mesh: &Mesh, exec: &Exec) -> io::Result<Vec<u8>> {
     w.put(&format!(
         "<Array type=\"String\" Name=\"phase\" NumberOfTuples=\"1\" format=\"ascii\">{codes}</Array>\n</FieldData>\n"
     ));
-    w.put(&format!(
-        "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-        mesh.points.len(),
-        mesh.ends.len()
-    ));
-    for (tag, columns) in [("PointData", mesh.on_points), ("CellData", mesh.on_cells)] {
-        w.put(&format!("<{tag}>\n"));
-        for c in columns {
-            w.column(c)?;
-        }
-        w.put(&format!("</{tag}>\n"));
+    for first in (0..mesh.ends.len().max(1)).step_by(piece) {
+        w.piece(mesh, first..mesh.ends.len().min(first + piece))?;
     }
-    w.put("<Points>\n");
-    let places = mesh.points.as_flattened();
-    let more = "NumberOfComponents=\"3\"";
-    w.array("Float64", "Points", more, "m", numbers(places))?;
-    w.put("</Points>\n<Cells>\n");
-    let integers =
-        |list| Items { count: <[i64]>::len(list), item: |k: usize| list[k].to_le_bytes() };
-    // No two cells share a point: each has its own run of them.
-    let ids = Items { count: mesh.points.len(), item: |k: usize| (k as i64).to_le_bytes() };
-    w.array("Int64", "connectivity", "", "-", ids)?;
-    w.array("Int64", "offsets", "", "-", integers(mesh.ends))?;
-    let kinds = Items { count: mesh.kinds.len(), item: |k: usize| [mesh.kinds[k]] };
-    w.array("UInt8", "types", "", "-", kinds)?;
-    if let Some((stream, ends)) = &mesh.faces {
-        w.array("Int64", "faces", "", "-", integers(stream))?;
-        w.array("Int64", "faceoffsets", "", "-", integers(ends))?;
-    }
-    w.put("</Cells>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
+    w.put("</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
     let mut out = w.head.into_bytes();
     out.extend_from_slice(&w.data);
     out.extend_from_slice(b"\n</AppendedData>\n</VTKFile>\n");
@@ -214,6 +207,11 @@ struct Items<F> {
     count: usize,
     /// Bytes of number `k`.
     item: F,
+}
+
+/// Each less `base`.
+fn integers(list: &[i64], base: usize) -> Items<impl Fn(usize) -> [u8; 8] + Sync> {
+    Items { count: list.len(), item: move |k: usize| (list[k] - base as i64).to_le_bytes() }
 }
 
 fn numbers(list: &[f64]) -> Items<impl Fn(usize) -> [u8; 8] + Sync> {
@@ -231,21 +229,59 @@ impl Writer<'_> {
         self.head.push_str(text);
     }
 
-    fn column(&mut self, c: &Column) -> io::Result<()> {
+    /// Cells that a reader can have alone: ParaView shares pieces out among its servers. Numbers of points begin anew in each.
+    fn piece(&mut self, mesh: &Mesh<'_>, cells: Range<usize>) -> io::Result<()> {
+        let end = |cell: usize| cell.checked_sub(1).map_or(0, |before| mesh.ends[before] as usize);
+        let points = end(cells.start)..end(cells.end);
+        self.put(&format!(
+            "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+            points.len(),
+            cells.len()
+        ));
+        let sides = [("PointData", mesh.on_points, &points), ("CellData", mesh.on_cells, &cells)];
+        for (tag, columns, of) in sides {
+            self.put(&format!("<{tag}>\n"));
+            for c in columns {
+                self.column(c, of)?;
+            }
+            self.put(&format!("</{tag}>\n"));
+        }
+        self.put("<Points>\n");
+        let places = mesh.points[points.clone()].as_flattened();
+        let more = "NumberOfComponents=\"3\"";
+        self.array("Float64", "Points", more, "m", numbers(places))?;
+        self.put("</Points>\n<Cells>\n");
+        // No two cells share a point: each has its own run of them.
+        let ids = Items { count: points.len(), item: |k: usize| (k as i64).to_le_bytes() };
+        self.array("Int64", "connectivity", "", "-", ids)?;
+        self.array("Int64", "offsets", "", "-", integers(&mesh.ends[cells.clone()], points.start))?;
+        let kinds = &mesh.kinds[cells.clone()];
+        let kinds = Items { count: kinds.len(), item: |k: usize| [kinds[k]] };
+        self.array("UInt8", "types", "", "-", kinds)?;
+        if let Some(faces) = mesh.faces.and_then(|solids| solids.stream(&cells)) {
+            self.array("Int64", "faces", "", "-", integers(&faces.0, 0))?;
+            self.array("Int64", "faceoffsets", "", "-", integers(&faces.1, 0))?;
+        }
+        self.put("</Cells>\n</Piece>\n");
+        Ok(())
+    }
+
+    fn column(&mut self, c: &Column, of: &Range<usize>) -> io::Result<()> {
         let names = "NumberOfComponents=\"3\" ComponentName0=\"x\" ComponentName1=\"y\" ComponentName2=\"z\"";
+        let data = &c.data[c.components * of.start..c.components * of.end];
         // Vectors of VTK have three components.
         if c.components == 2 {
             let padded = Items {
-                count: c.data.len() / 2 * 3,
+                count: data.len() / 2 * 3,
                 item: |k: usize| match k % 3 {
                     2 => 0.0_f64.to_le_bytes(),
-                    axis => c.data[k / 3 * 2 + axis].to_le_bytes(),
+                    axis => data[k / 3 * 2 + axis].to_le_bytes(),
                 },
             };
             self.array("Float64", &c.name, names, &c.unit, padded)
         } else {
             let more = if c.components == 3 { names } else { "" };
-            self.array("Float64", &c.name, more, &c.unit, numbers(&c.data))
+            self.array("Float64", &c.name, more, &c.unit, numbers(data))
         }
     }
 

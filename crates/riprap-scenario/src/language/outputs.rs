@@ -54,6 +54,11 @@ pub struct Schedule {
 pub struct Pictures {
     /// How often besides the first and the last state of each phase; `"never"` writes none.
     pub every: Every,
+    /// Fields of the blocks that are written; the number and the material of each block always are. Default: all. Pictures and plots draw
+    /// only what is written.
+    pub fields: Option<Names>,
+    /// Whether contacts and joints are written, with forces and states. Default true.
+    pub contacts: Option<bool>,
     /// Whether the tetrahedra of deformable blocks are written too, with their stresses and strains. Default false.
     #[serde(default)]
     #[key(space = "spatial")]

@@ -7,6 +7,7 @@ use riprap_geom::{Quat, Vec3};
 use crate::broad::search::Candidate;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::frame::Content;
 use crate::kernel::offset::{Carried, Offset};
 use crate::query::view::View;
 use crate::setup::{
@@ -177,11 +178,22 @@ fn frames_hold_every_number_of_found_contacts() {
     let block = brick([0.0, 0.0, 1e-4], [0.5; 3]);
     let mut run = Run::new(above_floor(vec![block], 0.5, 0.2), 1, 1e-4);
     run.until(0.1);
-    let frame = crate::read::picture::frame(&run.view(), "fall");
+    let frame = crate::read::picture::frame(&run.view(), "fall", &Content::default());
     assert_eq!(frame.contact_points.len(), 1);
     for column in &frame.contact_columns {
         assert_eq!(column.data.len(), column.components, "{}", column.name);
     }
+    let fields: Vec<_> = frame.block_columns.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(fields, crate::read::picture::FIELDS);
+    let some = Content {
+        fields: Some(vec!["velocity".to_owned()]),
+        contacts: false,
+        ..Content::default()
+    };
+    let frame = crate::read::picture::frame(&run.view(), "fall", &some);
+    let fields: Vec<_> = frame.block_columns.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(fields, ["block", "material", "velocity"]);
+    assert!(frame.contact_points.is_empty() && frame.contact_columns.is_empty());
 }
 
 #[test]

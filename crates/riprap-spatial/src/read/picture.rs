@@ -3,7 +3,7 @@
 use crate::setup::rotation::rotation;
 use riprap_geom::{Mat3, Vec3};
 
-use crate::frame::{BRICK, Column, Frame, SEEPAGE_FLOW, Solids, stress};
+use crate::frame::{BRICK, Column, Content, Frame, SEEPAGE_FLOW, Solids, stress};
 use crate::laws::norm;
 use crate::query::view::View;
 use crate::read::fields::principal;
@@ -21,9 +21,28 @@ pub const MANY_PATCHES: usize = 200_000;
 /// A number of a crack, with the mass in it, kg.
 type OfCrack = fn(&Crack, f64) -> f64;
 
-/// A picture of the living blocks and their patches.
+/// Names of the columns of blocks.
+pub const FIELDS: [&str; 15] = [
+    "block",
+    "material",
+    "level",
+    "displacement",
+    "rotation",
+    "velocity",
+    "peak_speed",
+    "sigma1_compressive",
+    "sigma3_compressive",
+    "pressure",
+    "broken_share",
+    "surface",
+    "held",
+    stress::NORMAL,
+    stress::SHEAR,
+];
+
+/// A picture of the living blocks and their patches, as far as they are wanted.
 #[must_use]
-pub fn frame(view: &View<'_>, phase: &str) -> Frame {
+pub fn frame(view: &View<'_>, phase: &str, content: &Content) -> Frame {
     let world = view.world;
     let living: Vec<usize> = view.living().collect();
     let mut frame = Frame {
@@ -45,11 +64,23 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     }
     frame.solids = Some(solids);
     frame.block_columns = block_columns(view, &living);
-    put_patches(view, &mut frame);
-    put_contacts(view, &mut frame);
-    put_facets(view, &mut frame);
+    frame.block_columns.retain(|column| content.wants(&column.name));
+    if content.contacts {
+        put_interfaces(view, &mut frame);
+    }
+    frame.cracks = crate::read::cracks::surfaces(view);
+    frame.bolts = crate::frame::bars::surfaces(&crate::read::bars::bars(view));
+    frame
+}
+
+/// Patches, contacts and facets, with the water and the gas between their blocks.
+fn put_interfaces(view: &View<'_>, frame: &mut Frame) {
+    let world = view.world;
+    put_patches(view, frame);
+    put_contacts(view, frame);
+    put_facets(view, frame);
     if world.water.is_some() {
-        let rows = pairs_of(world, &frame);
+        let rows = pairs_of(world, frame);
         let pressures = rows.iter().map(|(pair, at)| world.pressure_between(*pair, *at));
         let column = Column::scalar("pore_pressure", "Pa", pressures.collect());
         frame.contact_columns.push(column);
@@ -64,7 +95,7 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
     }
     // From the first frame on, so that all have the same columns.
     if world.cavities.iter().any(|cavity| world.cracks_of(cavity).is_some()) {
-        let rows = pairs_of(world, &frame);
+        let rows = pairs_of(world, frame);
         let columns: [(&str, &str, OfCrack); 4] = [
             ("gas_pressure", "Pa", |crack, _| crack.pressure),
             ("gas_aperture", "m", |crack, _| crack.aperture),
@@ -76,9 +107,6 @@ pub fn frame(view: &View<'_>, phase: &str) -> Frame {
             frame.contact_columns.push(Column::scalar(name, unit, values.collect()));
         }
     }
-    frame.cracks = crate::read::cracks::surfaces(view);
-    frame.bolts = crate::frame::bars::surfaces(&crate::read::bars::bars(view));
-    frame
 }
 
 /// Blocks and place (local, m) of each interface and contact of a frame.

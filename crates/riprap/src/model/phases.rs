@@ -11,8 +11,10 @@ use crate::plan::{
 };
 use crate::plan::{IMPLICIT_STEP, Integration, Rest, STATIC_STEP};
 use crate::planar::setup::ContactLaw;
-use crate::scenario::language::{self, CutAxis, Output, Reset};
+use crate::record::frame::Content;
+use crate::scenario::language::{self, CutAxis, Output, Pictures, Reset};
 use crate::scenario::read::{Given, Provenance, with_unit};
+use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::spatial::setup::JointLaw;
 use riprap_geom::Vec3;
@@ -277,7 +279,7 @@ impl Builder<'_> {
                     self.plan.frames = Some(every);
                     let ends = "are written only at the start and at the end of each phase";
                     self.too_rare(format!("frames {ends}"), every, &pictures.every.span);
-                    self.plan.tetrahedra = pictures.tetrahedra;
+                    self.pictures(pictures);
                 }
                 Output::Checkpoints(schedule) => {
                     let every = schedule.every.read();
@@ -287,6 +289,24 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// What frames hold.
+    fn pictures(&mut self, said: &Pictures) {
+        let known: &[&str] = match self.space {
+            InSpace::Planar => &crate::planar::picture::FIELDS,
+            InSpace::Spatial => &crate::spatial::read::picture::FIELDS,
+        };
+        let names: Vec<_> = said.fields.iter().flat_map(|names| &names.0).collect();
+        for name in names.iter().filter(|name| !known.contains(&name.as_str())) {
+            let message = format!("frames have no field `{}`", name.as_str());
+            let help = format!("valid fields: {}", known.join(", "));
+            self.error_at("name.unknown", name.span.clone(), message, help);
+        }
+        let fields = said.fields.is_some();
+        let fields = fields.then(|| names.iter().map(|name| name.as_str().to_owned()).collect());
+        let (contacts, tetrahedra) = (said.contacts.unwrap_or(true), said.tetrahedra);
+        self.plan.pictures = Content { fields, contacts, tetrahedra };
     }
 
     /// Warns of a rhythm that is longer than the run, which is no longer than the times, or the steps, of its phases.

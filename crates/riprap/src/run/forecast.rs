@@ -84,6 +84,8 @@ pub struct Forecast {
     pub build_time: f64,
     /// Most memory at a time, B.
     pub memory: f64,
+    /// A frame before it is compressed, B; 0 where none is written.
+    pub frame: usize,
     /// Blocks in space that can meet.
     pub found: Option<Outlook>,
     /// Where in space free blocks lose most of a tilting load to the softness of the joint on which they stand; absent where none stand so.
@@ -172,6 +174,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let meets = touching.min(simulation.engine().contact_step_limit(USUAL));
     warnings.extend((plan.phases.iter()).filter_map(|p| idle_safety(p, stable.dt, meets)));
     let memory = memory::expected(&parts(&simulation.view(), setup, contacts, found.as_ref()));
+    let frame = memory::of_frame(&simulation.view(), plan);
     let trial = Trial::of(&mut simulation, stage)?;
     let [least_steps, steps] = match trial.end {
         Some(taken) => [Some(taken); 2],
@@ -197,6 +200,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         cpu_time: steps.map(|n| n as f64 / trial.rate),
         build_time,
         memory,
+        frame,
         found,
         toe,
         warnings,

@@ -11,6 +11,7 @@ use crate::ledger::{Balance, COLUMNS};
 use crate::plan::{Every, Plan};
 use crate::record::checkpoint::Packing;
 use crate::record::conditions::{self, Conditions};
+use crate::record::frame::Content;
 use crate::record::{FieldError, Marks, OutputError, RunFolder};
 
 /// Records written so far, per rhythm; part of a checkpoint.
@@ -61,7 +62,7 @@ pub struct Recorder {
     origin: Origin,
     readings: Vec<(Reading, Every)>,
     frames: Option<Every>,
-    tetrahedra: bool,
+    pictures: Content,
     energy: Option<Every>,
     checkpoints: Option<Every>,
     counts: Counts,
@@ -116,7 +117,7 @@ impl Recorder {
             origin,
             readings,
             frames: plan.frames,
-            tetrahedra: plan.tetrahedra,
+            pictures: plan.pictures.clone(),
             energy: plan.energy.or(plan.frames),
             checkpoints: plan.checkpoints,
             counts,
@@ -181,10 +182,7 @@ impl Recorder {
             }
             let phase = simulation.phase().map_or("", |p| p.name.as_str());
             let view = simulation.view();
-            let mut picture = view.frame(phase);
-            if self.tetrahedra {
-                picture.tetrahedra = view.tetrahedra();
-            }
+            let picture = view.picture(phase, &self.pictures);
             self.folder.frame(&picture, view.exec())?;
         }
         Ok(())

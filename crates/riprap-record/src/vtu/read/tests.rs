@@ -1,5 +1,6 @@
 //! Round trips, damage of every kind, the golden head.
 
+use super::super::write::blocks_in_pieces;
 use super::super::{PvdEntry, blocks, contacts, read_blocks, read_frame, read_pvd, write_pvd};
 use super::*;
 use crate::exec::Exec;
@@ -24,6 +25,58 @@ fn frame_round_trip() {
         std::fs::write(&c, contacts(&frame, &Exec::serial()).unwrap()).unwrap();
         assert_eq!(read_frame(&b, Some(&c)).unwrap(), frame);
     }
+}
+
+/// A brick, a tetrahedron, and as often again.
+fn mixed(times: u32) -> Frame {
+    let mut one = solid_sample();
+    let whole = one.clone();
+    let (cells, points) = (whole.blocks() as u32, whole.points.len() as u32);
+    for again in 1..times {
+        one.offsets.extend(whole.offsets[1..].iter().map(|end| end + again * points));
+        one.points.extend(whole.points.iter().map(|[x, y, z]| [x + f64::from(again), *y, *z]));
+        let solids = one.solids.as_mut().unwrap();
+        let more = whole.solids.as_ref().unwrap();
+        let (faces, corners) = (solids.ends.len() as u32 - 1, solids.corners.len() as u32);
+        solids.faces.extend(more.faces[1..].iter().map(|end| end + faces));
+        solids.ends.extend(more.ends[1..].iter().map(|end| end + corners));
+        solids.corners.extend(&more.corners);
+        for (column, more) in one.block_columns.iter_mut().zip(&whole.block_columns) {
+            column.data.extend(&more.data);
+        }
+    }
+    assert_eq!(one.blocks() as u32, times * cells);
+    one
+}
+
+#[test]
+fn pieces_are_read_as_one() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("b.vtu");
+    for frame in [sample(), mixed(1), mixed(4)] {
+        let frame = Frame { contact_points: Vec::new(), contact_columns: Vec::new(), ..frame };
+        for piece in [1, 2, 3, 5, 100] {
+            std::fs::write(&path, blocks_in_pieces(&frame, &Exec::serial(), piece).unwrap())
+                .unwrap();
+            assert_eq!(read_frame(&path, None).unwrap(), frame, "{piece}");
+            let wanted = Wanted { geometry: false, column: &|name| name == "level" };
+            let some = read_some(&path, wanted).unwrap();
+            let level = frame.column("level");
+            assert_eq!(some.cell_columns.first(), level, "{piece}");
+        }
+    }
+    // Damaged ones are refused, none panics.
+    let bytes = blocks_in_pieces(&mixed(3), &Exec::serial(), 1).unwrap();
+    for at in (0..bytes.len()).step_by(7) {
+        let mut bytes = bytes.clone();
+        bytes[at] ^= 0x15;
+        let _ = parsed(&bytes);
+    }
+    let text = bytes.windows(7).position(|w| w == b"\"level\"").unwrap();
+    let mut bytes = bytes.clone();
+    bytes[text..text + 7].copy_from_slice(b"\"other\"");
+    let error = parsed(&bytes).unwrap_err().to_string();
+    assert!(error.contains("do not have the same arrays"), "{error}");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::record::field::Site;
 use crate::record::frame::bars;
 use crate::record::frame::fragments::Fragments;
 use crate::record::frame::states;
-use crate::record::frame::{Frame, Surfaces};
+use crate::record::frame::{Content, Frame, Surfaces};
 use crate::record::manifest::{Source, Work};
 use crate::record::names::Names;
 use crate::spatial::Deepest;
@@ -429,12 +429,22 @@ impl<'a> View<'a> {
         either!(self, v => &v.scratch.exec)
     }
 
-    /// A picture.
+    /// A picture with everything but tetrahedra.
     #[must_use]
     pub fn frame(&self, phase: &str) -> Frame {
-        match self {
-            Self::Planar(v) => planar::picture::frame(v, phase),
-            Self::Spatial(v) => spatial::read::picture::frame(v, phase),
+        self.picture(phase, &Content::default())
+    }
+
+    /// A picture with what is wanted.
+    #[must_use]
+    pub fn picture(&self, phase: &str, content: &Content) -> Frame {
+        let mut frame = match self {
+            Self::Planar(v) => planar::picture::frame(v, phase, content),
+            Self::Spatial(v) => spatial::read::picture::frame(v, phase, content),
+        };
+        if content.tetrahedra {
+            frame.tetrahedra = self.tetrahedra();
         }
+        frame
     }
 }
