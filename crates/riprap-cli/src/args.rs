@@ -2,11 +2,15 @@
 //!
 //! Doc comments here are the `--help` texts. They are read aloud before they are committed.
 
+mod blocks;
 mod plot;
+mod runout;
 mod shell;
 mod view;
 
+pub use blocks::{ProbeContact, Removable};
 pub use plot::Plot;
+pub use runout::Runout;
 pub use shell::{Completions, Man};
 pub use view::{Paraview, Report, View};
 
@@ -75,6 +79,8 @@ pub enum Verb {
     Bisect(Bisect),
     Safety(Safety),
     Trust(Trust),
+    Removable(Removable),
+    Runout(Runout),
     Compare(Compare),
     ProbeContact(ProbeContact),
     Verify(Verify),
@@ -441,31 +447,6 @@ pub struct Compare {
     /// Replace existing results
     #[arg(long)]
     pub force: bool,
-}
-
-/// Show the contact forces of a scene at its start, without any step.
-///
-/// One row per contact: overlap, length, centre, force on the first block, moments about each block's
-/// own centroid, and the contact types of the source law. Blocks closer than the threshold that do not
-/// touch follow with their gap.
-#[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  riprap probe-contact two.toml
-  riprap probe-contact two.toml --pair left right --json")]
-pub struct ProbeContact {
-    #[command(flatten)]
-    pub scene: Scene,
-    /// Distance below which blocks are listed and features count as touching in the source's contact
-    /// types, for example '1 mm' [default: a thousandth of the smaller block]
-    #[arg(long, value_name = "LENGTH")]
-    pub threshold: Option<String>,
-    /// Only this pair of blocks, by name
-    #[arg(long, num_args = 2, value_names = ["A", "B"])]
-    pub pair: Option<Vec<String>>,
-    /// Print as JSON
-    #[arg(long)]
-    pub json: bool,
 }
 
 /// Run scenes and evaluate their checks.

@@ -27,6 +27,7 @@ const SAME: &[&[&str]] = &[
     &["crack", "fracture"],
     &["joint", "discontinuit", "dfn"],
     &["fos", "safety"],
+    &["keyblock", "removable", "wedge"],
     &["terrain", "topograph"],
     &["rebound", "restitution", "bounce"],
 ];

@@ -47,6 +47,8 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::Bisect(args) => commands::trials::bisect(&args),
         Verb::Safety(args) => commands::safety::run(&args, style),
         Verb::Trust(args) => commands::trust::run(&args, style),
+        Verb::Removable(args) => commands::removable::run(&args, style),
+        Verb::Runout(args) => commands::runout::run(&args),
         Verb::Compare(args) => commands::trials::compare(&args),
         Verb::ProbeContact(args) => commands::probe::run(&args, style),
         Verb::Verify(args) => commands::verify::run(&args),

@@ -4,6 +4,7 @@
 //! signals and callbacks; errors become the exceptions of `riprap.errors`.
 
 mod arrays;
+mod blocks;
 mod document;
 mod errors;
 mod live;
@@ -23,6 +24,8 @@ use pyo3::prelude::*;
 mod _riprap {
     #[pymodule_export]
     use crate::arrays::{read_frame, read_table};
+    #[pymodule_export]
+    use crate::blocks::{removable, runout};
     #[pymodule_export]
     use crate::document::{to_toml, to_value, with_table};
     #[pymodule_export]

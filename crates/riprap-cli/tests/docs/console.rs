@@ -180,6 +180,11 @@ fn the_first_support_works() {
 }
 
 #[test]
+fn the_page_on_removable_blocks_works() {
+    run_page("how-to/removable-blocks.md");
+}
+
+#[test]
 fn the_first_water_works() {
     run_page("first-water.md");
 }

@@ -1,6 +1,7 @@
 //! Pure functions on numbers, each citing its source. They know no world.
 
 pub mod behaviour;
+pub mod block_theory;
 pub mod bolt;
 pub mod bond;
 pub mod bounds;

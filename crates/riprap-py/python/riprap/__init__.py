@@ -13,6 +13,7 @@ with units::
 """
 
 from . import shapes
+from ._blocks import Removable, RemovableBlock, Runout, removable, runout
 from ._data import Field, Fields, Frame, Table
 from ._folder import RunFolder
 from ._monte_carlo import MonteCarlo, monte_carlo
@@ -52,10 +53,13 @@ __all__ = [
     "Picture",
     "PlotError",
     "Progress",
+    "Removable",
+    "RemovableBlock",
     "Report",
     "RiprapError",
     "RunError",
     "RunFolder",
+    "Runout",
     "Safety",
     "Scenario",
     "ScenarioError",
@@ -73,8 +77,10 @@ __all__ = [
     "find",
     "monte_carlo",
     "plot",
+    "removable",
     "resume",
     "run",
+    "runout",
     "safety",
     "schema",
     "shapes",

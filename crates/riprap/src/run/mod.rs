@@ -29,7 +29,11 @@ pub mod origin;
 mod overruled;
 pub mod probe;
 pub mod recorder;
+#[cfg(feature = "scenario")]
+pub mod removable;
 mod rough;
+#[cfg(feature = "scenario")]
+pub mod runout;
 #[cfg(feature = "scenario")]
 pub mod scene;
 pub mod simulation;

@@ -1,0 +1,71 @@
+//! Verbs that look at the blocks of a scene without a step.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::Scene;
+
+/// List the removable blocks of a scene in space, by block theory: mode, factor of safety, support.
+///
+/// A block is removable if some direction leads it away from all its neighbours (Goodman & Shi 1985). Its weight, with the push of the water,
+/// then makes it fall, slide on one plane or on two, or presses it into its place; the factor of safety is the strength of the planes it
+/// slides along over the force along its way. Key blocks are those below a factor of 1. Taken are the blocks of the last phase as it begins, without
+/// running anything: excavated blocks are gone, and the water stands.
+#[derive(Debug, Args)]
+#[command(visible_alias = "key-blocks")]
+#[command(after_help = "\
+Examples:
+  riprap removable wedge.toml
+  riprap removable tunnel.toml --factor 1.5 --rounds 10 --out blocks.csv
+  riprap removable wedge.toml --set 'interfaces.default.friction_angle=30 deg' --json
+
+Types of Goodman & Shi: I key block; II held by the strength of its joints; III held by its weight; IV tapered, not removable.
+The support force acts against the motion, the support pressure on the free faces by which the block goes out.")]
+pub struct Removable {
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Factor of safety that support is to give, and below which blocks are taken out between rounds
+    #[arg(long, value_name = "F", default_value_t = 1.0)]
+    pub factor: f64,
+    /// Rounds: after each the blocks below the factor are taken out, and those that they have held are examined
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pub rounds: u32,
+    /// Phase at whose beginning [default: the last]
+    #[arg(long, value_name = "NAME")]
+    pub phase: Option<String>,
+    /// List tapered blocks too
+    #[arg(long)]
+    pub all: bool,
+    /// Write the blocks, tapered ones too, to this file as CSV
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Print as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Show the contact forces of a scene at its start, without any step.
+///
+/// One row per contact: overlap, length, centre, force on the first block, moments about each block's
+/// own centroid, and the contact types of the source law. Blocks closer than the threshold that do not
+/// touch follow with their gap.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  riprap probe-contact two.toml
+  riprap probe-contact two.toml --pair left right --json")]
+pub struct ProbeContact {
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Distance below which blocks are listed and features count as touching in the source's contact
+    /// types, for example '1 mm' [default: a thousandth of the smaller block]
+    #[arg(long, value_name = "LENGTH")]
+    pub threshold: Option<String>,
+    /// Only this pair of blocks, by name
+    #[arg(long, num_args = 2, value_names = ["A", "B"])]
+    pub pair: Option<Vec<String>>,
+    /// Print as JSON
+    #[arg(long)]
+    pub json: bool,
+}

@@ -1,0 +1,73 @@
+//! `riprap removable`: removable blocks and key blocks.
+
+use riprap::exec::Exec;
+use riprap::run::removable::{Answer, Block, Kind, RemovableError, Rules, removable};
+
+use crate::args::Removable;
+use crate::commands::write_file;
+use crate::diagnostics::Style;
+use crate::failure::Failure;
+use crate::numbers::{ratio, si};
+use crate::{scenes, screen};
+
+/// `riprap removable`.
+pub fn run(args: &Removable, style: Style) -> Result<(), Failure> {
+    let job = scenes::prepare(&args.scene, style, args.json)?.job();
+    let rules = Rules { factor: args.factor, rounds: args.rounds, phase: args.phase.clone() };
+    let answer = removable(job.setup, job.plan, &rules, Exec::serial()).map_err(|e| match e {
+        RemovableError::Planar | RemovableError::Phase { .. } | RemovableError::Factor => {
+            Failure::Input(e.to_string())
+        }
+        RemovableError::Build(_) | RemovableError::Run(_) => Failure::Physics(e.to_string()),
+    })?;
+    if let Some(file) = &args.out {
+        let table = answer.table().map_err(|e| Failure::Output(e.to_string()))?;
+        write_file(file, &table)?;
+    }
+    if args.json {
+        screen::line(&serde_json::json!(answer).to_string());
+        return Ok(());
+    }
+    let listed: Vec<&Block> =
+        answer.blocks.iter().filter(|block| args.all || block.kind != Kind::Tapered).collect();
+    if !listed.is_empty() {
+        screen::print(&table(&answer, &listed, args.rounds > 1));
+    }
+    screen::line(&answer.words());
+    if let Some(file) = &args.out {
+        screen::line(&file.display().to_string());
+    }
+    Ok(())
+}
+
+/// A row a block.
+fn table(answer: &Answer, listed: &[&Block], rounds: bool) -> String {
+    let force = format!("force for F = {}", answer.factor);
+    let mut heads = vec!["block", "type", "", "volume", "F", &force, "pressure", "motion"];
+    if rounds {
+        heads.insert(1, "round");
+    }
+    let rows = listed.iter().map(|block| {
+        let supported = block.support_force > 0.0;
+        let pressure = block.support_pressure.filter(|_| supported);
+        let mut row = vec![
+            block.name.clone(),
+            block.kind.number().to_owned(),
+            block.kind.word().to_owned(),
+            format!("{} m3", ratio(block.volume)),
+            if block.factor_of_safety.is_finite() {
+                ratio(block.factor_of_safety)
+            } else {
+                "-".to_owned()
+            },
+            if supported { si(block.support_force, "N") } else { "-".to_owned() },
+            pressure.map_or_else(|| "-".to_owned(), |p| si(p, "Pa")),
+            block.way(),
+        ];
+        if rounds {
+            row.insert(1, block.round.to_string());
+        }
+        row
+    });
+    screen::table(&heads, rows)
+}

@@ -1,0 +1,146 @@
+"""Removable blocks by block theory, and the run-out of rocks."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any
+
+from . import _riprap
+from ._folder import RunFolder
+from ._scenario import Scenario, scenario
+
+INFINITE = float("inf")
+
+
+@dataclass(frozen=True)
+class RemovableBlock:
+    """A block with a free face, SI."""
+
+    name: str
+    kind: str
+    """``key``, ``potential`` (held by strength), ``safe`` (held by weight) or ``tapered``."""
+    round: int
+    """Round in which it was looked at."""
+    volume: float
+    weight: float
+    centroid: tuple[float, float, float]
+    free_area: float
+    mode: str
+    """``falling``, ``sliding`` on one plane, ``wedge`` on two, ``held`` by the resultant."""
+    planes: list[dict[str, Any]]
+    """Planes that it slides along: interfaces, dip and dip_direction (deg), area, pressing and strength (N)."""
+    direction: tuple[float, float, float]
+    driving: float
+    resisting: float
+    factor_of_safety: float
+    support_force: float
+    """Force against the motion that gives the wanted factor, N."""
+    support_pressure: "float | None"
+    """The same by a pressure on the free faces by which it goes out, Pa."""
+
+
+@dataclass(frozen=True)
+class Removable:
+    """Removable and tapered blocks of a scenario."""
+
+    phase: str
+    """The phase at whose beginning."""
+    blocks: list[RemovableBlock]
+    inside: int
+    """Blocks without a free face."""
+    ground: int
+    """Blocks that are fixed or go on beyond the model."""
+    not_counted: list[str]
+    """What the scenario has and block theory leaves out."""
+    words: str
+    """How many there are of each kind."""
+
+    @property
+    def key_blocks(self) -> list[RemovableBlock]:
+        """Removable blocks with a factor of safety below 1."""
+        return [block for block in self.blocks if block.kind == "key"]
+
+
+def _block(told: dict[str, Any]) -> RemovableBlock:
+    # What is infinite is null in JSON.
+    told["factor_of_safety"] = INFINITE if told["factor_of_safety"] is None else told["factor_of_safety"]
+    told["resisting"] = INFINITE if told["resisting"] is None else told["resisting"]
+    for plane in told["planes"]:
+        plane["strength"] = INFINITE if plane["strength"] is None else plane["strength"]
+    for name in ("centroid", "direction"):
+        told[name] = tuple(told[name])
+    return RemovableBlock(**told)
+
+
+def removable(
+    source: "Scenario | Mapping[str, Any] | str | PathLike[str]",
+    *,
+    case: str | None = None,
+    factor: float = 1.0,
+    rounds: int = 1,
+    phase: str | None = None,
+) -> Removable:
+    """Lists the removable blocks of a scenario in space, by block theory (Goodman & Shi 1985), without running it.
+
+    Args:
+        source: a scenario, or what makes one.
+        case: name of a case; by default the scenario as it stands.
+        factor: factor of safety that support is to give; blocks below it are taken out between rounds.
+        rounds: most rounds.
+        phase: phase at whose beginning; by default the last.
+
+    Raises:
+        ScenarioError: the scenario is wrong.
+        ValueError: the scenario is in the plane, there is no such phase, or the factor is none.
+    """
+    told, words = _riprap.removable(scenario(source)._scene, case, factor, rounds, phase)
+    answer = json.loads(told)
+    blocks = [_block(block) for block in answer["blocks"]]
+    same = {key: answer[key] for key in ("phase", "inside", "ground", "not_counted")}
+    return Removable(blocks=blocks, words=words, **same)
+
+
+@dataclass(frozen=True)
+class Runout:
+    """Where rocks went, SI; angles in deg."""
+
+    rocks: list[dict[str, Any]]
+    """A dictionary a rock: run, name, mass, start, end, runout, drop, travel_angle, max_speed, max_height, max_energy, end_speed."""
+    passages: list[dict[str, Any]]
+    """First passages of lines: line, run, rock, time, at, height, speed, energy."""
+    lines: dict[str, dict[str, Any]]
+    """By name: passed, rocks, share and its 95 % interval; height, speed, energy as half, most (nine in ten), largest."""
+    runout: dict[str, float]
+    """Run-out that half of the rocks and nine in ten (``most``) have not exceeded, and the largest."""
+    least_angle: float
+    """Least angle of travel."""
+    moving: int
+    """Rocks that still move at the end."""
+    words: str
+
+
+def runout(
+    *runs: "RunFolder | str | PathLike[str]",
+    of: str | None = None,
+    lines: "Mapping[str, str] | None" = None,
+) -> Runout:
+    """Gives the run-out of the rocks of runs, from their frames.
+
+    Args:
+        runs: run folders, or folders of a sweep or a Monte Carlo study, whose rocks count together.
+        of: only the rocks of this group; by default all free blocks.
+        lines: lines by name: ``{"road": "40 m", "fence": "40 m,-10 m..45 m,10 m"}``.
+
+    Raises:
+        ValueError: a folder without runs or with too few frames, an unknown group, a line that is none.
+    """
+    folders = [Path(run.path if isinstance(run, RunFolder) else fspath(run)) for run in runs]
+    asked = [f"{name}={place}" for name, place in (lines or {}).items()]
+    told, words = _riprap.runout(folders, of, asked)
+    answer = json.loads(told)
+    same = {key: answer[key] for key in ("rocks", "passages", "runout", "least_angle", "moving")}
+    return Runout(lines={line["line"]: line for line in answer["lines"]}, words=words, **same)
