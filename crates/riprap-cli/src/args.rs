@@ -6,12 +6,14 @@ mod blocks;
 mod plot;
 mod runout;
 mod shell;
+mod strength;
 mod view;
 
 pub use blocks::{ProbeContact, Removable};
 pub use plot::Plot;
 pub use runout::Runout;
 pub use shell::{Completions, Man};
+pub use strength::Strength;
 pub use view::{Paraview, Report, View};
 
 use std::path::PathBuf;
@@ -81,6 +83,7 @@ pub enum Verb {
     Trust(Trust),
     Removable(Removable),
     Runout(Runout),
+    Strength(Strength),
     Compare(Compare),
     ProbeContact(ProbeContact),
     Verify(Verify),

@@ -4,12 +4,12 @@
 //! signals and callbacks; errors become the exceptions of `riprap.errors`.
 
 mod arrays;
-mod blocks;
 mod document;
 mod errors;
 mod live;
 mod look;
 mod plots;
+mod results;
 mod runs;
 mod safety;
 mod scene;
@@ -25,8 +25,6 @@ mod _riprap {
     #[pymodule_export]
     use crate::arrays::{read_frame, read_table};
     #[pymodule_export]
-    use crate::blocks::{removable, runout};
-    #[pymodule_export]
     use crate::document::{to_toml, to_value, with_table};
     #[pymodule_export]
     use crate::live::Simulation;
@@ -34,6 +32,8 @@ mod _riprap {
     use crate::look::Progress;
     #[pymodule_export]
     use crate::plots::plot;
+    #[pymodule_export]
+    use crate::results::{removable, runout, strength};
     #[pymodule_export]
     use crate::runs::{resume, run};
     #[pymodule_export]

@@ -15,6 +15,7 @@ pub mod runout;
 pub mod safety;
 pub mod scratch;
 pub mod shell;
+pub mod strength;
 pub mod sweep;
 pub mod trials;
 pub mod trust;

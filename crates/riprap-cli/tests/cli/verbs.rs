@@ -54,6 +54,7 @@ fn wrong_scenes_point_at_the_place() {
             "sweep",
             "bisect",
             "safety",
+            "removable",
             "compare",
             "probe-contact",
             "hash",
@@ -67,14 +68,41 @@ fn wrong_scenes_point_at_the_place() {
             }
         }
     }
-    for verb in
-        ["check", "run", "sweep", "bisect", "safety", "compare", "probe-contact", "explain", "hash"]
-    {
+    for verb in [
+        "check",
+        "run",
+        "sweep",
+        "bisect",
+        "safety",
+        "removable",
+        "compare",
+        "probe-contact",
+        "explain",
+        "hash",
+    ] {
         bench.run(&[verb, "missing.toml"]).expect(2).warns(&["missing.toml"]);
     }
     bench.file("noise.toml", [0u8, 159, 146, 150, 255, 7, 27, 91]);
     let said = bench.run(&["run", "noise.toml"]).expect(2);
     assert!(!said.err.contains('\u{1b}'), "{:?}", said.err);
+}
+
+#[test]
+fn results_of_runs_are_named() {
+    let bench = Bench::with_scene();
+    bench.run(&["run", "fall.toml"]).expect(0);
+    bench.run(&["runout", "fall.run", "--line", "wall=1 m"]).expect(0).says(&[
+        "1 rock of 1 run",
+        "wall: 0 of 1 rocks pass, 0.0 %",
+        "fall.runout",
+    ]);
+    bench.run(&["runout", "fall.run", "--line", "wall=1 s"]).expect(2).warns(&["is not a line"]);
+    bench.run(&["runout", "fall.toml"]).expect(2).warns(&["holds no run"]);
+    let told = bench.run(&["strength", "fall.run", "--stress", "height"]).expect(0);
+    told.says(&["uniaxial strength"]);
+    bench.run(&["strength", "fall.run", "--load", "height"]).expect(2).warns(&["--area"]);
+    bench.run(&["strength", "fall.run", "--stress", "hight"]).expect(2).warns(&["hight"]);
+    bench.run(&["removable", "fall.toml"]).expect(2).warns(&["[space.spatial]"]);
 }
 
 #[test]

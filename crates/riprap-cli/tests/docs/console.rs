@@ -185,6 +185,11 @@ fn the_page_on_removable_blocks_works() {
 }
 
 #[test]
+fn the_page_on_laboratory_tests_works() {
+    run_page("how-to/laboratory-tests.md");
+}
+
+#[test]
 fn the_first_water_works() {
     run_page("first-water.md");
 }

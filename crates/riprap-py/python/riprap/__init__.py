@@ -13,12 +13,12 @@ with units::
 """
 
 from . import shapes
-from ._blocks import Removable, RemovableBlock, Runout, removable, runout
 from ._data import Field, Fields, Frame, Table
 from ._folder import RunFolder
 from ._monte_carlo import MonteCarlo, monte_carlo
 from ._plot import Picture, plot
 from ._riprap import Progress, explain, si, version
+from ._results import Removable, RemovableBlock, Runout, Strength, removable, runout, strength
 from ._run import resume, run
 from ._safety import Safety, safety
 from ._scenario import Report, Scenario
@@ -65,6 +65,7 @@ __all__ = [
     "ScenarioError",
     "ShapeError",
     "Simulation",
+    "Strength",
     "Sweep",
     "Table",
     "Trust",
@@ -85,6 +86,7 @@ __all__ = [
     "schema",
     "shapes",
     "si",
+    "strength",
     "sweep",
     "trust",
 ]

@@ -37,6 +37,8 @@ pub mod runout;
 #[cfg(feature = "scenario")]
 pub mod scene;
 pub mod simulation;
+#[cfg(feature = "scenario")]
+pub mod strength;
 pub mod study;
 
 pub use study::{bracket, compare, safety};

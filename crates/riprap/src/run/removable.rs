@@ -387,38 +387,22 @@ impl<'a> Rock<'a> {
     }
 }
 
+/// How a block would go.
+struct Way {
+    motion: theory::Motion,
+    /// A direction in which it can leave, if there is one.
+    way_out: Option<Vec3>,
+    /// The planes that it slides along: first those that press.
+    planes: Vec<Plane>,
+}
+
 impl Rock<'_> {
     /// What becomes of a block.
     fn block(&self, b: usize, rules: &Rules, round: u32) -> Block {
         let world = self.view.world;
         let solid = world.solid_of(b);
-        let touching: Vec<(Vec3, &Touch)> = self.inward(b).collect();
-        let normals: Vec<Vec3> = touching.iter().map(|(n, _)| *n).collect();
-        let (planes, of) = theory::planes(&normals);
         let weight = solid.mass * world.gravity;
-        let force = weight + self.view.water_force(b);
-        let motion = theory::motion(&planes, force);
-        let way_out = theory::way_out(&planes);
-        let parts = |plane: usize| {
-            let of = of.iter().zip(&touching).filter(move |(p, _)| **p == plane);
-            of.map(|(_, (_, touch))| *touch)
-        };
-        let slides = |plane: usize, pressing: f64| {
-            self.plane(planes[plane], &parts(plane).collect::<Vec<_>>(), pressing)
-        };
-        let pressed: Vec<(usize, f64)> = match motion.mode {
-            Mode::Falling | Mode::Held => Vec::new(),
-            Mode::Sliding(k) => vec![(k, motion.pressing[0])],
-            Mode::Wedge(pair) => pair.into_iter().zip(motion.pressing).collect(),
-        };
-        // Planes that the motion only runs along: their cohesion.
-        let along = (0..planes.len()).filter(|k| {
-            motion.mode != Mode::Held
-                && pressed.iter().all(|(p, _)| p != k)
-                && planes[*k].dot(motion.direction).abs() < ALONG
-        });
-        let all = pressed.iter().copied().chain(along.map(|k| (k, 0.0)));
-        let planes: Vec<Plane> = all.map(|(k, pressing)| slides(k, pressing)).collect();
+        let Way { motion, way_out, planes } = self.way(b, weight + self.view.water_force(b));
         let resisting: f64 = planes.iter().map(|plane| plane.strength).sum();
         let held = motion.mode == Mode::Held;
         let factor = if held { f64::INFINITY } else { resisting / motion.driving };
@@ -459,6 +443,32 @@ impl Rock<'_> {
             support_force: lacks,
             support_pressure: (lever > ALONG * free_area).then(|| lacks / lever),
         }
+    }
+
+    /// How a force (N) would move a block, and what it slides along.
+    fn way(&self, b: usize, force: Vec3) -> Way {
+        let touching: Vec<(Vec3, &Touch)> = self.inward(b).collect();
+        let normals: Vec<Vec3> = touching.iter().map(|(n, _)| *n).collect();
+        let (different, of) = theory::planes(&normals);
+        let motion = theory::motion(&different, force);
+        let pressed: Vec<(usize, f64)> = match motion.mode {
+            Mode::Falling | Mode::Held => Vec::new(),
+            Mode::Sliding(k) => vec![(k, motion.pressing[0])],
+            Mode::Wedge(pair) => pair.into_iter().zip(motion.pressing).collect(),
+        };
+        // Planes that the motion only runs along: their cohesion.
+        let along = (0..different.len()).filter(|k| {
+            motion.mode != Mode::Held
+                && pressed.iter().all(|(p, _)| p != k)
+                && different[*k].dot(motion.direction).abs() < ALONG
+        });
+        let all = pressed.iter().copied().chain(along.map(|k| (k, 0.0)));
+        let planes = all.map(|(k, pressing)| {
+            let parts = of.iter().zip(&touching).filter(|(p, _)| **p == k);
+            let parts: Vec<&Touch> = parts.map(|(_, (_, touch))| *touch).collect();
+            self.plane(different[k], &parts, pressing)
+        });
+        Way { motion, way_out: theory::way_out(&different), planes: planes.collect() }
     }
 
     /// By what a block touches those that are there, with unit normals into it.

@@ -104,7 +104,7 @@ fn free_flight_is_exact_between_frames() {
             }
         }
         let told = asked(&folder, Some("rock"), &[]).unwrap_err().to_string();
-        assert!(told.contains("no group `rock`; valid names: rocks, high"), "{told}");
+        assert!(told.contains("no group `rock`; valid names: high, rocks"), "{told}");
     }
 }
 
@@ -126,5 +126,5 @@ fn the_interval_of_a_share() {
     let [low, high] = wilson(3, 10);
     assert!((low - 0.107_789).abs() < 1e-5 && (high - 0.603_222).abs() < 1e-5, "{low} {high}");
     let [low, high] = wilson(0, 40);
-    assert!(low == 0.0 && (high - 0.087_622).abs() < 1e-5, "{low} {high}");
+    assert!(low < 1e-12 && (high - 0.087_622).abs() < 1e-5, "{low} {high}");
 }

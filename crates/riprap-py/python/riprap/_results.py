@@ -1,4 +1,4 @@
-"""Removable blocks by block theory, and the run-out of rocks."""
+"""Named results: removable blocks, run-out of rocks, strength of specimens."""
 
 from __future__ import annotations
 
@@ -104,6 +104,10 @@ def removable(
     return Removable(blocks=blocks, words=words, **same)
 
 
+def _folders(runs: "tuple[RunFolder | str | PathLike[str], ...]") -> list[Path]:
+    return [Path(run.path if isinstance(run, RunFolder) else fspath(run)) for run in runs]
+
+
 @dataclass(frozen=True)
 class Runout:
     """Where rocks went, SI; angles in deg."""
@@ -138,9 +142,69 @@ def runout(
     Raises:
         ValueError: a folder without runs or with too few frames, an unknown group, a line that is none.
     """
-    folders = [Path(run.path if isinstance(run, RunFolder) else fspath(run)) for run in runs]
+    folders = _folders(runs)
     asked = [f"{name}={place}" for name, place in (lines or {}).items()]
     told, words = _riprap.runout(folders, of, asked)
     answer = json.loads(told)
     same = {key: answer[key] for key in ("rocks", "passages", "runout", "least_angle", "moving")}
     return Runout(lines={line["line"]: line for line in answer["lines"]}, words=words, **same)
+
+
+@dataclass(frozen=True)
+class Strength:
+    """Results of laboratory tests, SI; angles in deg."""
+
+    tests: list[dict[str, Any]]
+    """A dictionary a test: run, peak, strain_at_peak, modulus, fit, residual, confining, at_end."""
+    cohesion: "tuple[float, float | None] | None"
+    """Value and standard error; of tests with two and more confining stresses."""
+    friction: "tuple[float, float | None] | None"
+    """Friction angle and its standard error."""
+    words: str
+
+
+def strength(
+    *runs: "RunFolder | str | PathLike[str]",
+    load: str,
+    area: float | None = None,
+    strain: str | None = None,
+    length: float | None = None,
+    confining: str | None = None,
+    disk: "tuple[float, float | None] | None" = None,
+    shear: bool = False,
+    between: tuple[float, float] = (0.2, 0.5),
+) -> Strength:
+    """Gives modulus and strength of laboratory tests, from their histories.
+
+    Args:
+        runs: run folders, or folders of a sweep.
+        load: history of the load, or of the stress where there is no area.
+        area: area by which the load is divided, m2; in the plane a length.
+        strain: history of the strain, or of the shortening where there is a length; without it there is no modulus.
+        length: length by which the shortening is divided, m.
+        confining: history of the confining stress, in shear of the normal stress, or a value such as ``"5 MPa"``.
+        disk: a Brazilian test: diameter and, in space, thickness, m.
+        shear: the tests shear a joint.
+        between: shares of the peak between which the modulus is measured.
+
+    Raises:
+        ValueError: a folder without histories, an unknown history, one without values, a size that is none.
+    """
+    options = {
+        "load": load,
+        "area": area,
+        "strain": strain,
+        "length": length,
+        "confining": confining,
+        "disk": disk,
+        "shear": shear,
+        "between": list(between),
+    }
+    told, words = _riprap.strength(_folders(runs), options)
+    answer = json.loads(told)
+    envelope = answer["envelope"] or {}
+
+    def fitted(name: str) -> "tuple[float, float | None] | None":
+        return (envelope[name]["value"], envelope[name]["error"]) if envelope else None
+
+    return Strength(tests=answer["tests"], cohesion=fitted("cohesion"), friction=fitted("friction"), words=words)

@@ -1,4 +1,4 @@
-"""Removable blocks and run-out."""
+"""Removable blocks, run-out and strength."""
 
 import math
 from pathlib import Path
@@ -60,3 +60,19 @@ def test_runout(tmp_path):
     assert found.lines["road"]["share"] == 1.0 and "1 rock of 1 run" in found.words
     with pytest.raises(ValueError, match="is not a line"):
         riprap.runout(run, lines={"road": "7 s"})
+
+
+def test_strength(tmp_path):
+    # 35 deg and 1 MPa, elastic before.
+    for k, normal in enumerate((1e6, 2e6, 4e6)):
+        peak = 1e6 + normal * math.tan(math.radians(35.0))
+        rows = "".join(f"{i},{i},{-0.25 * i * peak},{0.001 * i},{normal}\n" for i in range(5))
+        (tmp_path / f"{k}.run").mkdir()
+        head = "step,time [s],load [N],slip [m],normal [Pa]\n"
+        (tmp_path / f"{k}.run" / "histories.csv").write_text(head + rows + f"5,5,0,0.005,{normal}\n")
+    found = riprap.strength(tmp_path, load="load", area=1.0, strain="slip", confining="normal", shear=True)
+    assert found.cohesion[0] == pytest.approx(1e6) and found.friction[0] == pytest.approx(35.0)
+    first = found.tests[0]
+    assert first["modulus"] == pytest.approx(250.0 * first["peak"]) and not first["at_end"]
+    with pytest.raises(ValueError, match="laod"):
+        riprap.strength(tmp_path, load="laod")

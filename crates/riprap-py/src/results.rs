@@ -1,4 +1,4 @@
-//! Removable blocks of a scene, and the run-out of rocks of runs.
+//! Named results: removable blocks of a scene, run-out of rocks and strength of specimens of runs.
 
 use std::path::PathBuf;
 
@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use riprap::exec::Exec;
 use riprap::run::removable::{RemovableError, Rules, removable as blocks_of};
 use riprap::run::runout::{Line, Rules as Asked, runout as way_of};
+use riprap::run::strength::{Confining, Rules as Tests, Test, strength as strength_of};
 
 use crate::errors;
 use crate::scene::{Scene, json};
@@ -44,6 +45,46 @@ pub fn runout(
     let lines: Result<Vec<Line>, String> = lines.iter().map(|line| Line::read(line)).collect();
     let rules = Asked { of, lines: lines.map_err(PyValueError::new_err)? };
     let found = py.detach(|| way_of(&folders, &rules));
+    let answer = found.map_err(|wrong| PyValueError::new_err(wrong.to_string()))?;
+    Ok((json(&answer)?, answer.words()))
+}
+
+/// How tests are read; names as in `riprap.strength`.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Options {
+    load: String,
+    area: Option<f64>,
+    strain: Option<String>,
+    length: Option<f64>,
+    confining: Option<String>,
+    disk: Option<(f64, Option<f64>)>,
+    shear: bool,
+    between: [f64; 2],
+}
+
+/// Modulus and strength of the tests in run folders, as JSON, and in words.
+#[pyfunction]
+pub fn strength(
+    py: Python<'_>,
+    folders: Vec<PathBuf>,
+    options: Options,
+) -> PyResult<(String, String)> {
+    let test = match (options.disk, options.shear) {
+        (Some((diameter, thickness)), _) => Test::Disk { diameter, thickness },
+        (None, true) => Test::Shear,
+        (None, false) => Test::Axial,
+    };
+    let rules = Tests {
+        test,
+        load: options.load,
+        area: options.area,
+        strain: options.strain,
+        length: options.length,
+        confining: options.confining.as_deref().map(Confining::read),
+        between: options.between,
+    };
+    let found = py.detach(|| strength_of(&folders, &rules));
     let answer = found.map_err(|wrong| PyValueError::new_err(wrong.to_string()))?;
     Ok((json(&answer)?, answer.words()))
 }
