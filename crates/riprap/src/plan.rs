@@ -52,6 +52,38 @@ pub struct Plan {
     pub checkpoints: Option<Every>,
     /// When a line of `energy.csv` is written; `None` follows the frames.
     pub energy: Option<Every>,
+    /// Servos, applied after every step in their order.
+    pub controls: Vec<Control>,
+}
+
+/// A servo: a load or a motion of rigid blocks that keeps a field at a value.
+///
+/// With `c = (target - value)/(band target)`, at least -1 and at most 1, a support moves with `c` times its velocity, and the factor of a load grows by
+/// `c dt/rise` but never below 0. Read from the forces of a step, it acts from the next one on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Control {
+    /// Name of the load or support.
+    pub name: String,
+    /// What is kept.
+    pub gauge: Gauge,
+    /// At this value, SI; not zero.
+    pub target: f64,
+    /// Share of the target to either side of it within which the servo acts in proportion.
+    pub band: f64,
+    /// What acts.
+    pub acts: Acts,
+}
+
+/// What a servo changes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Acts {
+    /// The factor of a load, from nothing to 1 in `rise` (s).
+    Load {
+        /// s.
+        rise: f64,
+    },
+    /// The velocity of a support, at most this, m/s.
+    Velocity([f64; 3]),
 }
 
 /// One stretch of a run with its own rules.

@@ -7,8 +7,9 @@ use serde::Deserialize;
 use super::points::Point;
 use super::solids::BoxRegion;
 use crate::quantity::{
-    Acceleration, Axial, ForcePerLength, Kind, Length, MomentPerLength, Name, Plain, Pressure,
-    Quantity, Spin, SpinAcceleration, Vector, Velocity,
+    Acceleration, Any, Axial, Direction, ForcePerLength, Kind, Length, MomentPerLength, Name,
+    Names, Plain, PositivePlain, PositiveTime, Pressure, Quantity, Spin, SpinAcceleration, Vector,
+    Velocity,
 };
 use crate::time_function::TimeFunction;
 
@@ -57,6 +58,29 @@ pub struct Support {
     pub fixed: Option<Fixed>,
     /// Moves the blocks as prescribed.
     pub motion: Option<Motion>,
+    /// A servo: the velocity, which must be constant, acts by the share that keeps a field at a value, for example a platen that
+    /// holds a confining stress. It is the velocity that takes the field from nothing to the value.
+    #[key(needs("motion", help = "a servo moves: give motion.velocity, at most as fast"))]
+    pub control: Option<Control>,
+}
+
+/// A servo: what it multiplies acts fully as long as the field is far from its target, in proportion within a band about it, and backwards beyond.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Control {
+    /// Field that is kept at a value, for example `pair.normal_force`; `riprap fields` lists them.
+    pub field: Name,
+    /// Block, two blocks of a pair, group or source; not for fields of the whole model.
+    pub of: Option<Names>,
+    /// Direction in which a vector is measured, as in a history.
+    pub along: Option<Direction>,
+    /// The value, not zero, in a unit of the field.
+    pub target: Quantity<Any>,
+    /// Width of the band to either side of the target, as a share of it.
+    #[key(default = "0.05")]
+    pub band: Option<Quantity<PositivePlain>>,
+    /// Of a load: time in which it grows from nothing to its full size while the field is far from the target, s.
+    pub rise: Option<Quantity<PositiveTime>>,
 }
 
 /// Directions that are held.
@@ -165,6 +189,8 @@ pub struct Load {
     pub body: Option<BodyLoad>,
     /// Factor over time, a number without unit. Default constant 1.
     pub time: Option<TimeFunction<Plain>>,
+    /// A servo in place of `time`: the factor, from 0, that keeps a field at a value.
+    pub control: Option<Control>,
 }
 
 /// A force at a point.

@@ -47,7 +47,8 @@ pub use interfaces::{
 };
 pub use joints::{JointPlanes, JointSet};
 pub use loads::{
-    BodyLoad, EdgeLoad, Fixed, Load, Motion, MotionComponents, Nodes, PointLoad, Support, Target,
+    BodyLoad, Control, EdgeLoad, Fixed, Load, Motion, MotionComponents, Nodes, PointLoad, Support,
+    Target,
 };
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Rest, Until};

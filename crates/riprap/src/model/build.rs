@@ -58,6 +58,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         b.phases();
         b.reduce_strength();
         b.outputs();
+        b.controls();
         let (of_limit, others): (Vec<Check>, Vec<Check>) =
             b.checks().into_iter().partition(|c| c.gauge.field == LIMIT);
         let (of_samples, of_run) = others.into_iter().partition(|c| c.gauge.field == PROBABILITY);

@@ -19,6 +19,7 @@ mod blocks;
 mod bolts;
 mod build;
 mod builder;
+mod control;
 mod drawn;
 mod fields;
 mod generated;

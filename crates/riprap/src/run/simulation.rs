@@ -8,6 +8,7 @@ mod advance;
 mod automatic;
 mod cause;
 mod change;
+mod control;
 mod cursor;
 mod ends;
 mod error;
@@ -26,7 +27,7 @@ pub use cursor::{
 pub use error::RunError;
 
 use self::shorter::Shorter;
-use super::engine::{BuildError, Engine, Kind, Stable, View};
+use super::engine::{BuildError, Engine, Kind, Reading, Stable, View};
 use crate::exec::Exec;
 use crate::ledger::Balance;
 use crate::plan::{
@@ -53,6 +54,8 @@ pub struct Simulation {
     reason: Option<Reason>,
     /// The shortest step in place of a given one.
     shorter: Option<Shorter>,
+    /// Readings of the servos of the plan, once they have begun.
+    readings: Option<Vec<Reading>>,
 }
 
 impl Simulation {
@@ -83,6 +86,7 @@ impl Simulation {
             residual: None,
             reason: None,
             shorter: None,
+            readings: None,
         }
     }
 
@@ -210,6 +214,9 @@ impl Simulation {
     /// # Errors
     /// The physics stopped the run; the state is still the last one.
     pub fn prepare(&mut self) -> Result<Stage, RunError> {
+        if self.readings.is_none() {
+            self.begin_controls()?;
+        }
         if !self.cursor.entered {
             self.enter_phase()?;
         }
@@ -265,7 +272,9 @@ impl Simulation {
     pub fn step(&mut self) {
         self.standing = false;
         self.book_step_change();
+        let asked = self.asked_by_controls();
         self.engine.advance(self.dt);
+        self.control(asked);
         self.cursor.crossed += self.engine.crossed(self.dt);
     }
 

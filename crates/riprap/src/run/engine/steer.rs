@@ -132,6 +132,19 @@ impl Engine {
     }
 }
 
+impl Engine {
+    /// The constant factor of the load of that name; `None` where it has none.
+    pub(in crate::run) fn factor(&self, name: &str) -> Option<f64> {
+        either!(self, e => {
+            let setup = &e.world.setup;
+            let at = setup.accounts.iter().position(|of| of.name == name)?;
+            let of_name = |account: Option<u16>| account.map(usize::from) == Some(at);
+            let load = setup.loads.iter().find(|load| of_name(load.account))?;
+            if let TimeFunction::Constant(factor) = load.time { Some(factor) } else { None }
+        })
+    }
+}
+
 impl State {
     /// Gives a load or a support another value.
     ///

@@ -86,6 +86,18 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
+    /// A servo that cannot act.
+    #[error("the control of `{name}` cannot act at step {step} (t = {time:.6e} s): {reason}")]
+    Control {
+        /// The load or support.
+        name: String,
+        /// Why.
+        reason: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
     /// The flow of gas in cracks has not been found.
     #[error(
         "the flow of gas in cracks did not converge at step {step} (t = {time:.6e} s): {place} is out of balance by {left:.0e} of what it holds; \
@@ -328,6 +340,7 @@ impl RunError {
             | Self::NotSolved { .. }
             | Self::NoFlow { .. }
             | Self::NoGasFlow { .. }
+            | Self::Control { .. }
             | Self::Edit { .. }
             | Self::Phase { .. } => {}
         }
@@ -357,6 +370,7 @@ impl RunError {
             Self::NoStep { .. } => ("no valid time step", false, false),
             Self::NotSolved { .. } => ("an implicit step did not converge", false, false),
             Self::NoFlow { .. } => ("seepage did not converge", false, true),
+            Self::Control { .. } => ("a control cannot act", false, false),
             Self::NoGasFlow { .. } => ("the flow of gas did not converge", true, true),
             Self::Residual { what: Unexplained::Residual, .. } => {
                 ("the energy residual", true, true)
