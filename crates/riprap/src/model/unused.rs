@@ -9,12 +9,14 @@
 //! | `interfaces.*.brittle_bond` | bonds with a deformable block; its strengths also joints of rigid ones |
 //! | `phases.*.damping.stiffness`, `rotation` | joints of rigid blocks, rigid blocks |
 //! | `phases.*.damping.mass`, `local` | rigid blocks; nodes in dynamic phases |
+//! | `phases.*.damping`, `interfaces.*.damping_ratio` | of implicit phases `mass` and `rotation` of dynamic ones (`implicit`) |
 //! | `phases.*` `breaking`, `strain`, `cut` | deformable blocks |
 //! | `phases.*` `load_steps`, `iterations`, `relaxation` | static phases in which all free blocks deform |
 //! | `interfaces.*.dashpots` | joints in space with a `damping_ratio` or a phase with `damping.stiffness` (`laws`) |
 //! | `materials.*` `young`, `poisson` | in the plane interfaces without `normal_stiffness` (`laws`) |
 //! | `blocks.*` `velocity`, `spin` | freedoms that no support prescribes (`start`) |
 
+mod implicit;
 mod laws;
 mod start;
 
@@ -33,7 +35,10 @@ impl Builder<'_> {
         self.unused_at_start();
         match self.space {
             InSpace::Planar => self.unused_moduli(),
-            InSpace::Spatial => self.unused_dashpots(),
+            InSpace::Spatial => {
+                self.unused_dashpots();
+                self.unused_in_implicit_phases();
+            }
         }
         let scenario = &self.parsed.scenario;
         for (number, said) in scenario.phases.iter().enumerate() {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::engine::View;
-use crate::plan::Plan;
+use crate::plan::{Integration, Plan};
 use crate::planar;
 use crate::spatial;
 use crate::spatial::limits;
@@ -163,7 +163,9 @@ pub(super) fn undamped(view: &View<'_>, plan: &Plan) -> Option<String> {
     let rigid =
         (0..world.alive.len()).any(|b| world.alive[b] && world.is_free(b) && !world.deforms(b));
     let joints = !world.patches.class.is_empty() || !world.setup.refinements.is_empty();
-    let phase = plan.phases.iter().find(|p| p.damping.stiffness > 0.0)?;
+    // Of implicit phases the model has said it.
+    let mut explicit = plan.phases.iter().filter(|p| p.integration != Integration::Implicit);
+    let phase = explicit.find(|p| p.damping.stiffness > 0.0)?;
     (rigid && !joints).then(|| {
         format!(
             "`damping.stiffness` of phase `{}` has no effect: it acts in joints, and the model has none; contacts use the `damping_ratio` or \

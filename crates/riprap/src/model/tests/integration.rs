@@ -143,6 +143,40 @@ fn a_share_of_the_stable_step_has_no_effect_in_an_implicit_phase() {
     }
 }
 
+#[test]
+fn damping_that_implicit_phases_do_not_read_is_told() {
+    let told = |text: &str| {
+        let warnings = model(text).expect("good").warnings;
+        let unused = warnings.iter().filter(|w| w.code == "key.unused");
+        unused.map(|w| w.message.clone()).collect::<Vec<_>>()
+    };
+    let damped = |keys: &str, kind: &str| format!("{TWO}{kind}damping = {{ {keys} }}\n");
+    let all = "mass = \"1 1/s\", rotation = \"1 1/s\", stiffness = \"1 us\"";
+    assert_eq!(told(&damped(all, "")), ["`stiffness` in `damping` of phase `rest` has no effect"]);
+    assert_eq!(
+        told(&damped(all, "kind = \"static\"\n")),
+        ["`mass`, `rotation`, `stiffness` in `damping` of phase `rest` have no effect"]
+    );
+    assert!(told(&damped("mass = \"1 1/s\"", "")).is_empty());
+    let explicit = |text: &str| text.replace("\"implicit\"", "\"explicit\"");
+    assert!(told(&explicit(&damped(all, ""))).is_empty());
+
+    let ratio = TWO.replace("friction_angle", "damping_ratio = 0.5\nfriction_angle");
+    assert_eq!(told(&ratio), ["`damping_ratio` in interfaces.default has no effect"]);
+    assert!(told(&explicit(&ratio)).is_empty());
+    let automatic = ratio.replace("\"implicit\"", "\"automatic\"");
+    assert!(told(&automatic).is_empty());
+    // A variant, or another phase, reads it.
+    let varied = format!("{ratio}[variants.waves]\n\"phases.rest.integration\" = \"explicit\"\n");
+    assert!(told(&varied).is_empty());
+    let next = "[[phases]]\nname = \"shake\"\nuntil.time = \"1 s\"\n";
+    assert!(told(&format!("{ratio}{next}")).is_empty());
+    let later = format!("{TWO}interfaces.default.damping_ratio = 0.1\n");
+    let of_phase = ["`damping_ratio` in phases.rest.interfaces.default has no effect"];
+    assert_eq!(told(&later), of_phase);
+    assert!(told(&format!("{later}{next}")).is_empty());
+}
+
 /// Friction of a driven wedge has no rest; a block that lies and slides does.
 #[test]
 fn friction_that_does_not_settle_is_reported() {

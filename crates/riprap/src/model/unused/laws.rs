@@ -17,11 +17,17 @@ impl Builder<'_> {
         let rows = self.parsed.scenario.interfaces.iter().enumerate();
         // Of an elastic one the rules of the language have said it.
         let rows = rows.filter(|(_, (_, said))| said.dashpots.is_some() && !said.elastic);
-        let idle = rows.filter(|(row, _)| !stiffness && !damped(*row));
+        let implicit = self.is_wholly_implicit();
+        let idle = rows.filter(|(row, _)| implicit || !stiffness && !damped(*row));
         let idle: Vec<(String, Span)> =
             idle.map(|(_, (name, _))| (format!("interfaces.{name}"), name.span.clone())).collect();
+        let help = match implicit {
+            true => "joints have no dashpots in implicit phases",
+            false => {
+                "its joints have no dashpots: its `damping_ratio` is 0, and no phase has `damping.stiffness`"
+            }
+        };
         for (of, span) in idle {
-            let help = "its joints have no dashpots: its `damping_ratio` is 0, and no phase has `damping.stiffness`";
             self.no_effect(&of, &[("dashpots", true)], &span, help);
         }
     }

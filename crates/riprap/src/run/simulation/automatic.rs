@@ -21,6 +21,9 @@ impl Simulation {
                 self.evaluate(&damping, 0.0)?;
                 let (implicit, words) = match self.against_implicit(phase, &damping) {
                     Some(why) => (false, format!("explicitly: {why}")),
+                    None if phase.damping.stiffness > 0.0 => {
+                        (true, "implicitly; its `damping.stiffness` had no effect".to_owned())
+                    }
                     None => (true, "implicitly".to_owned()),
                 };
                 self.cursor.chosen.push(format!("phase `{}` was stepped {words}", phase.name));
