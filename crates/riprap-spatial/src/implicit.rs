@@ -1,6 +1,6 @@
 //! Implicit steps of rigid blocks: the law of found contact with steps of a millisecond.
 //!
-//! Here are the pieces of a pair ([`geometry`]), what they answer to a motion ([`patch`], [`pair`]), joints that tie blocks ([`joint`]), and Newton's method for all pairs and
+//! Here are the pieces of a pair ([`geometry`]), what they answer to a motion ([`patch`], [`pair`]), joints and bolts that tie blocks ([`joint`], [`tie`]), and Newton's method for all pairs and
 //! blocks ([`solve`]). What it takes from the world and gives back is in [`crate::rigid`].
 //!
 //! The theory is on the page `theory-implicit-step`.
@@ -13,3 +13,4 @@ pub(crate) mod patch;
 pub(crate) mod solve;
 #[cfg(test)]
 mod tests;
+pub(crate) mod tie;

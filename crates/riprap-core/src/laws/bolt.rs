@@ -16,6 +16,7 @@
 //! of `r` is ours. Deviation: rupture by elongation and not by strain, since a perfectly plastic bar yields in one element only,
 //! whatever its length; grout strength does not grow with confinement.
 
+mod ahead;
 mod closed;
 mod keep;
 mod lay;
@@ -27,6 +28,7 @@ use std::ops::{Add, Mul};
 
 use serde::{Deserialize, Serialize};
 
+pub use ahead::Ahead;
 pub use closed::{
     dowel_limit, dowel_stiffness, pull_out_load, pull_out_stiffness, transfer_length,
 };

@@ -18,6 +18,7 @@ use riprap_geom::{Mat3, Vec3};
 
 use crate::implicit::pair::{Answer, Pair, Pressure, Reply};
 use crate::implicit::patch::{Stepping, Twist, dot};
+use crate::implicit::tie::Tie;
 
 /// Rounds of Newton's method before pairs are softened.
 const ROUNDS: usize = 14;
@@ -53,6 +54,8 @@ pub(crate) struct Body {
 pub(crate) struct Solver {
     pub bodies: Vec<Body>,
     pub pairs: Vec<Pair>,
+    /// Bolts.
+    pub ties: Vec<Tie>,
     /// Velocities and spins: those to start from, then the solution.
     pub motion: Vec<[f64; 6]>,
     /// What the pairs have done.
@@ -98,6 +101,7 @@ impl Solver {
     pub(crate) fn begin(&mut self) {
         self.bodies.clear();
         self.pairs.clear();
+        self.ties.clear();
         self.motion.clear();
         self.replies.clear();
     }
@@ -132,11 +136,20 @@ impl Solver {
             self.solve_with_friction(step, exact, &mut effort)?;
         }
         let mut solutions = 0;
-        while self.fail(step, solutions) {
+        while self.fail(step, solutions) || self.tear(step) {
             self.solve_with_friction(step, exact, &mut effort)?;
             solutions += 1;
         }
         Ok(effort)
+    }
+
+    /// Lets bars of bolts tear that are stretched beyond their rupture; whether there are any. Leaves the forces of all bolts at the solution.
+    fn tear(&mut self, step: &Stepping) -> bool {
+        let mut any = false;
+        for tie in &mut self.ties {
+            any |= tie.tear(&self.motion, step);
+        }
+        any
     }
 
     /// Lets the points of joints fail that are most beyond their strength after so many solutions of this step; whether there are any.
@@ -249,6 +262,9 @@ impl Solver {
             };
             self.edge.push(edge);
         }
+        for tie in &mut self.ties {
+            tie.add_edges(&mut self.edges);
+        }
         self.matrix.fit(self.bodies.len(), &self.edges);
         self.slope.resize(self.bodies.len(), [0.0; 6]);
         self.step.resize(self.bodies.len(), [0.0; 6]);
@@ -327,6 +343,9 @@ impl Solver {
                 }
             }
         }
+        for tie in &mut self.ties {
+            tie.add(&self.motion, step, soft, &mut self.slope, &mut self.matrix);
+        }
         for (slope, body) in self.slope.iter_mut().zip(&self.bodies) {
             for (g, held) in slope.iter_mut().zip(body.held) {
                 *g = if held { 0.0 } else { *g };
@@ -365,6 +384,9 @@ impl Solver {
         for pair in &self.pairs {
             self.changes.push(pair.twist(|k| self.step[k as usize], false));
         }
+        for tie in &mut self.ties {
+            tie.begin_search(&self.motion, &self.step, step);
+        }
         let (mut constant, mut linear) = (0.0, 0.0);
         for (k, body) in self.bodies.iter().enumerate() {
             let own = body.momentum_of(&self.step[k]);
@@ -372,6 +394,7 @@ impl Solver {
             linear += dot(&own, &self.step[k]);
         }
         let mut spare = std::mem::take(&mut self.spare);
+        let mut ties = std::mem::take(&mut self.ties);
         let mut slope = |share: f64| {
             let mut sum = constant + share * linear;
             for ((pair, twist), change) in self.pairs.iter().zip(&self.twists).zip(&self.changes) {
@@ -384,10 +407,13 @@ impl Solver {
                     sum -= step.span * dot(&answer.wrench, change);
                 }
             }
+            for tie in &mut ties {
+                sum += tie.slope(share, step, soft);
+            }
             sum
         };
         let share = illinois(&mut slope, decrement);
-        self.spare = spare;
+        (self.spare, self.ties) = (spare, ties);
         share
     }
 

@@ -8,6 +8,7 @@
 //! What pairs exert is handed on as that of explicit contacts is, so that the kick, the ledger and all fields take it from there. Evaluating an
 //! instant again changes nothing: the memory belongs to the step that is made.
 
+mod bolts;
 pub(crate) mod joints;
 mod meet;
 pub(crate) mod obstacle;
@@ -98,7 +99,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     scratch.implicit.failed = None;
     if !meet {
         scratch.implicit.begin(world.alive.len(), world.found.pairs.len());
-        if world.patches.is_empty() {
+        if world.patches.is_empty() && world.bolts.is_empty() {
             return;
         }
     }
@@ -113,9 +114,10 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
         meet::find(world, scratch, dt);
     }
     joints::find(world, scratch);
+    bolts::find(world, scratch);
     scratch.profile.add("pieces", begun.spent(&scratch.exec));
     let begun = Begun::now(&scratch.exec);
-    lay_out(world, scratch);
+    lay_out(world, scratch, &step);
     let solver = &mut scratch.implicit.solver;
     let fall = world.gravity.length() * dt + STILL;
     let exact = if scratch.damping.mass * step.span >= FORGETTING {
@@ -144,6 +146,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
             meet::hand_over(world, scratch);
         }
         joints::hand_over(world, scratch);
+        bolts::hand_over(scratch);
         if step.span > 0.0 {
             make_exact(scratch, step.span);
         }
@@ -191,11 +194,12 @@ fn make_exact(scratch: &mut Scratch, span: f64) {
 }
 
 /// The blocks of the pairs within reach: those that answer, and the motion of those that do not.
-fn lay_out(world: &World, scratch: &mut Scratch) {
+fn lay_out(world: &World, scratch: &mut Scratch, step: &Stepping) {
     let kick = scratch.kick(world);
     let mut desk = std::mem::take(&mut scratch.implicit);
     let all = (0..desk.solver.pairs.len()).map(|k| ends(world, &desk, k));
-    let mut blocks: Vec<u32> = all.flatten().filter(|b| !world.is_terrain(*b as usize)).collect();
+    let all = all.flatten().chain(bolts::blocks(&desk));
+    let mut blocks: Vec<u32> = all.filter(|b| !world.is_terrain(*b as usize)).collect();
     blocks.sort_unstable();
     blocks.dedup();
     for &b in &blocks {
@@ -244,6 +248,7 @@ fn lay_out(world: &World, scratch: &mut Scratch) {
         pair.ends = ends.map(|b| desk.place[b as usize]);
         pair.given = ends.map(|b| desk.given[b as usize]);
     }
+    bolts::attach(&mut desk, step);
     scratch.implicit = desk;
 }
 
@@ -252,7 +257,7 @@ pub(crate) fn book(world: &mut World, scratch: &Scratch) {
     if world.implicit.is_none() {
         return;
     }
-    let joints = joints::stored(world, scratch);
+    let joints = joints::stored(world, scratch) + world.bolt_energy();
     let Some(implicit) = world.implicit.as_deref_mut() else { return };
     let lost_in_joints = std::mem::take(&mut implicit.lost_in_joints);
     let [normal, shear] = scratch.implicit.stored;

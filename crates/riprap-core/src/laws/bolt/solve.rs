@@ -185,32 +185,7 @@ impl Chain {
     fn balance(&mut self, apart: &[f64], pull: Option<f64>, work: &mut Factors) -> Losses {
         let mut losses = Losses::default();
         let mut r = std::mem::take(&mut self.motion);
-        let mut elastic = true;
-        let mut left = f64::INFINITY;
-        self.look(&r, apart, pull, &mut work.here);
-        for step in 0..STEPS {
-            let (residual, scale) = (&work.here.residual, work.here.scale);
-            left = residual.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-            if left <= CLOSE * scale.0 + ROUND * scale.1 {
-                left = 0.0;
-                break;
-            }
-            left /= scale.0.max(f64::MIN_POSITIVE);
-            if elastic && pull.is_none() {
-                work.elastic_direction();
-            } else {
-                work.tangent_direction(self);
-            }
-            elastic = false;
-            if step + 1 == STEPS {
-                break;
-            }
-            // The last motion that was tried is the one that is taken: what was found there holds.
-            self.search(&r, apart, pull, work);
-            std::mem::swap(&mut r, &mut work.trial);
-            std::mem::swap(&mut work.here, &mut work.there);
-        }
-        losses.left = left;
+        losses.left = self.seek(&mut r, apart, pull, work);
         if !work.here.gives && pull.is_none() {
             std::mem::swap(&mut self.force, &mut work.here.force);
             self.motion = r;
@@ -233,6 +208,42 @@ impl Chain {
         }
         self.motion = r;
         losses
+    }
+
+    /// Goes from the motion `r` (m) to equilibrium; what is left of it over the largest force, where the search has not come to its end.
+    pub(super) fn seek(
+        &self,
+        r: &mut Vec<f64>,
+        apart: &[f64],
+        pull: Option<f64>,
+        work: &mut Factors,
+    ) -> f64 {
+        let mut elastic = true;
+        let mut left = f64::INFINITY;
+        self.look(r, apart, pull, &mut work.here);
+        for step in 0..STEPS {
+            let (residual, scale) = (&work.here.residual, work.here.scale);
+            left = residual.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            if left <= CLOSE * scale.0 + ROUND * scale.1 {
+                left = 0.0;
+                break;
+            }
+            left /= scale.0.max(f64::MIN_POSITIVE);
+            if elastic && pull.is_none() {
+                work.elastic_direction();
+            } else {
+                work.tangent_direction(self);
+            }
+            elastic = false;
+            if step + 1 == STEPS {
+                break;
+            }
+            // The last motion that was tried is the one that is taken: what was found there holds.
+            self.search(r, apart, pull, work);
+            std::mem::swap(r, &mut work.trial);
+            std::mem::swap(&mut work.here, &mut work.there);
+        }
+        left
     }
 
     /// Looks at the chain where its bar has moved by `r`.
@@ -378,6 +389,24 @@ impl Factors {
         }
         for k in (0..nodes - 1).rev() {
             self.direction[k] += self.trial[k] * self.direction[k + 1];
+        }
+    }
+
+    /// Force in each bar where a chain was looked at last, N.
+    pub(super) fn found(&self) -> &[f64] {
+        &self.here.force
+    }
+
+    /// Change of the force in each bar with the parting along bar `k` where a chain was looked at last, N/m.
+    pub(super) fn rates(&mut self, chain: &Chain, k: usize, rates: &mut [f64]) {
+        let tangent = self.here.tangent[1][k];
+        self.here.residual.fill(0.0);
+        (self.here.residual[k], self.here.residual[k + 1]) = (-tangent, tangent);
+        self.tangent_direction(chain);
+        for (b, rate) in rates.iter_mut().enumerate() {
+            let own = if b == k { 1.0 } else { 0.0 };
+            let along = self.direction[b + 1] - self.direction[b] + own;
+            *rate = self.here.tangent[1][b] * along;
         }
     }
 

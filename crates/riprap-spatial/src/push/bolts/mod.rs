@@ -37,7 +37,7 @@ impl Divide for Piece<'_> {
 
 /// Finds the forces of all bolts at the present positions and pushes the blocks with them.
 ///
-/// Calling it again without moving changes nothing.
+/// Calling it again without moving changes nothing. Implicit steps find what they push with themselves.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     if world.bolts.is_empty() {
         return;
@@ -59,6 +59,19 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             }
         });
     }
+    if changes {
+        for (bolt, desk) in bolts.iter_mut().zip(&scratch.bolts) {
+            let lost = bolt.toll.add(desk);
+            world.works.bolts += lost;
+            if let Some(implicit) = world.implicit.as_deref_mut() {
+                implicit.lost_in_joints += lost;
+            }
+        }
+    }
+    if world.implicit.is_some() {
+        // What they push with in an implicit step is that of its end.
+        return;
+    }
     let pushes = &mut scratch.pushes.own;
     pushes.need_blocks(world.alive.len());
     let on_nodes = |bolt: &Bolt| bolt.points().any(|pin| pin.anchor.deforms());
@@ -77,11 +90,6 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
             let [behind, ahead] = &dowel.sides;
             freedoms.push_inside(pushes, &behind.anchor, dowel.force);
             freedoms.push_inside(pushes, &ahead.anchor, -dowel.force);
-        }
-    }
-    if changes {
-        for (bolt, desk) in bolts.iter_mut().zip(&scratch.bolts) {
-            world.works.bolts += bolt.toll.add(desk);
         }
     }
 }

@@ -31,9 +31,6 @@ pub fn obstacle(world: &World) -> Option<Obstacle> {
     if let Some(name) = first(&|b| world.is_glued(b)) {
         return found(format!("block `{name}` has glued `parts`"), "use convex blocks");
     }
-    if !world.setup.bolts.is_empty() {
-        return found("the model has bolts".to_owned(), "remove them");
-    }
     if let Some(face) = world.faces.iter().find(|face| face.boundary.is_some()) {
         let number = usize::from(face.boundary.unwrap_or_default());
         let name = &world.setup.boundaries[number].name;

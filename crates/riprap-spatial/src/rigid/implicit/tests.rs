@@ -6,11 +6,13 @@ use riprap_geom::height_field::HeightField;
 use crate::contact::tests::joint;
 use crate::dynamics::damping::Damping;
 use crate::exec::Exec;
+use crate::laws::bolt::Design;
 use crate::ledger::Balance;
+use crate::push::bolts::install::install;
 use crate::query::view::View;
 use crate::rigid::implicit::choose;
 use crate::setup::{
-    BlockName, BlockSpec, InterfaceLaw, Material, Motion, Setup, Shape, Support, Surface,
+    BlockName, BlockSpec, Bolt, InterfaceLaw, Material, Motion, Setup, Shape, Support, Surface,
 };
 use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
@@ -235,6 +237,76 @@ fn a_wall_that_breaks_has_the_same_bits_with_any_threads_and_after_restart() {
         again.steps(400 - at);
         assert_eq!(again.world.hash(), one.world.hash(), "{at}");
         assert_eq!(again.world.works, one.world.works, "{at}");
+    }
+}
+
+/// Three bricks in a row, apart, on two bolts; the last one flies away askew.
+fn bolted(breaks: f64, threads: usize) -> Run {
+    let spin = Vec3::new(0.1, 0.2, 0.3);
+    let row = (0..3_u32).map(|k| {
+        let moves = if k == 2 { 1.0 } else { 0.0 };
+        let centre = [0.0, 0.0, 1.0 + 2.001 * f64::from(k)];
+        brick(centre, [1.0, 1.0, 2.0], moves * Vec3::new(0.3, -0.1, 1.5), moves * spin)
+    });
+    let mut setup = model(row.collect(), false, 0.0);
+    let design = Design {
+        axial: 98e6,
+        yields: 250e3,
+        hardening: 0.0,
+        breaks,
+        grout: 1e9,
+        bond: 200e3,
+        grouted: f64::INFINITY,
+        plate: None,
+        pretension: 0.0,
+        dowel: Some([5e7, 30e3]),
+        piece: 0.05,
+    };
+    setup.bolts = [-0.3, 0.2]
+        .map(|x| Bolt {
+            name: format!("bolt {x}"),
+            head: Vec3::new(x, 0.1, 6.0),
+            toe: Vec3::new(x, 0.0, 0.0),
+            design,
+        })
+        .to_vec();
+    let mut run = Run::new(setup, threads, 1e-3);
+    install(&mut run.world, &[0, 1]).unwrap();
+    run.scratch.invalidate(&mut run.world);
+    run.evaluate();
+    run.world.start_energy = Some(run.balance().total());
+    run
+}
+
+#[test]
+fn bolts_yield_and_tear_and_keep_momentum() {
+    for (breaks, torn) in [(f64::INFINITY, false), (1e-3, true)] {
+        let mut run = bolted(breaks, 1);
+        let [p, l] = run.momentum();
+        let start = run.balance().total();
+        for _ in 0..100 {
+            run.steps(1);
+            let balance = run.balance();
+            assert!(balance.total() <= start * (1.0 + 1e-6), "{balance:?}");
+            assert!(balance.residual_relative().abs() < 1e-3, "{balance:?}");
+        }
+        let works = run.balance().works;
+        assert!(works.bolts > 0.0 && works.integrator > 0.0, "{works:?}");
+        assert_eq!(run.world.bolts.iter().any(|bolt| bolt.toll.breaks > 0), torn);
+        let [q, m] = run.momentum();
+        assert!((q - p).length() < 1e-9 * p.length(), "{p} {q}");
+        assert!((m - l).length() < 1e-3 * l.length(), "{l} {m}");
+        for threads in [2, 3] {
+            let mut other = bolted(breaks, threads);
+            other.steps(37);
+            let mut world = other.world.clone();
+            let scratch = Scratch::new(&mut world, Exec::new(threads).unwrap());
+            let mut other = Run { world, scratch, dt: 1e-3 };
+            other.evaluate();
+            other.steps(63);
+            assert_eq!(other.world.hash(), run.world.hash(), "{threads} threads");
+            assert_eq!(other.world.works, run.world.works);
+        }
     }
 }
 
