@@ -53,6 +53,8 @@ pub(crate) struct Tie {
     /// Stiffness across bars, of each length behind those, N/m.
     pub across: Vec<f64>,
     pub dowels: Vec<Shear>,
+    /// Bars that tear in the step.
+    pub torn: Vec<u32>,
     /// Places among the bodies that move.
     bodies: Vec<u32>,
     /// Number of the first of its pairs of bodies among the edges of the matrix.
@@ -308,6 +310,7 @@ impl Tie {
         let torn = self.ahead.torn(&self.chain, &self.apart);
         if let Some(k) = torn {
             self.chain.bars[k].stiffness = 0.0;
+            self.torn.push(k as u32);
             self.ahead.refresh(&self.chain);
         }
         torn.is_some()

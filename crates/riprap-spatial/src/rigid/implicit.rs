@@ -283,13 +283,15 @@ pub(crate) fn book(world: &mut World, scratch: &Scratch) {
 }
 
 /// Remembers what the pairs have become in the step that is made.
-pub(crate) fn remember(world: &mut World, scratch: &Scratch) {
+pub(crate) fn remember(world: &mut World, scratch: &mut Scratch) {
     if world.implicit.is_none() {
         return;
     }
     let torn = joints::remember(world, scratch);
+    let snapped = bolts::remember(world, scratch);
+    world.works.bolts += snapped;
     let Some(implicit) = world.implicit.as_deref_mut() else { return };
-    implicit.lost_in_joints += torn;
+    implicit.lost_in_joints += torn + snapped;
     implicit.kept.clear();
     let mut heat = 0.0;
     let solver = &scratch.implicit.solver;

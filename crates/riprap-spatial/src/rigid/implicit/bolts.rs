@@ -92,3 +92,23 @@ pub(super) fn hand_over(scratch: &mut Scratch) {
         }
     }
 }
+
+/// Tears the bars that have torn in the step that is made: it is made without them; what they had stored, J.
+pub(super) fn remember(world: &mut World, scratch: &mut Scratch) -> f64 {
+    let mut all = 0.0;
+    let ties = &scratch.implicit.solver.ties;
+    for ((bolt, tie), desk) in world.bolts.iter_mut().zip(ties).zip(&mut scratch.bolts) {
+        let Bolt { chain, toll, .. } = bolt;
+        for k in tie.torn.iter().map(|k| *k as usize) {
+            let before = chain.stored();
+            (chain.bars[k].stiffness, chain.force[k]) = (0.0, 0.0);
+            desk.factors.refresh(chain);
+            let losses = chain.solve(&desk.apart, &mut desk.factors);
+            let lost = before - chain.stored();
+            toll.lost += lost;
+            toll.breaks += 1 + losses.breaks as u32;
+            all += lost;
+        }
+    }
+    all
+}
