@@ -9,12 +9,16 @@
 //!
 //! Failure is no convex law: joints hold while the step is solved, then those that are most beyond their strength fail, and the step is solved
 //! again. The law of [`crate::laws::face_joint`] sees the same displacements in the next evaluation, and keeps the memory.
+//!
+//! A joint that softens, closes along a curve or dilates carries what its own law ([`crate::laws::behaviour`]) says of the end of the step. Its rates are those
+//! of each traction with its own displacement, not below zero: where it softens, what is beside it and the masses bring the rounds to their end.
 
 use riprap_geom::Vec3;
 
 use crate::implicit::pair::Answer;
 use crate::implicit::patch::{Stepping, Twist};
-use crate::laws::face_joint::{Springs, Traction, stored};
+use crate::laws::behaviour::{JointModel, Law, Weakening};
+use crate::laws::face_joint::{Memory, Springs, Traction, stored};
 use crate::laws::mohr_coulomb::Strength;
 use crate::laws::norm;
 
@@ -29,6 +33,8 @@ pub(crate) struct Joint {
     pub springs: Springs,
     /// `None` holds whatever it bears.
     pub strength: Option<Strength>,
+    /// How it weakens, closes and dilates, where it is not brittle with straight springs.
+    pub model: Option<JointModel>,
     pub points: [Point; 4],
 }
 
@@ -47,7 +53,14 @@ pub(crate) struct Point {
     /// Pressure that limits the friction of a failed point, and that of the last solution, Pa.
     pub pressure: f64,
     next: f64,
+    /// Where nothing moves in the step (m), its traction without displacement (Pa), and what it remembers: read where the joint has a model.
+    pub at: [f64; 3],
+    pub start: Traction,
+    pub memory: Memory,
 }
+
+/// Displacement over which rates are taken, m.
+const BESIDE: f64 = 1e-9;
 
 /// What a point carries at the end of a step.
 struct End {
@@ -64,13 +77,56 @@ impl Point {
 }
 
 impl Joint {
-    /// Traction of the springs of a point at the end of the step, without failure.
-    fn moved(&self, point: &Point, twist: &Twist, step: &Stepping) -> Traction {
+    /// Way of a point in the step, m.
+    fn way(&self, point: &Point, twist: &Twist, step: &Stepping) -> [f64; 3] {
         let [x, y, z, p, q, r] = *twist;
         let v = Vec3::new(x, y, z) + Vec3::new(p, q, r).cross(point.arm);
-        std::array::from_fn(|k| {
-            point.traction[k] + self.springs[k.min(1)] * step.dt * self.frame[k].dot(v)
-        })
+        self.frame.map(|axis| step.dt * axis.dot(v))
+    }
+
+    /// Traction of a point at the end of the step, without failure.
+    fn moved(&self, point: &Point, twist: &Twist, step: &Stepping) -> Traction {
+        let way = self.way(point, twist, step);
+        match &self.model {
+            Some(model) => self.told(model, point, &way),
+            None => [0, 1, 2].map(|k| point.traction[k] + self.springs[k.min(1)] * way[k]),
+        }
+    }
+
+    /// Whether a point fails at once when it is beyond its strength.
+    fn is_brittle(&self) -> bool {
+        self.model.as_ref().is_none_or(|model| model.weakening == Weakening::Brittle)
+    }
+
+    /// Traction after a way (m) by the law of the joint. What is brittle holds until it has failed.
+    fn told(&self, model: &JointModel, point: &Point, way: &[f64; 3]) -> Traction {
+        let holds = self.is_brittle() && !point.failed;
+        let strength = self.strength.as_ref().filter(|_| !holds);
+        let law = Law::new(strength, model, self.springs);
+        let mut memory = Memory { broken: point.failed || point.memory.broken, ..point.memory };
+        let at = [0, 1, 2].map(|k| point.at[k] + way[k]);
+        law.point(&point.start, &at, way, &mut memory).0
+    }
+
+    /// What the law of the joint says of the end of the step; rates where asked for.
+    fn told_end(&self, model: &JointModel, point: &Point, way: &[f64; 3], rates: bool) -> End {
+        let traction = self.told(model, point, way);
+        let mut share = [1.0; 3];
+        if rates {
+            let size = norm(traction[1], traction[2]);
+            let along = match size > 0.0 {
+                true => [0.0, traction[1] / size, traction[2] / size],
+                false => [0.0, 1.0, 0.0],
+            };
+            let across = [0.0, -along[2], along[1]];
+            for (k, axis) in [[1.0, 0.0, 0.0], along, across].into_iter().enumerate() {
+                let beside = [0, 1, 2].map(|i| way[i] + BESIDE * axis[i]);
+                let then = self.told(model, point, &beside);
+                let more: f64 = (0..3).map(|i| axis[i] * (then[i] - traction[i])).sum();
+                share[k] = (more / (BESIDE * self.springs[k.min(1)])).clamp(0.0, 1.0);
+            }
+        }
+        End { traction, share }
     }
 
     /// Most shear traction of a failed point, Pa.
@@ -81,7 +137,10 @@ impl Joint {
         }
     }
 
-    fn end(&self, point: &Point, twist: &Twist, step: &Stepping) -> End {
+    fn end(&self, point: &Point, twist: &Twist, step: &Stepping, rates: bool) -> End {
+        if let Some(model) = &self.model {
+            return self.told_end(model, point, &self.way(point, twist, step), rates);
+        }
         let mut traction = self.moved(point, twist, step);
         if !point.failed {
             return End { traction, share: [1.0; 3] };
@@ -111,7 +170,7 @@ impl Joint {
     ) {
         answer.acts = true;
         for point in &self.points {
-            let End { traction, share } = self.end(point, twist, step);
+            let End { traction, share } = self.end(point, twist, step, with_rate);
             let [n, b, c] = self.frame;
             let force = -soft * self.area * (traction[0] * n + traction[1] * b + traction[2] * c);
             let moment = point.arm.cross(force);
@@ -139,6 +198,10 @@ impl Joint {
     /// Looks at the pressures of a solution; their forces and by how much these changed, N.
     pub(crate) fn press(&mut self, twist: &Twist, step: &Stepping) -> [f64; 2] {
         let mut sums = [0.0; 2];
+        if self.model.is_some() {
+            // Its law has the pressure of the solution itself.
+            return sums;
+        }
         let joint = *self;
         for point in self.points.iter_mut().filter(|point| point.failed) {
             let pressure = (-joint.moved(point, twist, step)[0]).max(0.0);
@@ -159,7 +222,7 @@ impl Joint {
     /// Utilisation of a point that holds; 0 for others.
     fn used(&self, point: &Point, twist: &Twist, step: &Stepping) -> f64 {
         match &self.strength {
-            Some(strength) if !point.failed => {
+            Some(strength) if !point.failed && self.is_brittle() => {
                 strength.utilisation(&self.moved(point, twist, step)).0
             }
             _ => 0.0,
@@ -187,13 +250,23 @@ impl Joint {
     pub(crate) fn look_open(&mut self, twist: &Twist, step: &Stepping) {
         let joint = *self;
         for point in self.points.iter_mut().filter(|point| point.fails) {
+            // What has failed and has a model is as its law says.
             point.opens = joint.moved(point, twist, step)[0] >= 0.0;
         }
     }
 
     /// Energy in the springs of a point at the start of the step, J.
     pub(crate) fn stored(&self, point: usize) -> f64 {
-        self.area * stored(self.springs, &self.points[point].traction)
+        let of = &self.points[point];
+        let energy = match &self.model {
+            Some(model) => {
+                let law = Law::new(self.strength.as_ref(), model, self.springs);
+                let [normal, shear] = law.energy(&of.start, &of.at, &of.memory);
+                normal + shear
+            }
+            None => stored(self.springs, &of.traction),
+        };
+        self.area * energy
     }
 }
 

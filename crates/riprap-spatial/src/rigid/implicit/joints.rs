@@ -17,9 +17,6 @@ use crate::state::world::World;
 /// Why implicit steps do not take the law of patch `p`.
 pub(super) fn obstacle(world: &World, p: usize) -> Option<&'static str> {
     let joint = Reading { world, p }.joint();
-    if !joint.is_plain() {
-        return Some("with softening, closure or dilation");
-    }
     (joint.failure == Failure::Face && joint.strength.is_some()).then_some("that fails as one face")
 }
 
@@ -44,14 +41,17 @@ fn pair(world: &World, p: usize) -> Pair {
         area: 0.25 * class.area,
         springs,
         strength: law.strength,
+        model: (!law.is_plain()).then_some(law.behaviour),
         points: std::array::from_fn(|q| {
-            let mut memory = memory[q];
+            let [known, mut memory] = [memory[q]; 2];
             if memory.open {
                 // Where it closes, its shear spring is stretched by the way of the step alone.
                 memory.slip = [0, 1].map(|k| points.at[q][k + 1] + start[q][k + 1] / springs[1]);
             }
             let traction = elastic(springs, &start[q], &points.at[q], &memory);
-            Point::new(arms[q][0], traction, memory.broken)
+            let mut point = Point::new(arms[q][0], traction, memory.broken);
+            (point.at, point.start, point.memory) = (points.at[q], start[q], known);
+            point
         }),
     };
     Pair {

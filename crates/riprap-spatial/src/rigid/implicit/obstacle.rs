@@ -44,6 +44,6 @@ pub fn obstacle(world: &World) -> Option<Obstacle> {
     let [i, j] = world.patches.ends[p].map(|b| world.name(b as usize));
     found(
         format!("a joint {kind} ties blocks `{i}` and `{j}`"),
-        "use a brittle joint with straight springs that fails point by point",
+        "use one that fails point by point",
     )
 }
