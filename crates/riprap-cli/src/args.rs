@@ -385,6 +385,9 @@ pub struct Safety {
     /// Run the scene from its start with reduced strengths in every trial: slower, and with another stress path
     #[arg(long, conflicts_with = "quantity")]
     pub from_start: bool,
+    /// How trials seek their equilibrium: by relaxation (explicit) or by Newton's method (implicit), or so where the model can take it (automatic)
+    #[arg(long, value_name = "KIND", default_value = "automatic", value_parser = ["automatic", "explicit", "implicit"])]
+    pub integration: String,
     /// Folder for the results [default: the scene's name with .safety, in the working folder]
     #[arg(short, long, value_name = "DIR")]
     pub out: Option<PathBuf>,

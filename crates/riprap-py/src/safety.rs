@@ -76,6 +76,7 @@ pub fn safety(
         balance: options.balance,
         steps: options.steps,
         from_start: options.from_start,
+        ..Rules::default()
     };
     let threads = options.threads;
     let job = prepared.job();

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use riprap::plan::Integration;
 use riprap::run::scene::Scene;
 use riprap::run::study::safety::{
     Answer, Mechanism, Quantity, Rules, State, Trial, over_quantity, search,
@@ -333,4 +334,43 @@ fn plane_failure_under_a_water_table() {
             agrees(&answer, wanted, rules.width);
         }
     }
+}
+
+/// In space Newton's method answers as relaxation does, in a small share of the steps; bolts included. Wedges that slide before they stand are left to relaxation.
+#[test]
+fn trials_by_newtons_method_have_the_brackets_of_relaxation() {
+    for (file, wanted, share) in [
+        ("implicit/retaining_wall.toml", Some(2.002_413), 0.3),
+        ("engineering/bolt_plane_anchor.toml", Some(1.358_2), 0.7),
+        ("spatial-contact/leaning_block.toml", None, 0.01),
+        ("spatial-contact/g2_wedge.toml", Some(0.877_10), 1.0),
+    ] {
+        let scene = verified(file, &[]);
+        let by = |integration: Integration| {
+            let rules = Rules { integration, ..Rules::default() };
+            let answer = safety(&scene, "default", &rules).unwrap();
+            let steps: u64 = answer.trials.iter().map(|trial| trial.steps).sum();
+            (answer, steps)
+        };
+        let (newton, few) = by(Integration::Automatic);
+        let (relaxed, many) = by(Integration::Explicit);
+        assert_eq!(newton.stable_at, relaxed.stable_at, "{file}: {newton:?}");
+        assert_eq!(newton.fails_at, relaxed.fails_at, "{file}");
+        assert_eq!(newton.mechanism, relaxed.mechanism, "{file}");
+        if let Some(wanted) = wanted {
+            agrees(&newton, wanted, 0.01);
+        }
+        assert!((few as f64) < share * many as f64, "{file}: {few} {many}");
+        let sought = |trial: &&Trial| trial.integration == Integration::Implicit;
+        let count = newton.trials.iter().filter(sought).count();
+        assert!(2 * count > newton.trials.len(), "{file}: {count}");
+        assert_eq!(relaxed.trials.iter().filter(sought).count(), 0, "{file}");
+    }
+}
+
+/// In the plane trials relax, and say so.
+#[test]
+fn trials_in_the_plane_relax() {
+    let answer = safety(&scene(STONE), "default", &Rules::default()).unwrap();
+    assert!(answer.trials.iter().all(|trial| trial.integration == Integration::Explicit));
 }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use riprap::plan::Integration;
 use riprap::record::folder::Existing;
 use riprap::run::drive::{Ending, Look};
 use riprap::run::job::{self, Job};
@@ -74,6 +75,11 @@ fn rules(args: &Safety, over: Option<&Quantity>) -> Result<Rules, Failure> {
         balance: args.balance,
         steps: args.steps,
         from_start: args.from_start,
+        integration: match args.integration.as_str() {
+            "explicit" => Integration::Explicit,
+            "implicit" => Integration::Implicit,
+            _ => Integration::Automatic,
+        },
     })
 }
 
@@ -132,11 +138,12 @@ fn line(count: usize, trial: &Trial, over: Option<&Quantity>) -> String {
         Some(quantity) => format!("{:<12}", quantity.shown.text(trial.value, 6)),
     };
     let mut text = format!(
-        "{count:>3}  {value} {:<9}  moved {} ({})  {} steps in {}",
+        "{count:>3}  {value} {:<9}  moved {} ({})  {} steps{} in {}",
         trial.state.word(),
         si(trial.moved, "m"),
         trial.block,
         grouped(trial.steps),
+        if trial.integration == Integration::Implicit { " by Newton's method" } else { "" },
         duration(trial.seconds)
     );
     if !trial.note.is_empty() {

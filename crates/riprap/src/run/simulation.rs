@@ -31,7 +31,8 @@ use super::engine::{BuildError, Engine, Kind, Reading, Stable, View};
 use crate::exec::Exec;
 use crate::ledger::Balance;
 use crate::plan::{
-    Damping, IMPLICIT_STEP, Integration, Phase, PhaseKind, Plan, Relaxing, TimeStep, Until,
+    Damping, IMPLICIT_STEP, Integration, Phase, PhaseKind, Plan, Relaxing, STATIC_STEP, TimeStep,
+    Until,
 };
 use crate::setup::Setup;
 
@@ -220,10 +221,11 @@ impl Simulation {
         if !self.cursor.entered {
             self.enter_phase()?;
         }
-        let Some(phase) = self.phase().map(Rules::of) else {
+        let implicit = self.engine.is_implicit();
+        let Some(phase) = self.phase().map(|phase| Rules::of(phase, implicit)) else {
             let (last, dt) = (self.plan.phases.last(), self.cursor.closing_dt);
             let damping = match last {
-                Some(last) if settles(last) => self.forgetting(dt),
+                Some(last) if self.settles(last) => self.forgetting(dt),
                 Some(last) => last.damping,
                 None => Damping::default(),
             };
@@ -348,6 +350,11 @@ impl Simulation {
         self.evaluate(&self.damping(phase), self.dt)
     }
 
+    /// Whether a phase, which is the present one or has just ended, seeks its equilibrium by implicit steps.
+    fn settles(&self, phase: &Phase) -> bool {
+        phase.kind == PhaseKind::Static && self.engine.is_implicit()
+    }
+
     /// Damping in the coming step.
     fn damping(&self, phase: &Rules) -> Damping {
         if phase.settles { self.forgetting(self.dt) } else { phase.damping }
@@ -389,7 +396,7 @@ impl Simulation {
         if !phase.edits() {
             return Ok(());
         }
-        let damping = damping_of(&phase);
+        let damping = damping_of(&phase, self.engine.is_implicit());
         self.evaluate(&damping, 0.0)?;
         // Nothing moves until `after`: the residual changes by what the edit adds
         // to stored and kinetic energy, and by nothing else.
@@ -421,11 +428,12 @@ impl Simulation {
         };
         let relaxes = phase.deform.is_some_and(|d| d.relax.is_some());
         // Velocities of a static phase are those of its steps, and no motion that goes on.
-        let settled = settles(&before) && self.view().last_dt() > 0.0;
+        let settled = self.settles(&before) && self.view().last_dt() > 0.0;
         if relaxes || !(settled || self.forces_jump(&before, phase)) {
             return Ok(());
         }
-        let damping = if settled { self.forgetting(0.0) } else { damping_of(&before) };
+        let implicit = self.engine.is_implicit();
+        let damping = if settled { self.forgetting(0.0) } else { damping_of(&before, implicit) };
         let ended = self.engine.end_motion(&damping);
         ended.map_err(|block| self.no_force(block))
     }
@@ -435,9 +443,10 @@ impl Simulation {
         let gravity = phase.gravity_ramp.is_none_or(|span| span <= 0.0)
             && self.engine.gravity() != self.cursor.gravity_after;
         let strain = |phase: &Phase| phase.deform.and_then(|d| d.strain);
+        let damping = |phase: &Phase| damping_of(phase, phase.integration == Integration::Implicit);
         gravity
             || before.integration != phase.integration
-            || damping_of(before) != damping_of(phase)
+            || damping(before) != damping(phase)
             || phase.edits_forces()
             || strain(phase).is_some_and(|now| strain(before) != Some(now))
     }
@@ -508,6 +517,7 @@ impl Simulation {
             TimeStep::Auto { .. } => self.stable().dt,
         };
         let wanted = match phase.time_step {
+            TimeStep::Auto { .. } if phase.settles => STATIC_STEP,
             TimeStep::Auto { .. } if self.engine.is_implicit() => IMPLICIT_STEP,
             rule => rule.wanted(stable, &phase.until, phase.gravity_ramp),
         };
@@ -559,29 +569,24 @@ fn longest(a: Option<f64>, b: Option<f64>) -> Option<f64> {
 }
 
 impl Rules {
-    fn of(phase: &Phase) -> Self {
+    fn of(phase: &Phase, implicit: bool) -> Self {
         Self {
             until: phase.until,
             time_step: phase.time_step,
-            damping: damping_of(phase),
+            damping: damping_of(phase, implicit),
             gravity_ramp: phase.gravity_ramp,
             ramp: longest(phase.gravity_ramp, phase.removal_ramp),
             relax: phase.deform.and_then(|d| d.relax),
-            settles: settles(phase),
+            settles: implicit && phase.kind == PhaseKind::Static,
         }
     }
 }
 
-/// Whether a phase seeks its equilibrium by implicit steps.
-fn settles(phase: &Phase) -> bool {
-    phase.kind == PhaseKind::Static && phase.integration == Integration::Implicit
-}
-
-/// Damping of a phase; static phases of explicit steps have local damping unless another is given.
+/// Damping of a phase; static phases of explicit steps have local damping unless another is given. `implicit`: whether its steps are.
 #[must_use]
-pub fn damping_of(phase: &Phase) -> Damping {
+pub fn damping_of(phase: &Phase, implicit: bool) -> Damping {
     let mut damping = phase.damping;
-    if settles(phase) {
+    if implicit {
         return damping;
     }
     if phase.kind == PhaseKind::Static && damping.local == 0.0 && damping.mass == 0.0 {

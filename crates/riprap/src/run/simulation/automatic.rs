@@ -1,4 +1,4 @@
-//! The choice between explicit and implicit steps.
+//! The choice between explicit and implicit steps, and in static phases between relaxation and Newton's method.
 
 use super::{RunError, Simulation, damping_of};
 use crate::dynamics::damping::Damping;
@@ -16,15 +16,20 @@ impl Simulation {
             Integration::Explicit => false,
             Integration::Implicit => true,
             Integration::Automatic => {
-                let damping = damping_of(phase);
+                let damping = damping_of(phase, false);
                 // Who can meet whom is known after a look.
                 self.evaluate(&damping, 0.0)?;
-                let (implicit, words) = match self.against_implicit(phase, &damping) {
-                    Some(why) => (false, format!("explicitly: {why}")),
-                    None if phase.damping.stiffness > 0.0 => {
-                        (true, "implicitly; its `damping.stiffness` had no effect".to_owned())
+                let against = self.against_implicit(phase, &damping);
+                let implicit = against.is_none();
+                let words = match against {
+                    Some(why) => format!("explicitly: {why}"),
+                    None if phase.kind == PhaseKind::Static => {
+                        "implicitly, to equilibrium by Newton's method".to_owned()
                     }
-                    None => (true, "implicitly".to_owned()),
+                    None if phase.damping.stiffness > 0.0 => {
+                        "implicitly; its `damping.stiffness` had no effect".to_owned()
+                    }
+                    None => "implicitly".to_owned(),
                 };
                 self.cursor.chosen.push(format!("phase `{}` was stepped {words}", phase.name));
                 implicit
@@ -36,13 +41,23 @@ impl Simulation {
 
     /// Why a phase is better stepped explicitly, in words.
     fn against_implicit(&self, phase: &Phase, damping: &Damping) -> Option<String> {
-        if phase.kind == PhaseKind::Static || damping.local > 0.0 {
+        let settles = phase.kind == PhaseKind::Static;
+        let Some(view) = self.view().spatial() else {
+            return Some("it is in the plane".to_owned());
+        };
+        if phase.damping.local > 0.0 {
             return Some("it has local damping".to_owned());
+        }
+        if settles && phase.damping != Damping::default() {
+            return Some("it has damping of its own".to_owned());
         }
         if let Some(Obstacle { what, .. }) = self.engine.obstacle() {
             return Some(what);
         }
-        let view = self.view().spatial()?;
+        if settles {
+            // Tens of steps, where a relaxation has thousands.
+            return None;
+        }
         let meets = outlook::outlook(&view);
         // Dry joints, which an implicit phase makes contacts of, are not among what can meet.
         let joints = self.engine.stable(damping.stiffness).dt;

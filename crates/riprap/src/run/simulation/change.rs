@@ -182,7 +182,7 @@ impl Simulation {
         }
         self.begin_present()?;
         let phase = self.plan.phases[self.cursor.phase].clone();
-        let damping = damping_of(&phase);
+        let damping = damping_of(&phase, self.engine.is_implicit());
         if self.view().last_dt() > 0.0 {
             let ended = self.engine.end_motion(&damping);
             ended.map_err(|block| self.no_force(block))?;

@@ -2,7 +2,7 @@
 
 use super::cause;
 use super::cursor::{Deep, Into, Reason};
-use super::{Rules, RunError, Simulation, settles};
+use super::{Rules, RunError, Simulation};
 use crate::ledger::{COLUMNS, Unexplained};
 use crate::plan::{PhaseKind, Relaxing};
 use crate::planar::setup::NormalLaw;
@@ -167,7 +167,7 @@ impl Simulation {
         if over || self::due(step, LEDGER, 8) {
             self.look_at_strain(over)?;
             // Works of steps that forget velocities are those of a way in straight lines, and no measure of an error.
-            if !self.phase().is_some_and(settles) {
+            if !self.phase().is_some_and(|phase| self.settles(phase)) {
                 self.look_at_ledger(over)?;
             }
         }

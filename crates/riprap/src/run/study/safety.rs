@@ -2,7 +2,7 @@
 //!
 //! The factor F divides all strengths of the chosen interfaces at once: cohesion, tension and the tangent of the friction angle, before
 //! and after failure; never stiffness or density (Zienkiewicz, Humpheson and Lewis 1975; Dawson, Roth and Drescher 1999). Every
-//! trial is a static phase with local damping that goes on from the last stable state with its stresses:
+//! trial is a static phase that goes on from the last stable state with its stresses:
 //!
 //! ```text
 //!   scene's phases        F = 1       F = 2          F = 1.5       F = 1.25      ...
@@ -16,6 +16,9 @@
 //! down, at any displacement; one with a mechanism is pulled on by a force that does not go. So the answer does
 //! not hang on the stated length, which only says from when on it is worth asking. A trial that is neither when its steps are used up is
 //! *undecided*, and never counts as stable: the answer is then a wider range.
+//!
+//! Models in space that implicit steps can take seek their equilibrium by Newton's method, some tens of steps in place of thousands. A trial then is *failing* when
+//! blocks move on and on: as far as steps allow, or under unbalanced forces that do not fall. What is not decided so is tried again by relaxation.
 
 mod record;
 mod rules;
@@ -28,7 +31,7 @@ use std::time::Instant;
 use super::bracket::{Found, Search, Task, drive};
 use super::{Executor, StudyError};
 use crate::plan::shown::Shown;
-use crate::plan::{Every, Plan, Until};
+use crate::plan::{Every, Integration, Plan, Until};
 use crate::run::job::Job;
 #[cfg(feature = "scenario")]
 use crate::run::scene::Scene;
@@ -42,7 +45,7 @@ pub use super::range::Quantity;
 pub use rules::{Answer, Rules, Trial};
 use scope::{Scope, scope};
 use trial::{Done, Maker};
-pub use trial::{reduced_from_start, trial_phase};
+pub use trial::{left_open, reduced_from_start, trial_phase};
 pub use verdict::Mechanism;
 
 /// Largest factor that is tried; above it strength does not decide. Its inverse is the smallest.
@@ -239,6 +242,15 @@ pub fn mechanism_job(
         return Ok(None);
     };
     let steps = trial.steps.max(1);
+    // As that trial sought its equilibrium.
+    let rules = &Rules {
+        integration: match trial.integration {
+            Integration::Explicit => Integration::Explicit,
+            Integration::Implicit | Integration::Automatic => rules.integration,
+        },
+        ..rules.clone()
+    };
+    job.plan = left_open(&job.plan, rules);
     let (mut rows_of, mut factor) = (Vec::new(), 1.0);
     if answer.quantity.is_none() {
         let Scope { setup, plan, rows } = scope(&job.setup, &job.plan, rules)?;
@@ -263,7 +275,11 @@ pub fn mechanism_job(
         phase.until = seen;
         job.plan.phases.push(phase);
     }
-    job.plan.frames = Some(Every::Steps(steps.div_ceil(FRAMES).max(1)));
+    // In time where steps are long ones: the phases of the scene before have many more of them.
+    job.plan.frames = Some(match trial.integration {
+        Integration::Implicit if trial.span > 0.0 => Every::Time(trial.span / FRAMES as f64),
+        _ => Every::Steps(steps.div_ceil(FRAMES).max(1)),
+    });
     job.checks.clear();
     Ok(Some(job))
 }

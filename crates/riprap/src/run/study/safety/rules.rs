@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::verdict::Mechanism;
+use crate::plan::Integration;
 use crate::plan::shown::Shown;
 use crate::run::study::bracket::State;
 
@@ -25,6 +26,9 @@ pub struct Rules {
     pub steps: u64,
     /// Whether every trial runs the scene from its start with the reduced strengths, instead of going on from the last stable state.
     pub from_start: bool,
+    /// How trials seek their equilibrium, and with `Automatic` static phases of the scene that leave it open: implicitly by Newton's method where the model
+    /// can take it, else by relaxation.
+    pub integration: Integration,
 }
 
 impl Default for Rules {
@@ -38,6 +42,7 @@ impl Default for Rules {
             balance: 1e-5,
             steps: 100_000,
             from_start: false,
+            integration: Integration::Automatic,
         }
     }
 }
@@ -57,6 +62,11 @@ pub struct Trial {
     pub unbalanced: f64,
     /// Steps.
     pub steps: u64,
+    /// How it sought its equilibrium: explicitly by relaxation, or implicitly by Newton's method.
+    pub integration: Integration,
+    /// Model time, s.
+    #[serde(skip)]
+    pub span: f64,
     /// Wall time, s.
     pub seconds: f64,
     /// Why the physics stopped it, and what else is to be known.

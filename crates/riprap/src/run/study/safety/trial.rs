@@ -3,21 +3,24 @@
 use std::time::Instant;
 
 use super::rules::{Rules, Trial};
-use super::verdict::{self, Look, Mechanism, Watch};
+use super::verdict::{self, Look, Mechanism, Spent, Watch, seeks};
 use crate::exec::Exec;
 use crate::plan::{
     Damping, Deforming, Integration, Phase, PhaseKind, Plan, Reduction, STATIC_STEP, TimeStep,
 };
+use crate::run::engine::State as EngineState;
 use crate::run::job::JobError;
 use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot};
 use crate::run::study::StudyError;
 use crate::run::study::bracket::{State, Task};
 use crate::setup::Setup;
 
-/// Steps between two looks at a trial.
+/// Steps between two looks at a trial by relaxation; steps of Newton's method are looked at one by one.
 const CHECK_INTERVAL: u64 = 50;
-/// The same for blocks that are not where they were any more: what comes to rest then has not stood.
+/// Displacement over the size of the middle one of the blocks from which on they are not where they were any more: what comes to rest then has not stood.
 const FAR: f64 = 0.1;
+/// Steps of Newton's method after which relaxation takes its place.
+const MOST_SOUGHT: u64 = 500;
 
 /// Share of the stable step that trials take at least: what they pass through on the way to rest need not be exact.
 const SHARE: f64 = 0.5;
@@ -32,6 +35,9 @@ pub(super) struct Done {
     pub moving: Vec<(String, f64)>,
     /// How they move.
     pub mechanism: Option<Mechanism>,
+    /// Whether Newton's method had a part in it, and has moved blocks by more than their springs.
+    sought: bool,
+    strays: bool,
 }
 
 /// Makes a trial.
@@ -56,6 +62,10 @@ struct Before {
     /// The farthest displacement in them (m), the block, and whether it is far from where it began.
     farthest: (f64, u32),
     far: bool,
+    /// Whether Newton's method had a part in them, has moved blocks by more than their springs, and came to no end.
+    sought: bool,
+    strays: bool,
+    endless: bool,
 }
 
 impl Maker<'_> {
@@ -65,12 +75,48 @@ impl Maker<'_> {
         (setup, plan): (Setup, Plan),
         changed: bool,
     ) -> Result<Done, StudyError> {
-        let last = trial_phase(&plan, self.rules, self.rows, 1.0);
+        let in_space = matches!(setup, Setup::Spatial(_));
+        self.either(in_space, |rules| self.from_start((setup.clone(), &plan), rules, changed))
+    }
+
+    /// Makes a trial by the rules, and by relaxation where Newton's method does not decide it: it has come to no end, or blocks have slid in its long steps before
+    /// they stood, and may be wedged between others.
+    fn either(
+        &self,
+        in_space: bool,
+        trial: impl Fn(&Rules) -> Result<Done, StudyError>,
+    ) -> Result<Done, StudyError> {
+        let relaxing = Rules { integration: Integration::Explicit, ..self.rules.clone() };
+        let leaves_open = self.rules.integration == Integration::Automatic;
+        if leaves_open && !in_space {
+            return trial(&relaxing);
+        }
+        let done = trial(self.rules)?;
+        let decided = match done.trial.state {
+            State::Stable => !done.strays,
+            State::Failing => true,
+            State::Undecided => false,
+        };
+        if decided || !(leaves_open && done.sought) { Ok(done) } else { trial(&relaxing) }
+    }
+
+    fn from_start(
+        &self,
+        (setup, plan): (Setup, &Plan),
+        rules: &Rules,
+        changed: bool,
+    ) -> Result<Done, StudyError> {
+        let last = trial_phase(plan, rules, self.rows, 1.0);
         let exec = Exec::new(self.task.threads).map_err(JobError::from)?;
+        let plan = left_open(plan, rules);
         let mut simulation = Simulation::new(setup, plan, exec).map_err(JobError::from)?;
         let before = self.run(&mut simulation)?;
         let Some(watch) = before.failing else {
-            let mut done = self.judge(self.after(&simulation.snapshot(), last)?, before.ended)?;
+            let stopped = before.ended.is_some() || before.endless;
+            let mut done =
+                self.judge(self.after(&simulation.snapshot(), last)?, before.ended, stopped)?;
+            done.sought |= before.sought;
+            done.strays |= before.strays;
             if changed && before.far && done.trial.state == State::Stable {
                 // Rubble at rest is no model that stands.
                 done.trial.state = State::Undecided;
@@ -89,6 +135,7 @@ impl Maker<'_> {
         let note = format!("in phase `{name}` of the scene");
         let mut done = self.told(&simulation, &watch, State::Failing, from, note);
         done.trial.phase = Some(phase);
+        done.sought |= before.sought;
         Ok(done)
     }
 
@@ -99,8 +146,11 @@ impl Maker<'_> {
         plan: &Plan,
         by: f64,
     ) -> Result<Done, StudyError> {
-        let phase = trial_phase(plan, self.rules, self.rows, by);
-        self.judge(self.after(state, phase)?, None)
+        let one = |rules: &Rules| {
+            let phase = trial_phase(plan, rules, self.rows, by);
+            self.judge(self.after(state, phase)?, None, false)
+        };
+        self.either(matches!(state.state, EngineState::Spatial(_)), one)
     }
 
     /// A simulation that goes on from a state with one more phase.
@@ -121,17 +171,22 @@ impl Maker<'_> {
         &self,
         mut simulation: Simulation,
         mut ended: Option<RunError>,
+        stopped: bool,
     ) -> Result<Done, StudyError> {
         let begin = simulation.steps();
         let mut watch = Watch::new(self.rules.moved);
-        let mut steps = 0;
+        let (mut steps, mut sought) = (0, false);
+        let mut from = None;
         let state = loop {
-            if ended.is_some() {
+            sought |= seeks(&simulation);
+            let endless = seeks(&simulation) && simulation.steps() - begin > MOST_SOUGHT;
+            if stopped || endless || ended.is_some() {
                 break watch.stopped();
             }
             match simulation.advance(steps) {
                 Ok(Reached::Asked) => {
                     self.task.goes_on()?;
+                    from.get_or_insert_with(|| Spent::of(&simulation));
                     watch.look(Look::of(&simulation, begin));
                     if watch.is_failing() {
                         break State::Failing;
@@ -146,10 +201,14 @@ impl Maker<'_> {
                 }
                 Err(why) => ended = Some(why),
             }
-            steps = CHECK_INTERVAL;
+            steps = interval(&simulation);
         };
         let note = ended.map_or_else(String::new, |why| why.to_string());
-        Ok(self.told(&simulation, &watch, state, begin, note))
+        let mut done = self.told(&simulation, &watch, state, begin, note);
+        done.sought |= sought;
+        let spent = from.map(|from| Spent::of(&simulation).since(from));
+        done.strays = sought && spent.is_some_and(|spent| watch.has_strayed(spent));
+        Ok(done)
     }
 
     /// Runs the phases of a scene and watches the static ones.
@@ -157,14 +216,25 @@ impl Maker<'_> {
         let mut before = Before::default();
         let mut watch: Option<Watch> = None;
         let (mut of_phase, mut begin) = (usize::MAX, 0);
+        let mut steps = 0;
         loop {
-            match simulation.advance(CHECK_INTERVAL) {
+            match simulation.advance(steps) {
                 Ok(Reached::End) => return Ok(before),
                 Ok(Reached::Asked) => {}
-                Err(why) => return Ok(Before { ended: Some(why), ..before }),
+                Err(why) => {
+                    let sought = before.sought || seeks(simulation);
+                    return Ok(Before { ended: Some(why), sought, ..before });
+                }
             }
             self.task.goes_on()?;
+            steps = interval(simulation);
             let cursor = simulation.cursor();
+            if seeks(simulation) {
+                before.sought = true;
+                if simulation.steps() - cursor.start_step > MOST_SOUGHT {
+                    return Ok(Before { endless: true, ..before });
+                }
+            }
             if of_phase != cursor.phase {
                 of_phase = cursor.phase;
                 // Displacements of a phase are judged against its own beginning.
@@ -174,6 +244,7 @@ impl Maker<'_> {
             // as well, which are not watched for failure.
             let mut all = Watch::new(self.rules.moved);
             all.look(Look::of(simulation, 0));
+            before.strays |= seeks(simulation) && all.has_strayed(Spent::of(simulation));
             if let Some((moved, block)) = all.farthest()
                 && moved > before.farthest.0
             {
@@ -224,15 +295,46 @@ impl Maker<'_> {
                 block: view.name(block),
                 unbalanced: view.unbalanced(),
                 steps: simulation.steps() - begin,
+                integration: match simulation.engine().is_implicit() {
+                    true => Integration::Implicit,
+                    false => Integration::Explicit,
+                },
+                span: simulation.time() - simulation.cursor().start_time,
                 seconds: self.begun.elapsed().as_secs_f64(),
                 note,
                 phase: None,
             },
+            sought: seeks(simulation),
+            strays: false,
             state: (state == State::Stable).then(|| simulation.snapshot()),
             mechanism: verdict::mechanism(&moving),
             moving: moving.iter().map(|m| (view.name(m.block), verdict::length(m.shift))).collect(),
         }
     }
+}
+
+/// Steps until the next look at a trial.
+fn interval(simulation: &Simulation) -> u64 {
+    if seeks(simulation) { 1 } else { CHECK_INTERVAL }
+}
+
+/// The plan with the integration of its static phases left open where they are by default and the rules leave it open.
+#[must_use]
+pub fn left_open(plan: &Plan, rules: &Rules) -> Plan {
+    let mut plan = plan.clone();
+    let plain = |phase: &Phase| {
+        let auto = matches!(phase.time_step, TimeStep::Auto { .. });
+        auto && phase.kind == PhaseKind::Static
+            && phase.integration == Integration::Explicit
+            && phase.damping == Damping::default()
+            && phase.deform.is_none()
+    };
+    if rules.integration == Integration::Automatic {
+        for phase in plan.phases.iter_mut().filter(|phase| plain(phase)) {
+            phase.integration = Integration::Automatic;
+        }
+    }
+    plan
 }
 
 /// The phase of a trial: static, from the present state, with strengths divided by `factor`.
@@ -244,9 +346,10 @@ pub fn trial_phase(plan: &Plan, rules: &Rules, rows: &[u16], factor: f64) -> Pha
     let time_step = last.map(|phase| phase.time_step);
     let mut phase = Phase::settle("safety", rules.balance);
     phase.until.steps = Some(rules.steps);
-    if let Some(last) = last.filter(|last| last.integration == Integration::Implicit) {
-        phase.integration = last.integration;
-    }
+    phase.integration = match last.map(|last| last.integration) {
+        Some(Integration::Implicit) => Integration::Implicit,
+        _ => rules.integration,
+    };
     phase.time_step = match time_step {
         _ if phase.integration == Integration::Implicit => TimeStep::Given { dt: STATIC_STEP },
         Some(TimeStep::Auto { safety }) => TimeStep::Auto { safety: safety.max(SHARE) },

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::plan::PhaseKind;
 use crate::run::engine::Movement;
 use crate::run::simulation::Simulation;
 use crate::run::study::bracket::State;
@@ -12,8 +13,15 @@ const MOVED: f64 = 1e-3;
 /// Growth of the mean kinetic energy from one quarter of a trial to the next that tells of a mechanism: a steady pull gives 2.7 and
 /// 1.9, what swings and calms down less than 1.
 const GROWTH: f64 = 1.3;
-/// Looks before anything is said.
+/// Share of the displacement that counts as moved, and of the work of weight and loads that friction has taken, beyond which Newton's method may have driven a
+/// wedge: friction then locks in more than the weight asks for.
+const STRAYED: [f64; 2] = [0.05, 0.02];
+/// Looks before anything is said, and steps of Newton's method that a mechanism goes on for.
 const FEWEST: usize = 12;
+/// Way of a block in such a step, over half its shortest edge, from which on blocks move as far as steps allow.
+const FAST: f64 = 0.0125;
+/// Share of the unbalanced forces that is left by a mechanism that moves slowly, after so many steps.
+const LEFT: f64 = 0.98;
 /// Share of the farthest displacement from which on a block belongs to the mechanism.
 const MOVING: f64 = 0.3;
 
@@ -35,6 +43,8 @@ pub(super) struct Look {
     steps: u64,
     /// Kinetic energy, J or J/m.
     kinetic: f64,
+    /// Way of a block in the last step over half its shortest edge, and the ratio of unbalanced forces, where steps seek an equilibrium.
+    seeking: Option<[f64; 2]>,
     /// Free blocks since the trial began.
     movements: Vec<Movement>,
 }
@@ -46,15 +56,50 @@ impl Look {
         Self {
             steps: simulation.steps() - begin,
             kinetic: view.kinetic(),
+            seeking: seeks(simulation)
+                .then(|| [simulation.engine().settling_way(), view.unbalanced()]),
             movements: view.movements(),
         }
     }
+}
+
+/// What forces have done, J.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Spent {
+    friction: f64,
+    gravity: f64,
+    loads: f64,
+}
+
+impl Spent {
+    /// So far, at the present, prepared state.
+    pub(super) fn of(simulation: &Simulation) -> Self {
+        let works = simulation.view().balance().works;
+        Self { friction: works.friction, gravity: works.gravity, loads: works.loads }
+    }
+
+    /// After an earlier state.
+    pub(super) fn since(self, from: Self) -> Self {
+        Self {
+            friction: self.friction - from.friction,
+            gravity: self.gravity - from.gravity,
+            loads: self.loads - from.loads,
+        }
+    }
+}
+
+/// Whether the present phase seeks its equilibrium by Newton's method.
+pub(super) fn seeks(simulation: &Simulation) -> bool {
+    let quiet = simulation.phase().is_some_and(|phase| phase.kind == PhaseKind::Static);
+    quiet && simulation.engine().is_implicit()
 }
 
 /// What has been seen of a trial.
 pub(super) struct Watch {
     moved: Option<f64>,
     looks: Vec<(u64, f64)>,
+    /// Way, unbalanced forces and farthest displacement (m) after each step of Newton's method.
+    sought: Vec<[f64; 3]>,
     movements: Vec<Movement>,
     /// Displacements that blocks had before, m.
     base: Vec<(u32, [f64; 3])>,
@@ -63,7 +108,8 @@ pub(super) struct Watch {
 impl Watch {
     /// Nothing yet; `moved` as in the rules, m.
     pub(super) fn new(moved: Option<f64>) -> Self {
-        Self { moved, looks: Vec::new(), movements: Vec::new(), base: Vec::new() }
+        let (looks, sought) = (Vec::new(), Vec::new());
+        Self { moved, looks, sought, movements: Vec::new(), base: Vec::new() }
     }
 
     /// Nothing yet, of blocks that have moved before: what counts is how far they come from there.
@@ -88,6 +134,10 @@ impl Watch {
                 movement.shift = [0, 1, 2].map(|k| movement.shift[k] - shift[k]);
             }
         }
+        if let Some([way, unbalanced]) = look.seeking {
+            let moved = self.farthest().map_or(0.0, |(moved, _)| moved);
+            self.sought.push([way, unbalanced, moved]);
+        }
     }
 
     /// The block that has come farthest, and how far, m.
@@ -98,24 +148,39 @@ impl Watch {
         })
     }
 
-    /// Whether it has moved far enough to be asked; with a share, farther than that share of the size of the middle one of the blocks.
-    pub(super) fn has_moved(&self, share: Option<f64>) -> bool {
+    /// Displacement from which on a block counts as moved, m: as in the rules, or with a share that of the size of the middle one of the blocks.
+    fn limit(&self, share: Option<f64>) -> f64 {
         let of_size = |share: f64| {
             let mut sizes: Vec<f64> = self.movements.iter().map(|m| m.size).collect();
             sizes.sort_by(f64::total_cmp);
             sizes.get(sizes.len() / 2).map_or(0.0, |size| share * size)
         };
-        let limit = match (share, self.moved) {
+        match (share, self.moved) {
             (None, Some(moved)) => moved,
             (Some(share), _) => of_size(share),
             (None, None) => of_size(MOVED),
-        };
-        self.farthest().is_some_and(|(moved, _)| moved > limit)
+        }
+    }
+
+    /// Whether it has moved far enough to be asked; with a share, farther than that share of the size of the middle one of the blocks.
+    pub(super) fn has_moved(&self, share: Option<f64>) -> bool {
+        self.farthest().is_some_and(|(moved, _)| moved > self.limit(share))
+    }
+
+    /// Whether blocks have slid by more than their springs give, so that long steps may have wedged them between others; `spent` since it began.
+    pub(super) fn has_strayed(&self, spent: Spent) -> bool {
+        let [far, rubbed] = STRAYED;
+        let moved = self.farthest().is_some_and(|(moved, _)| moved > far * self.limit(None));
+        moved && spent.friction > rubbed * (spent.gravity.abs() + spent.loads.abs())
     }
 
     /// Whether it moves on and on.
     pub(super) fn is_failing(&self) -> bool {
-        self.looks.len() >= FEWEST && self.has_moved(None) && grows(&self.looks)
+        let goes_on = match self.sought.is_empty() {
+            true => grows(&self.looks),
+            false => goes_on(&self.sought),
+        };
+        self.looks.len() >= FEWEST && self.has_moved(None) && goes_on
     }
 
     /// What it is when it ends without balance: failing if it was at its end, else undecided.
@@ -152,6 +217,19 @@ fn grows(looks: &[(u64, f64)]) -> bool {
     };
     let [second, third, fourth] = [1, 2, 3].map(mean);
     third > GROWTH * second && fourth > GROWTH * third
+}
+
+/// Whether blocks move on and on in steps that forget velocities: as far as steps allow, or under forces that do not fall.
+fn goes_on(sought: &[[f64; 3]]) -> bool {
+    let farther = |of: &[[f64; 3]]| of.windows(2).all(|two| two[1][2] > two[0][2]);
+    let last = |n: usize| sought.len().checked_sub(n).map(|from| &sought[from..]);
+    let fast = last(FEWEST).is_some_and(|of| farther(of) && of.iter().all(|[way, ..]| *way > FAST));
+    let steady = last(2 * FEWEST).is_some_and(|of| {
+        let (before, after) = of.split_at(FEWEST);
+        let most = before.iter().map(|[_, left, _]| *left).fold(0.0, f64::max);
+        farther(of) && after.iter().all(|[_, left, _]| *left > LEFT * most)
+    });
+    fast || steady
 }
 
 /// Length of a vector.
@@ -195,6 +273,29 @@ mod tests {
         }
         assert!(!grows(&looks(|_| 1.0)));
         assert!(!grows(&[]));
+    }
+
+    #[test]
+    fn steps_that_lead_on_and_on_are_a_mechanism() {
+        let steps = |way: &dyn Fn(f64) -> f64, left: &dyn Fn(f64) -> f64| -> Vec<[f64; 3]> {
+            let mut moved = 0.0;
+            let one = |k: u32| {
+                let k = f64::from(k);
+                moved += way(k);
+                [way(k), left(k), moved]
+            };
+            (0..30).map(one).collect()
+        };
+        // As far as a step may go, or slowly under a force that stays.
+        assert!(goes_on(&steps(&|_| 0.05, &|_| 0.1)));
+        assert!(goes_on(&steps(&|_| 1e-3, &|_| 2e-3)));
+        assert!(goes_on(&steps(&|k| 1e-3 * (1.0 + 0.01 * k), &|k| 2e-3 * (1.0 + 0.01 * k))));
+        // What comes to rest.
+        let falls = |k: f64| 0.02 * libm::exp(-k / 10.0);
+        assert!(!goes_on(&steps(&falls, &falls)));
+        let slowly = |k: f64| 1e-3 * libm::exp(-k / 400.0);
+        assert!(!goes_on(&steps(&slowly, &slowly)));
+        assert!(!goes_on(&[]));
     }
 
     fn movement(shift: f64, turn: f64) -> Movement {
