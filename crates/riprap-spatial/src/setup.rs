@@ -538,6 +538,41 @@ pub struct Source {
     pub delay: f64,
     /// What pushes.
     pub push: CavityPressure,
+    /// What a charge along a line has of its hole.
+    pub hole: Hole,
+}
+
+/// What a charge along a line has of its hole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Hole {
+    /// How it burns; at once without.
+    pub detonation: Option<Detonation>,
+    /// What stands above it; the hole stays closed without.
+    pub stemming: Option<Stemming>,
+}
+
+/// A detonation that runs along a charge, both ways from its primer.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Detonation {
+    /// Distance of the primer from the end of the charge towards the collar, m.
+    pub primer: f64,
+    /// m/s.
+    pub velocity: f64,
+}
+
+/// A column of stemming above a charge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Stemming {
+    /// m.
+    pub length: f64,
+    /// Of the hole, m.
+    pub diameter: f64,
+    /// kg/m³.
+    pub density: f64,
+    /// Shear stress at its side, Pa.
+    pub friction: f64,
+    /// Pressure of the air on it, Pa.
+    pub air: f64,
 }
 
 /// Where a charge lies.

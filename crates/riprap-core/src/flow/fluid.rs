@@ -6,6 +6,8 @@ use crate::laws::explosive::Adiabat;
 
 /// Density below which there is no gas, kg/m³.
 const NOTHING: f64 = 1e-30;
+/// Halvings of the search for a throat.
+const HALVINGS: usize = 50;
 /// Turns of the search for a density.
 const SEARCH: usize = 200;
 
@@ -34,12 +36,40 @@ impl Fluid {
     /// Its slope `dPsi/drho = rho c²` at a density (kg/m³): the bulk modulus, Pa.
     #[must_use]
     pub fn bulk(&self, density: f64) -> f64 {
-        if density > NOTHING {
-            let volume = self.mass / density;
-            self.adiabat.exponent(volume) * self.adiabat.pressure(volume)
-        } else {
-            0.0
+        self.stiffness(density)[1]
+    }
+
+    /// Potential and its slope ([`Fluid::potential`], [`Fluid::bulk`]) at a density (kg/m³).
+    #[must_use]
+    pub fn look(&self, density: f64) -> [f64; 2] {
+        if density <= NOTHING {
+            return [0.0; 2];
         }
+        let [pressure, bulk] = self.stiffness(density);
+        [self.mass * self.adiabat.drive_at(self.mass / density, pressure), bulk]
+    }
+
+    /// Pressure and bulk modulus ([`Fluid::pressure`], [`Fluid::bulk`]) at a density (kg/m³), Pa.
+    #[must_use]
+    pub fn stiffness(&self, density: f64) -> [f64; 2] {
+        if density <= NOTHING {
+            return [0.0; 2];
+        }
+        let volume = self.mass / density;
+        let pressure = self.adiabat.pressure(volume);
+        [pressure, self.adiabat.exponent(volume) * pressure]
+    }
+
+    /// Internal energy and enthalpy ([`Fluid::energy`], [`Fluid::enthalpy`]) at a density (kg/m³), J/kg.
+    #[must_use]
+    pub fn energies(&self, density: f64) -> [f64; 2] {
+        if density <= NOTHING {
+            return [0.0; 2];
+        }
+        let volume = self.mass / density;
+        let pressure = self.adiabat.pressure(volume);
+        let energy = self.adiabat.held_at(volume, pressure) / self.mass;
+        [energy, energy + pressure / density]
     }
 
     /// Internal energy at a density (kg/m³), J/kg: the work that is left in an expansion without end.
@@ -56,6 +86,28 @@ impl Fluid {
         } else {
             0.0
         }
+    }
+
+    /// Mass flux through the throat of a nozzle from gas at rest at a density (kg/m³) into air of this pressure (Pa), without friction, kg/(m² s): the largest
+    /// of `rho sqrt(2 (h0 - h))`, which is where the speed is that of sound, or that at the pressure of the air.
+    #[must_use]
+    pub fn nozzle(&self, density: f64, air: f64) -> f64 {
+        if self.pressure(density) <= air {
+            return 0.0;
+        }
+        let start = self.enthalpy(density);
+        let flux = |rho: f64| rho * (2.0 * (start - self.enthalpy(rho)).max(0.0)).sqrt();
+        // Above the throat the gas is slower than sound.
+        let slow = |rho: f64| {
+            let square = 2.0 * (start - self.enthalpy(rho));
+            square < self.bulk(rho) / rho
+        };
+        let (mut low, mut high) = (0.0, density);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if slow(middle) { high = middle } else { low = middle }
+        }
+        flux(if air > 0.0 { high.max(self.density(air)) } else { high })
     }
 
     /// Density at a pressure (Pa), kg/m³.

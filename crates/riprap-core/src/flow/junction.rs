@@ -3,7 +3,7 @@
 /// Turns of the search for the potential of a junction.
 const SEARCH: usize = 100;
 /// What may be left of the balance of a junction, over all that flows through it.
-const BALANCED: f64 = 1e-14;
+const BALANCED: f64 = 1e-10;
 
 /// A port with the state of its crack.
 #[derive(Clone, Copy, Debug)]
@@ -12,9 +12,9 @@ pub(super) struct Conduit {
     pub section: f64,
     /// Distance of the middle of the crack, m.
     pub path: f64,
-    /// `12 mu/w^2` and `f/w` of the crack.
+    /// `12 mu/w^2` (with inertia `+ rho/dt`) and `f/w` of the crack.
     pub friction: [f64; 2],
-    /// Potential in the crack, Pa kg/m³.
+    /// Potential in the crack, Pa kg/m³; with inertia and what would keep up the flow of the step before.
     pub potential: f64,
     /// `rho c` in the crack, kg/(m² s).
     pub sound: f64,
@@ -50,10 +50,10 @@ impl Conduit {
     }
 }
 
-/// Fluxes of a junction where what comes in goes out.
-pub(super) fn inside(conduits: &[Conduit], secant: bool, fluxes: &mut [Flux]) {
+/// Fluxes of a junction where what comes in goes out; `guess` at its potential (not a number: none), which is found.
+pub(super) fn inside(conduits: &[Conduit], secant: bool, guess: &mut f64, fluxes: &mut [Flux]) {
     let open = || conduits.iter().filter(|c| c.section > 0.0);
-    let (mut low, mut high) = (f64::INFINITY, 0.0_f64);
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for conduit in open() {
         low = low.min(conduit.potential);
         high = high.max(conduit.potential);
@@ -67,18 +67,24 @@ pub(super) fn inside(conduits: &[Conduit], secant: bool, fluxes: &mut [Flux]) {
         }
         return;
     }
-    let [mut weighted, mut weights] = [0.0; 2];
-    for conduit in open() {
-        let weight = conduit.flux(0.5 * (low + high), f64::INFINITY, true).tangent;
-        weighted += weight * conduit.potential;
-        weights += weight;
+    let mut at = *guess;
+    if !(low < at && at < high) {
+        let [mut weighted, mut weights] = [0.0; 2];
+        for conduit in open() {
+            let weight = conduit.flux(0.5 * (low + high), f64::INFINITY, true).tangent;
+            weighted += weight * conduit.potential;
+            weights += weight;
+        }
+        at = if weights > 0.0 { weighted / weights } else { 0.5 * (low + high) };
     }
-    let mut at = if weights > 0.0 { weighted / weights } else { 0.5 * (low + high) };
     let mut last = f64::INFINITY;
     for _ in 0..SEARCH {
         let [mut sum, mut size, mut slope] = [0.0; 3];
-        for conduit in open() {
-            let flux = conduit.flux(at, f64::INFINITY, secant);
+        for (flux, conduit) in fluxes.iter_mut().zip(conduits) {
+            *flux = Flux::default();
+            if conduit.section > 0.0 {
+                *flux = conduit.flux(at, f64::INFINITY, secant);
+            }
             sum += flux.rate;
             size += flux.rate.abs();
             slope += flux.slope;
@@ -101,12 +107,7 @@ pub(super) fn inside(conduits: &[Conduit], secant: bool, fluxes: &mut [Flux]) {
         }
         at = next;
     }
-    for (flux, conduit) in fluxes.iter_mut().zip(conduits) {
-        *flux = Flux::default();
-        if conduit.section > 0.0 {
-            *flux = conduit.flux(at, f64::INFINITY, secant);
-        }
-    }
+    *guess = at;
     // What is left of the balance goes to the largest, so that no mass is made.
     let left: f64 = fluxes.iter().map(|f| f.rate).sum();
     if let Some(largest) = fluxes.iter_mut().max_by(|a, b| a.rate.abs().total_cmp(&b.rate.abs())) {

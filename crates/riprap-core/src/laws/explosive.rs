@@ -33,6 +33,15 @@ impl Products {
         }
     }
 
+    /// Velocity of detonation, m/s.
+    #[must_use]
+    pub fn detonation_velocity(&self) -> f64 {
+        match self {
+            Self::TwoStage(explosive) => explosive.detonation_velocity,
+            Self::Jwl(jwl) => jwl.chapman_jouguet().velocity,
+        }
+    }
+
     /// Whether the constants make an adiabat.
     ///
     /// # Errors
@@ -109,8 +118,14 @@ impl Adiabat {
     /// Work that is left at `volume` (m³) in an expansion without end: the internal energy of the gas, J.
     #[must_use]
     pub fn held(&self, volume: f64) -> f64 {
+        self.held_at(volume, self.pressure(volume))
+    }
+
+    /// [`Adiabat::held`] where the pressure (Pa) is known.
+    #[must_use]
+    pub fn held_at(&self, volume: f64, pressure: f64) -> f64 {
         match self {
-            Self::TwoStage(gas) => gas.held(volume),
+            Self::TwoStage(gas) => gas.held(volume, pressure),
             Self::Jwl(gas) => gas.held(volume),
         }
     }
@@ -119,8 +134,14 @@ impl Adiabat {
     /// resists (`crate::flow`).
     #[must_use]
     pub fn drive(&self, volume: f64) -> f64 {
+        self.drive_at(volume, self.pressure(volume))
+    }
+
+    /// [`Adiabat::drive`] where the pressure (Pa) is known.
+    #[must_use]
+    pub fn drive_at(&self, volume: f64, pressure: f64) -> f64 {
         match self {
-            Self::TwoStage(gas) => gas.drive(volume),
+            Self::TwoStage(gas) => gas.drive(volume, pressure),
             Self::Jwl(gas) => gas.drive(volume),
         }
     }
@@ -295,9 +316,9 @@ impl TwoStage {
         }
     }
 
-    /// Work that is left at `volume` (m³) in an expansion without end, J.
-    fn held(&self, volume: f64) -> f64 {
-        let left = self.pressure(volume) * volume / (self.exponent(volume) - 1.0);
+    /// Work that is left at `volume` (m³), where the pressure (Pa) is known, in an expansion without end, J.
+    fn held(&self, volume: f64, pressure: f64) -> f64 {
+        let left = pressure * volume / (self.exponent(volume) - 1.0);
         if volume <= self.vk {
             let (g, low) = (self.gamma - 1.0, self.gamma_low - 1.0);
             left + self.pk * self.vk * (1.0 / low - 1.0 / g)
@@ -306,11 +327,11 @@ impl TwoStage {
         }
     }
 
-    /// The integral of `dP/V` from an expansion without end to `volume` (m³), Pa/m³.
-    fn drive(&self, volume: f64) -> f64 {
+    /// The integral of `dP/V` from an expansion without end to `volume` (m³), where the pressure (Pa) is known, Pa/m³.
+    fn drive(&self, volume: f64, pressure: f64) -> f64 {
         // Of P V^g = const: g/(g + 1) P/V.
         let share = |g: f64| g / (g + 1.0);
-        let here = self.pressure(volume) / volume;
+        let here = pressure / volume;
         if volume <= self.vk {
             let passed = self.pk / self.vk;
             share(self.gamma) * (here - passed) + share(self.gamma_low) * passed

@@ -60,8 +60,9 @@ pub use solids::{
     Notch, NotchBreaks, Part, Plane, Polyhedron, Segment, Terrain, span_of,
 };
 pub use sources::{
-    Around, CouplingScale, CouplingWord, During, Explosive, GasCavity, JwlConstants, JwlSet,
-    Octree, Pattern, Place, PressureCavity, Refine, Source, Venting, VentingCracks, VentingTime,
+    Around, CouplingScale, CouplingWord, Deck, Detonation, During, Explosive, GasCavity,
+    JwlConstants, JwlSet, Octree, Pattern, Place, PressureCavity, Primer, Refine, Source, Stemming,
+    Venting, VentingCracks, VentingTime,
 };
 pub use space::{Air, Material, Planar, Space, Spatial, Start};
 pub use water::{Drain, Seepage, Water};

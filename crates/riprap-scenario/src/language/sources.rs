@@ -45,9 +45,17 @@ pub struct GasCavity {
     pub group: Option<Name>,
     /// Many holes from a CSV file; the sources are called name.1, name.2, ...
     pub pattern: Option<Pattern>,
+    /// Charges one behind the other in the hole along `line`, which then is the whole hole, with stemming that stays between them; the
+    /// sources are called name.1, name.2, ... in their order.
+    #[key(needs(
+        "line",
+        help = "decks are parts of a hole: give its collar and its toe as `line`"
+    ))]
+    pub decks: Option<Vec<Deck>>,
     /// Mass of the charge, kg.
     #[key(excludes("pattern", help = "the masses are in the file, in its column charge_kg"))]
-    #[key(required("!pattern"))]
+    #[key(excludes("decks", help = "each deck has a `mass` of its own"))]
+    #[key(required("!pattern & !decks"))]
     pub mass: Option<Quantity<Mass>>,
     /// The explosive: a name from `[explosives]`, or its constants.
     pub explosive: WordOr<Name, Explosive>,
@@ -59,6 +67,18 @@ pub struct GasCavity {
     pub delay: Option<Quantity<NotNegativeTime>>,
     /// How the gas escapes. Default: it stays in.
     pub venting: Option<Venting>,
+    /// Detonation that runs along the charge. Default: all of it turns to gas at once.
+    #[key(needs(
+        "line | pattern",
+        help = "a detonation runs along a charge with a `line` or a `pattern`"
+    ))]
+    pub detonation: Option<Detonation>,
+    /// Stemming above the charge, which the gas may blow out. Default: the hole stays closed.
+    #[key(needs(
+        "line | pattern",
+        help = "stemming stands in a hole: give the charge a `line` or a `pattern`"
+    ))]
+    pub stemming: Option<Stemming>,
 }
 
 impl GasCavity {
@@ -71,6 +91,60 @@ impl GasCavity {
         };
         self.centre.is_some() && word == CouplingWord::Fitted
     }
+}
+
+/// One of the charges of a hole.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Deck {
+    /// Distance of its upper end from the collar, along the hole, m.
+    pub from: Quantity<NotNegativeLength>,
+    /// Distance of its lower end from the collar, m.
+    pub to: Quantity<PositiveLength>,
+    /// Mass of the charge, kg.
+    pub mass: Quantity<Mass>,
+    /// Time at which it goes off, after `delay` of the hole, s.
+    #[key(default = "0 s")]
+    pub delay: Option<Quantity<NotNegativeTime>>,
+}
+
+/// A detonation that runs along a charge, both ways from its primer. Walls are pushed once it has passed them.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Detonation {
+    /// The end of the charge at which the primer lies.
+    #[key(excludes("at", help = "`at` says where the primer lies"))]
+    #[key(default)]
+    pub primer: Option<Primer>,
+    /// Where the primer lies [x, y, z], m; on the line of a single charge.
+    pub at: Option<Point3>,
+    /// Its velocity, m/s. Default that of the explosive; with `jwl` that of its state of Chapman and Jouguet.
+    pub velocity: Option<Quantity<Speed>>,
+}
+
+/// An end of a charge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Words)]
+pub enum Primer {
+    /// The lower end, `to` of a line.
+    #[default]
+    Toe,
+    /// The upper end, `from` of a line.
+    Collar,
+}
+
+/// A column of stemming above a charge, with inertia and friction. Once the gas has driven it out of its hole, gas leaves there.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Stemming {
+    /// Its length, m. With `decks` up to the collar by default, with `pattern` the column `stemming_m` of the file.
+    pub length: Option<Quantity<PositiveLength>>,
+    /// Diameter of the hole, m.
+    pub diameter: Quantity<PositiveLength>,
+    /// Its density, kg/m3.
+    #[key(default = "1800 kg/m3")]
+    pub density: Option<Quantity<Density>>,
+    /// Shear stress with which its side resists, Pa; 0 Pa: inertia alone.
+    pub friction: Quantity<NotNegativePressure>,
 }
 
 /// An explosive by the equation of state of its gas.
@@ -212,6 +286,9 @@ pub struct VentingCracks {
     /// Roughness of the walls, m, for the friction of fast flow, and the flow ends at the velocity of sound; 0 m: laminar at any speed.
     #[key(default = "0.1 mm")]
     pub roughness: Option<Quantity<NotNegativeLength>>,
+    /// Whether the gas has inertia: pressures in wide cracks then become even at the velocity of sound; without it, at once, which takes more time to compute.
+    #[key(default = true)]
+    pub inertia: Option<bool>,
     /// Aperture of a broken joint whose sides touch, m; its opening adds to it.
     #[key(default = "0.1 mm")]
     pub aperture: Option<Quantity<PositiveLength>>,

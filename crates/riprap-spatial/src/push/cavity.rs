@@ -1,10 +1,11 @@
 //! Cavities push on their walls: ignition, volumes, pressures and their work.
 
+use crate::push::charge::hole;
 use crate::push::charge::walls;
 use crate::push::charge::walls::Spot;
 use crate::push::charge::{EARLY, upward};
 use crate::push::gas;
-use crate::setup::{CavityPressure, Venting};
+use crate::setup::{CavityPressure, Hole, Venting};
 use crate::state::event::EditKind;
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
@@ -28,12 +29,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
         ignite(world, k, dt);
         match world.cavities[k].ignited {
             None => hold(world, k, pushes),
-            Some(at) => {
-                // A push that begins now acts on the part of the kick after the present time only.
-                let share =
-                    if at == world.time && dt > 0.0 { dt / (world.last_dt + dt) } else { 1.0 };
-                expand(world, k, share, pushes);
-            }
+            Some(_) => expand(world, k, dt, pushes),
         }
     }
     gas::act(world, scratch, dt);
@@ -74,7 +70,13 @@ fn hold(world: &mut World, k: usize, pushes: &mut Account) {
 }
 
 /// After the ignition: volume, pressure, work, venting.
-fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
+fn expand(world: &mut World, k: usize, dt: f64, pushes: &mut Account) {
+    hole::run_on(world, k);
+    hole::push_out(world, k);
+    let cavity = &world.cavities[k];
+    for wall in cavity.walls.iter().filter(|wall| cavity.holds(wall)) {
+        pushes.on_block(wall.block, wall.hold, wall.hold_moment);
+    }
     let swept = walls::swept(world, &world.cavities[k]);
     if begins_to_vent(world, k) {
         world.cavities[k].venting = Some(world.time);
@@ -84,14 +86,20 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
     let cavity = &mut world.cavities[k];
     let source = &world.setup.sources[cavity.source as usize];
     let before = (cavity.volume, cavity.pressure);
+    if let Some(gas) = &cavity.gas {
+        cavity.volume = hole::room(source, cavity, gas) + gas.factor * (swept - cavity.base);
+    }
     let work = match (&source.push, &cavity.gas) {
-        (CavityPressure::Gas { venting: Some(Venting::Cracks(_)), .. }, Some(gas)) => {
-            // The rest is done with the gas in its cracks.
-            cavity.volume = gas.start + gas.factor * (swept - cavity.base);
-            return;
+        // The rest is done with the gas in its cracks.
+        (CavityPressure::Gas { venting: Some(Venting::Cracks(_)), .. }, Some(_)) => return,
+        (CavityPressure::Gas { mass, .. }, Some(gas)) if source.hole != Hole::default() => {
+            let gas = *gas;
+            cavity.keep(source, &gas, *mass, world.pending);
+            let grown = gas.factor * (swept - cavity.base);
+            let moved = grown - std::mem::replace(&mut cavity.known, grown);
+            0.5 * (before.1 + cavity.pressure) * moved
         }
         (CavityPressure::Gas { venting, .. }, Some(gas)) => {
-            cavity.volume = gas.start + gas.factor * (swept - cavity.base);
             cavity.pressure =
                 cavity.sealed(*venting, world.time) * gas.adiabat.pressure(cavity.volume);
             if cavity.venting.is_some() {
@@ -110,19 +118,24 @@ fn expand(world: &mut World, k: usize, share: f64, pushes: &mut Account) {
     };
     cavity.work += work;
     world.works.gas += work;
+    let pressures = [before.1, cavity.pressure];
+    hole::speed_up(world, k, pressures);
     let cavity = &world.cavities[k];
+    // A push that begins now acts on the part of the kick after the present time only.
+    let begins = cavity.ignited == Some(world.time) && cavity.burn.is_none() && dt > 0.0;
+    let share = if begins { dt / (world.last_dt + dt) } else { 1.0 };
     let pressure = share * cavity.pressure * cavity.gas.map_or(1.0, |g| g.factor);
-    press(world, k, pressure, pushes);
+    press(world, k, pressure, dt, pushes);
 }
 
-/// Pushes the walls of cavity `k` with a pressure (Pa), the factor on the faces included.
-pub(super) fn press(world: &World, k: usize, pressure: f64, pushes: &mut Account) {
+/// Pushes the walls of cavity `k` with a pressure (Pa), the factor on the faces included; `dt` is the coming step (s).
+pub(super) fn press(world: &World, k: usize, pressure: f64, dt: f64, pushes: &mut Account) {
     let cavity = &world.cavities[k];
     let freedoms = world.all_freedoms();
-    for Spot { anchor, area, normal } in
-        walls::on_blocks(cavity).chain(walls::on_nodes(world, cavity.source))
-    {
-        freedoms.push(pushes, &anchor, -pressure * area * normal);
+    let on_nodes = walls::on_nodes(world, cavity.source).map(|spot| (spot, 0.0));
+    for (Spot { anchor, area, normal }, after) in walls::on_blocks(cavity).chain(on_nodes) {
+        let share = hole::share_of_kick(world, cavity, after, dt);
+        freedoms.push(pushes, &anchor, -(share * pressure) * area * normal);
     }
 }
 
@@ -135,6 +148,9 @@ fn begins_to_vent(world: &World, k: usize) -> bool {
     };
     if cavity.venting.is_some() {
         return false;
+    }
+    if cavity.column.is_some_and(|column| column.out.is_some()) {
+        return true;
     }
     match venting {
         None | Some(Venting::Cracks(_)) => false,

@@ -13,6 +13,7 @@
 //! Source: Tian & Li, eqs. (19)-(22) and assumption 1 (the charge turns to gas at once). Deviation: the coupling of
 //! volume and faces, and the limit of the time step, are ours; the source gives none.
 
+pub(crate) mod hole;
 pub mod walls;
 
 pub use crate::setup::error::CavityError;
@@ -23,8 +24,8 @@ use crate::faces::overlap::Overlap;
 use crate::faces::region::Extent;
 use crate::laws::explosive::Adiabat;
 use crate::push::gas;
-use crate::setup::{Coupling, Place, Region, Setup, Venting};
-pub use crate::state::cavity::{Cavity, Gas, NodalWalls, TurnedWall, Wall};
+use crate::setup::{Coupling, Place, Region, Setup, Source, Venting};
+pub use crate::state::cavity::{Burn, Cavity, Column, Gas, NodalWalls, TurnedWall, Wall};
 use crate::state::lineage::Origin;
 use crate::state::world::World;
 
@@ -66,6 +67,18 @@ impl Wall {
             hold,
             hold_moment,
             turned: None,
+            after: 0.0,
+        }
+    }
+
+    /// Finds when the detonation of its source reaches it; its centre at the start (m).
+    pub(crate) fn wait_for(&mut self, source: &Source, centre: Vec3) {
+        if let (Some(detonation), Place::Line { from, to }) =
+            (source.hole.detonation, &source.place)
+        {
+            let along = *to - *from;
+            let depth = ((centre - *from).dot(along) / along.length()).clamp(0.0, along.length());
+            self.after = (depth - detonation.primer).abs() / detonation.velocity;
         }
     }
 
@@ -153,6 +166,9 @@ impl Cavity {
         }
         // So that the walls of a block stand together, see `mobility`.
         walls.sort_by_key(|w| w.block);
+        for wall in &mut walls {
+            wall.wait_for(what, world.reference[wall.block as usize] + wall.arm);
+        }
         let removed = blocks.iter().map(|&b| world.solid_of(b as usize).volume).sum();
         let (gas, venting) = match &what.push {
             CavityPressure::Pressure { .. } => (None, None),
@@ -181,7 +197,12 @@ impl Cavity {
             above: Vec::new(),
             nodal,
             gas,
+            burn: what.burn(),
+            column: what.hole.stemming.map(|_| Column::default()),
         };
+        if cavity.burn.is_some() {
+            cavity.kept = 0.0;
+        }
         if matches!(venting, Some(Venting::Heave { .. })) {
             cavity.above = cavity.surface(world);
             if cavity.above.is_empty() {
@@ -199,15 +220,24 @@ impl Cavity {
         let factor = self.gas.map_or(1.0, |g| g.factor);
         let freedoms = world.all_freedoms();
         self.walls.iter().map(move |wall| {
-            let force = match self.ignited {
-                Some(_) => {
-                    let (normal, area) = wall.now();
-                    -self.pressure * factor * area * normal
-                }
-                None => wall.hold,
+            let force = if self.holds(wall) {
+                wall.hold
+            } else {
+                let (normal, area) = wall.now();
+                -self.pressure * factor * area * normal
             };
             (wall.block as usize, freedoms.arm(wall.block, wall.arm), force)
         })
+    }
+
+    /// Whether the detonation has been at a wall; at all of them where the charge turns to gas at once.
+    pub(crate) fn reached(&self, wall: &Wall) -> bool {
+        self.burn.is_none_or(|burn| wall.after <= burn.reached)
+    }
+
+    /// Whether a wall still carries what the charge carried.
+    pub(crate) fn holds(&self, wall: &Wall) -> bool {
+        self.ignited.is_none() || !self.reached(wall)
     }
 
     /// Volume of the charge V0, m³; that of the removed blocks for a pressure history.
@@ -272,6 +302,8 @@ impl Cavity {
     /// much faster the volume grows for each unit of pressure and time, m⁴/kg.
     fn mobility(&self, world: &World) -> f64 {
         let mut sum = 0.0;
+        let reached =
+            |wall: &&Wall| self.ignited.is_none() || self.kept == 0.0 || self.reached(wall);
         for walls in self.walls.chunk_by(|a, b| a.block == b.block) {
             let b = walls[0].block as usize;
             // Who is held or driven in all freedoms does not give way to the gas; one that is so in some counts as free, which is safe.
@@ -280,7 +312,7 @@ impl Cavity {
                 continue;
             }
             let (mut area, mut moment) = (Vec3::ZERO, Vec3::ZERO);
-            for wall in walls {
+            for wall in walls.iter().filter(reached) {
                 area += wall.area * wall.normal;
                 moment += wall.arm.cross(wall.area * wall.normal);
             }
@@ -295,17 +327,24 @@ impl Cavity {
         let Some(gas) = &self.gas else {
             return f64::INFINITY;
         };
-        let (volume, pressure) = match self.ignited {
-            Some(_) => (self.volume, self.pressure),
+        let (volume, pressure, kept) = match self.ignited {
+            Some(_) if self.kept > 0.0 => (self.volume, self.pressure, self.kept),
             // The first step of the gas begins at its full pressure: it has
             // to be resolved before it is known what it does.
-            None => (gas.start, gas.adiabat.pressure(gas.start)),
+            Some(_) | None => (gas.start, gas.adiabat.pressure(gas.start), 1.0),
         };
         // As much as all of the gas would have at this density.
-        let whole = volume / self.kept;
+        let whole = volume / kept;
+        let source = &world.setup.sources[self.source as usize];
+        let mobility = match (self.column, source.hole.stemming) {
+            (Some(Column { out: None, .. }), Some(stemming)) => {
+                let area = stemming.section() / gas.factor;
+                self.mobility(world) + area * area / stemming.mass()
+            }
+            (Some(_) | None, _) => self.mobility(world),
+        };
         let squared =
-            gas.adiabat.exponent(whole) * pressure * gas.factor * gas.factor * self.mobility(world)
-                / volume;
+            gas.adiabat.exponent(whole) * pressure * gas.factor * gas.factor * mobility / volume;
         if squared > 0.0 { GAS_STEP / squared.sqrt() } else { f64::INFINITY }
     }
 }
@@ -364,7 +403,8 @@ pub(crate) fn drop_walls(world: &mut World) {
         // V = start + f (swept - base): what the dead have swept leaves both, and V stays what it is.
         if cavity.ignited.is_some() {
             cavity.base -= lost;
-        } else {
+        }
+        if cavity.ignited.is_none() || cavity.burn.is_some() {
             // Only its changes are booked as work, and that of walls that are gone was done.
             world.cavities[k].held = walls::held(world, &world.cavities[k]);
         }

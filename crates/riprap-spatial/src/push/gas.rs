@@ -13,6 +13,7 @@ mod network;
 use riprap_geom::Vec3;
 
 use crate::flow::{Cells, Desk, Fluid};
+use crate::push::charge::hole;
 use crate::setup::{CavityPressure, Cracks, Source, Venting};
 use crate::state::anchor::{Anchor, Freedoms};
 use crate::state::cavity::Cavity;
@@ -27,6 +28,14 @@ use crate::state::world::World;
 const FAILED: u32 = 2;
 /// Share of the gas that has left when it counts as leaving: less is round-off.
 const LEAVES: f64 = 1e-9;
+/// Share of the largest pressure that flow may change a pressure by in a step of its own: steps become longer below it, shorter above it.
+const CHANGE: f64 = 0.01;
+/// Most steps of the rock in a step of the flow.
+const LONGEST: u32 = 32;
+/// Steps of Newton's method from which on steps of the flow become no longer.
+const MANY_TURNS: usize = 6;
+/// Relative change of a density up to which the pressure follows it by a parabola: exact to 1e-9.
+const NEAR: f64 = 1e-3;
 /// Step over the inverse of the frequency of blocks on the gas in cracks, as if it could not flow: 2 would be the limit of stability, and
 /// joints have theirs beside it.
 const CRACK_STEP: f64 = 0.8;
@@ -73,14 +82,26 @@ pub(super) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
     }
     let Some(mut gas) = network::current(world) else { return };
     release(world, &mut gas);
-    if follow(world, &mut gas) {
+    if world.pending > 0.0 {
+        gas.waits += world.pending;
+        gas.passed += 1;
+    }
+    let due = gas.passed >= gas.every;
+    let new = open(world, &mut gas);
+    follow(world, &mut gas);
+    if new {
         world.gas = Some(gas);
         // Who is pushed now is done one by one from here on.
         scratch.tiles.make_rows(world);
         let Some(again) = world.gas.take() else { return };
         gas = again;
     }
-    flow(world, &mut gas, &mut scratch.flow);
+    if due {
+        flow(world, &mut gas, &mut scratch.flow);
+    }
+    if due || gas.limit == 0.0 {
+        gas.limit = limit(world, &gas);
+    }
     if gas.books.vented > LEAVES * gas.books.mass {
         note_venting(world, &gas);
     }
@@ -105,28 +126,68 @@ fn note_venting(world: &mut World, gas: &CrackGas) {
     }
 }
 
-/// Puts the gas of charges that go off now into their cavities.
-fn release(world: &World, gas: &mut CrackGas) {
+/// Puts the gas of what has burned of charges into their cavities, and takes out what leaves through open holes.
+fn release(world: &mut World, gas: &mut CrackGas) {
     for k in 0..gas.cavities.len() {
         let cell = gas.cracks.len() + k;
-        let cavity = &world.cavities[gas.cavities[k] as usize];
-        let Some(own) = cavity.gas.filter(|_| cavity.ignited == Some(world.time)) else { continue };
-        if gas.masses[cell] == 0.0 && cavity.pressure == 0.0 {
-            let fluid = Fluid {
-                adiabat: own.adiabat,
-                mass: gas.fluid.mass * own.adiabat.v0() / gas.fluid.adiabat.v0(),
-            };
-            gas.masses[cell] = fluid.mass;
-            gas.books.mass += fluid.mass;
-            gas.books.released += own.adiabat.held(own.start);
+        let number = gas.cavities[k] as usize;
+        let cavity = &mut world.cavities[number];
+        let (Some(own), Some(ignited)) = (cavity.gas, cavity.ignited) else { continue };
+        let charge = gas.fluid.mass * own.adiabat.v0() / gas.fluid.adiabat.v0();
+        let begins = ignited == world.time && gas.masses[cell] == 0.0 && cavity.pressure == 0.0;
+        let given = match &mut cavity.burn {
+            Some(burn) => {
+                let share = burn.share();
+                share - std::mem::replace(&mut burn.given, share)
+            }
+            None if begins => 1.0,
+            None => 0.0,
+        };
+        if begins {
+            gas.every = 1;
+        }
+        let mass = given * charge;
+        if mass > 0.0 {
+            let released = given * own.adiabat.held(own.start);
+            let (old, volume) = (gas.masses[cell], cavity.volume - given * own.start);
+            gas.masses[cell] += mass;
+            gas.books.mass += mass;
+            gas.books.released += released;
+            if old > 0.0 {
+                // The adiabat holds less than its parts: what mixes comes to one density.
+                let energy = |m: f64, v: f64| m * gas.fluid.energy(m / v);
+                let now = energy(gas.masses[cell], cavity.volume);
+                gas.books.numerical += energy(old, volume) + released - now;
+            }
+        }
+        let source = &world.setup.sources[cavity.source as usize];
+        let held = gas.masses[cell];
+        let rate = hole::outflow(source, cavity, &gas.fluid, held / cavity.volume);
+        if rate > 0.0 && world.pending > 0.0 {
+            let left = held * -libm::expm1(-rate * world.pending / held);
+            let [energy, enthalpy] = gas.fluid.energies(held / cavity.volume);
+            gas.masses[cell] -= left;
+            let now = gas.masses[cell] * gas.fluid.energy(gas.masses[cell] / cavity.volume);
+            gas.books.vented += left;
+            gas.books.carried += enthalpy * left;
+            gas.books.numerical += held * energy - now - enthalpy * left;
+            if let Some(column) = &mut cavity.column {
+                column.vented += left;
+            }
         }
     }
 }
 
-/// Takes the cracks along to where their blocks are; whether gas may enter new ones.
-fn follow(world: &World, gas: &mut CrackGas) -> bool {
+/// Opens the cracks whose joints have failed; whether there is a new one.
+fn open(world: &World, gas: &mut CrackGas) -> bool {
     let mut new = false;
     let list = &world.patches;
+    let failed = |flags: &&u16| (*flags & flag::BROKEN).count_ones() >= FAILED;
+    // Joints fail one by one, and go one by one where found contact takes over.
+    let known = [list.len(), list.flags.iter().filter(failed).count()];
+    if std::mem::replace(&mut gas.failed, known) == known {
+        return false;
+    }
     for (ends, flags) in list.ends.iter().zip(&list.flags) {
         if (flags & flag::BROKEN).count_ones() < FAILED {
             continue;
@@ -138,6 +199,11 @@ fn follow(world: &World, gas: &mut CrackGas) -> bool {
             crack.open = true;
         }
     }
+    new
+}
+
+/// Takes the cracks along to where their blocks are, and their pressures to their volumes.
+fn follow(world: &World, gas: &mut CrackGas) {
     let CrackGas { cracks, masses, rules, fluid, books, .. } = gas;
     let freedoms = world.all_freedoms();
     for (crack, &mass) in cracks.iter_mut().zip(masses.iter()).filter(|(c, _)| c.open) {
@@ -148,8 +214,9 @@ fn follow(world: &World, gas: &mut CrackGas) -> bool {
         crack.volume = crack.area * aperture;
         crack.aperture = aperture.min(rules.widest);
         if mass > 0.0 {
-            let now = fluid.pressure(mass / crack.volume);
-            let air = 0.5 * (crack.pressure.min(rules.air) + now.min(rules.air));
+            let old = crack.pressure;
+            crack.follow(fluid, mass);
+            let air = 0.5 * (old.min(rules.air) + crack.pressure.min(rules.air));
             books.air += air * (crack.volume - before);
         }
         // One that has just opened has no way behind it.
@@ -161,7 +228,29 @@ fn follow(world: &World, gas: &mut CrackGas) -> bool {
         books.in_cracks += work;
         crack.moved = moved;
     }
-    new
+}
+
+impl Crack {
+    /// Takes the pressure to the present density: by a parabola as long as it is near the one at which it was found last.
+    fn follow(&mut self, fluid: &Fluid, mass: f64) {
+        let density = mass / self.volume;
+        let off = density / self.known[0] - 1.0;
+        // What was not found yet has a density of 0.
+        if off.abs() > NEAR || off.is_nan() {
+            return self.find(fluid, mass);
+        }
+        let [_, pressure, bulk] = self.known;
+        // p ~ rho^g with g = K/p.
+        self.pressure = pressure + bulk * off * (1.0 + 0.5 * (bulk / pressure - 1.0) * off);
+    }
+
+    /// Finds pressure and bulk modulus at the present density.
+    fn find(&mut self, fluid: &Fluid, mass: f64) {
+        let density = mass / self.volume;
+        let [pressure, bulk] = fluid.stiffness(density);
+        self.pressure = pressure;
+        self.known = [density, pressure, bulk];
+    }
 }
 
 /// Displacement of the second side of a crack against the first (m), and its part along the normal.
@@ -178,51 +267,69 @@ fn normal(freedoms: &Freedoms, crack: &Crack) -> Vec3 {
     freedoms.arm(crack.blocks[0], crack.normal)
 }
 
-/// Lets the gas flow for the time that has passed.
+/// Lets the gas flow for the time since it flowed last.
 fn flow(world: &World, gas: &mut CrackGas, desk: &mut Desk) {
     let cavities = gas.cavities.iter().map(|k| &world.cavities[*k as usize]);
     let volume = |c: &Cavity| if c.ignited.is_some() { c.volume } else { 0.0 };
     let volumes: Vec<f64> =
         gas.cracks.iter().map(|c| c.volume).chain(cavities.map(volume)).collect();
-    if world.pending > 0.0 && gas.cracks.iter().any(|c| c.open) {
-        let CrackGas { network, fluid, rules, masses, cracks, books, stuck, .. } = gas;
-        let of = |c: &Crack| if c.open { c.aperture } else { 0.0 };
-        let mut apertures: Vec<f64> = cracks.iter().map(of).collect();
-        apertures.resize(masses.len(), 0.0);
-        let mut cells = Cells { volumes: &volumes, apertures: &apertures, masses };
-        let how = (&rules.friction, rules.air);
-        match network.advance(fluid, how, &mut cells, world.pending, desk) {
-            Ok(flowed) => {
-                books.friction += flowed.friction;
-                books.numerical += flowed.numerical;
-                books.carried += flowed.carried;
-                books.vented += flowed.vented;
-            }
-            Err(failed) => {
-                let c = failed.cell as usize;
-                let whose = |c: usize| [(c - cracks.len()) as u32; 2];
-                let blocks = cracks.get(c).map_or_else(|| whose(c), |crack| crack.blocks);
-                *stuck = Some((blocks, failed.left));
-            }
+    let span = std::mem::take(&mut gas.waits);
+    gas.passed = 0;
+    if !gas.cracks.iter().any(|c| c.open) {
+        return;
+    }
+    let CrackGas { network, fluid, rules, masses, fluxes, cracks, books, stuck, .. } = gas;
+    let of = |c: &Crack| if c.open { c.aperture } else { 0.0 };
+    let mut apertures: Vec<f64> = cracks.iter().map(of).collect();
+    apertures.resize(masses.len(), 0.0);
+    let mut cells = Cells { volumes: &volumes, apertures: &apertures, masses, fluxes };
+    let how = (&rules.friction, rules.air);
+    match network.advance(fluid, how, &mut cells, span, desk) {
+        Ok(flowed) => {
+            books.friction += flowed.friction;
+            books.numerical += flowed.numerical;
+            books.carried += flowed.carried;
+            books.vented += flowed.vented;
         }
-        speeds(gas, &volumes, desk);
+        Err(failed) => {
+            let c = failed.cell as usize;
+            let whose = |c: usize| [(c - cracks.len()) as u32; 2];
+            let blocks = cracks.get(c).map_or_else(|| whose(c), |crack| crack.blocks);
+            *stuck = Some((blocks, failed.left));
+        }
     }
+    pace(gas, &volumes, desk);
+    speeds(gas, &volumes);
+}
+
+/// Finds the pressures after a flow, and how many steps of the rock the next one may take.
+fn pace(gas: &mut CrackGas, volumes: &[f64], desk: &Desk) {
     let CrackGas { cracks, masses, fluid, .. } = gas;
-    for (crack, mass) in cracks.iter_mut().zip(masses.iter()).filter(|(c, _)| c.open) {
-        crack.pressure = fluid.pressure(mass / crack.volume);
+    let in_cavities = masses.iter().zip(volumes).skip(cracks.len());
+    let mut most = in_cavities.map(|(m, v)| fluid.pressure(m / v)).fold(0.0, f64::max);
+    let mut change = 0.0_f64;
+    for (crack, mass) in cracks.iter_mut().zip(masses.iter()).filter(|(_, m)| **m > 0.0) {
+        let before = crack.pressure;
+        crack.find(fluid, *mass);
+        most = most.max(crack.pressure);
+        change = change.max((crack.pressure - before).abs());
     }
+    let share = change / most;
+    // Numbers that are none become the shortest.
+    let wanted = if share > 0.0 { CHANGE / share } else { 2.0 };
+    let longest = if desk.turns() < MANY_TURNS { 2.0 } else { 1.0 };
+    let next = f64::from(gas.every) * wanted.clamp(1.0 / f64::from(LONGEST), longest);
+    gas.every = (next as u32).clamp(1, LONGEST);
 }
 
 /// Finds the largest speed of the flow in each crack.
-fn speeds(gas: &mut CrackGas, volumes: &[f64], desk: &Desk) {
-    let CrackGas { network, cracks, masses, .. } = gas;
+fn speeds(gas: &mut CrackGas, volumes: &[f64]) {
+    let CrackGas { network, cracks, masses, fluxes, .. } = gas;
     cracks.iter_mut().for_each(|crack| crack.speed = 0.0);
-    for (p, port) in network.ports.iter().enumerate() {
+    for (port, flux) in network.ports.iter().zip(fluxes.iter()) {
         let c = port.cell as usize;
         if masses[c] > 0.0 && cracks[c].open {
-            let density = masses[c] / volumes[c];
-            let speed = desk.rate(p).abs() / (density * port.length * cracks[c].aperture);
-            cracks[c].speed = cracks[c].speed.max(speed);
+            cracks[c].speed = cracks[c].speed.max(flux.abs() * volumes[c] / masses[c]);
         }
     }
 }
@@ -257,25 +364,28 @@ fn push_walls(world: &mut World, gas: &mut CrackGas, k: usize, dt: f64, pushes: 
     let cavity = &mut world.cavities[number];
     let (Some(own), Some(ignited)) = (cavity.gas, cavity.ignited) else { return };
     let before = (cavity.known, cavity.pressure);
+    let room = hole::room(&world.setup.sources[cavity.source as usize], cavity, &own);
+    let grown = cavity.volume - room;
     let mass = gas.masses[cell];
     cavity.kept = mass / (gas.fluid.mass * own.adiabat.v0() / gas.fluid.adiabat.v0());
     cavity.pressure =
         if mass > 0.0 { own.adiabat.pressure(cavity.volume / cavity.kept) } else { 0.0 };
-    cavity.known = cavity.volume;
+    cavity.known = grown;
     let above = |pressure: f64| (pressure - gas.rules.air).max(0.0);
     // It has no pressure before the evaluation in which it goes off.
     let old = if ignited == world.time { cavity.pressure } else { before.1 };
-    let moved = cavity.volume - if ignited == world.time { cavity.volume } else { before.0 };
+    let moved = grown - if ignited == world.time { grown } else { before.0 };
     let work = 0.5 * (above(old) + above(cavity.pressure)) * moved;
     let air = 0.5 * (old.min(gas.rules.air) + cavity.pressure.min(gas.rules.air)) * moved;
     cavity.work += work;
     gas.books.work += work;
     gas.books.air += air;
     world.works.gas += work;
-    let first = ignited == world.time && dt > 0.0;
+    let first = ignited == world.time && cavity.burn.is_none() && dt > 0.0;
     let share = if first { dt / (world.last_dt + dt) } else { 1.0 };
-    let pressure = share * above(world.cavities[number].pressure) * own.factor;
-    super::cavity::press(world, number, pressure, pushes);
+    let (now, above) = (cavity.pressure, above(cavity.pressure));
+    gas.books.stemming += hole::speed_up(world, number, [old, now]);
+    super::cavity::press(world, number, share * above * own.factor, dt, pushes);
 }
 
 impl CrackGas {
@@ -294,13 +404,16 @@ impl CrackGas {
     }
 }
 
-/// Largest step that the gas in cracks allows, s.
+/// Largest step that the gas in cracks allows, s; found when it flowed last.
 pub(crate) fn step_limit(world: &World) -> f64 {
-    let Some(gas) = &world.gas else { return f64::INFINITY };
+    world.gas.as_ref().map_or(f64::INFINITY, |gas| gas.limit)
+}
+
+/// Largest step that the gas in cracks allows now, s.
+fn limit(world: &World, gas: &CrackGas) -> f64 {
     let mut stiffness = vec![0.0; world.alive.len()];
-    for (crack, &mass) in gas.cracks.iter().zip(&gas.masses).filter(|(c, m)| c.open && **m > 0.0) {
-        let bulk = gas.fluid.bulk(mass / crack.volume);
-        let spring = bulk * crack.area * crack.area / crack.volume;
+    for (crack, _) in gas.cracks.iter().zip(&gas.masses).filter(|(c, m)| c.open && **m > 0.0) {
+        let spring = crack.known[2] * crack.area * crack.area / crack.volume;
         for block in crack.blocks {
             let b = block as usize;
             let solid = world.solid_of(b);

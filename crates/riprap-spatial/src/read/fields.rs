@@ -338,6 +338,8 @@ riprap_core::fields! {
     "cavity.volume_ratio" "-" Cavity Scalar false "Volume of the removed blocks over that of the charge, Vc/V0." |v, of| of_cavity(v, of, Cavity::volume_ratio);
     "cavity.gas_work" "J" Cavity Scalar false "Work done by the gas since ignition." |v, of| of_cavity(v, of, |c| c.work);
     "cavity.gas_mass" "kg" Cavity Scalar false "Mass of the gas in the cavity: less than that of the charge once it enters cracks (`venting.cracks`)." |v, of| of_cavity(v, of, |c| v.gas_mass(c));
+    "cavity.stemming_way" "m" Cavity Scalar false "How far the gas has driven the stemming of its hole outwards (`gas_cavity.stemming`)." |v, of| of_cavity(v, of, |c| c.column.map_or(f64::NAN, |s| s.way));
+    "cavity.stemming_speed" "m/s" Cavity Scalar false "Speed of the stemming; at the collar, once it is out." |v, of| of_cavity(v, of, |c| c.column.map_or(f64::NAN, |s| s.speed));
     "cavity.depth" "m" Cavity Scalar true "Depth of the charge below the free surface above it." |v, of| of_cavity(v, of, |c| v.profile(c).depth);
     "cavity.dome" "m" Cavity Scalar true "Mean uplift of the surface blocks nearest to the axis of the charge." |v, of| of_cavity(v, of, |c| v.profile(c).dome());
     "cavity.crater_radius" "m" Cavity Scalar true "Radius about the axis of the charge within which the free surface has risen by more than 0.02 of the depth of the charge (mean over rings)." |v, of| of_cavity(v, of, |c| { let p = v.profile(c); p.radius(UPLIFT * p.depth) });

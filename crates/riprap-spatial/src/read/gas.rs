@@ -36,7 +36,7 @@ impl View<'_> {
     #[must_use]
     pub fn gas_residual(&self) -> f64 {
         let b = self.gas_books();
-        let gone = b.work + b.air + b.friction + b.numerical + b.carried;
+        let gone = b.work + b.air + b.stemming + b.friction + b.numerical + b.carried;
         if b.released > 0.0 { (b.released - self.gas_internal() - gone) / b.released } else { 0.0 }
     }
 

@@ -28,9 +28,9 @@ pub struct Cavity {
     pub volume: f64,
     /// Pressure now, Pa.
     pub pressure: f64,
-    /// Share of the gas that is still in the cavity: less than 1 where it has entered cracks.
+    /// Share of the charge that is gas in the cavity: less than 1 before all of it has burned, and where gas has left.
     pub kept: f64,
-    /// Volume for which works were booked last, m³; for gas that enters cracks.
+    /// Volume, what has burned and the way of stemming left out, for which works were booked last, m³.
     pub known: f64,
     /// Work done since the ignition, J.
     pub work: f64,
@@ -40,6 +40,52 @@ pub struct Cavity {
     pub above: Vec<u32>,
     /// Walls on deformable blocks.
     pub nodal: NodalWalls,
+    /// The detonation, where it takes its time.
+    pub burn: Option<Burn>,
+    /// The column of stemming that the gas may blow out.
+    pub column: Option<Column>,
+}
+
+/// A detonation on its way along a charge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Burn {
+    /// Times after the ignition at which it is at the ends of the charge, s.
+    pub ends: [f64; 2],
+    /// Time since the ignition, s; below 0 before it.
+    pub reached: f64,
+    /// Share of the charge that has become gas in the cavity.
+    pub given: f64,
+}
+
+impl Burn {
+    /// Share of the charge that has burned.
+    #[must_use]
+    pub fn share(&self) -> f64 {
+        let [a, b] = self.ends;
+        let t = self.reached.max(0.0);
+        if t >= a.max(b) { 1.0 } else { (t.min(a) + t.min(b)) / (a + b) }
+    }
+}
+
+/// A column of stemming on its way out of the hole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Column {
+    /// How far it has moved, m.
+    pub way: f64,
+    /// What of it is not booked yet, m; nothing after an evaluation.
+    pub passed: f64,
+    /// m/s, outwards.
+    pub speed: f64,
+    /// m/s², at the last evaluation.
+    pub acceleration: f64,
+    /// Time at which its foot came to the collar, s.
+    pub out: Option<f64>,
+    /// Work that the gas has done on it, J.
+    pub work: f64,
+    /// Heat of its friction, J.
+    pub friction: f64,
+    /// Mass of the gas that has left through the open hole, kg.
+    pub vented: f64,
 }
 
 /// Gas of a charge.
@@ -72,6 +118,8 @@ pub struct Wall {
     pub hold_moment: Vec3,
     /// Where it has got to once its block uses finite rotations.
     pub turned: Option<TurnedWall>,
+    /// Time from the ignition until the detonation is at its centre, s.
+    pub after: f64,
 }
 
 /// A wall that turns with its block, at the last evaluation.

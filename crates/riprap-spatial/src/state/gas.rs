@@ -23,6 +23,18 @@ pub struct CrackGas {
     pub cavities: Vec<u32>,
     /// Mass of the gas in each cell, kg.
     pub masses: Vec<f64>,
+    /// Flux through each port of the network when gas flowed last, kg/(m² s).
+    pub fluxes: Vec<f64>,
+    /// Numbers of joints, and of those that had failed, when cracks were opened last.
+    pub failed: [usize; 2],
+    /// Steps of the rock between two of the flow, and those that have passed since the last.
+    pub every: u32,
+    /// See there.
+    pub passed: u32,
+    /// Time since then, s.
+    pub waits: f64,
+    /// Largest step that it allowed then, s; 0 before it is found.
+    pub limit: f64,
     /// Numbers of blocks and of living ones for which it was built.
     pub blocks: [usize; 2],
     /// Where the energy of the gas has gone.
@@ -56,6 +68,8 @@ pub struct Crack {
     pub aperture: f64,
     /// Pressure then, Pa.
     pub pressure: f64,
+    /// Density (kg/m³), pressure and bulk modulus (Pa) at which the pressure was found last; nothing where it was not found yet.
+    pub known: [f64; 3],
     /// Force on its second block then, N: of the pressure above that of the air.
     pub push: Vec3,
     /// Largest speed of the flow then, m/s.
@@ -75,9 +89,11 @@ pub struct GasBooks {
     pub in_cracks: f64,
     /// Work against the air.
     pub air: f64,
+    /// Work on columns of stemming, the air before them included.
+    pub stemming: f64,
     /// Friction of the flow.
     pub friction: f64,
-    /// What backward Euler loses in the flow.
+    /// What backward Euler loses in the flow, and what new gas loses that mixes with gas that has expanded.
     pub numerical: f64,
     /// Taken along by what has left.
     pub carried: f64,

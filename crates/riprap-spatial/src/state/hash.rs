@@ -39,6 +39,9 @@ impl World {
         }
         if let Some(gas) = &self.gas {
             hash.numbers(&gas.masses);
+            hash.numbers(&gas.fluxes);
+            hash.numbers(&[gas.waits]);
+            hash.count(u64::from(gas.every) << 32 | u64::from(gas.passed));
             hash.count(gas.cracks.iter().filter(|crack| crack.open).count() as u64);
         }
         self.patches(&mut hash);
@@ -53,6 +56,13 @@ impl World {
                 cavity.ignited.unwrap_or(-1.0),
                 cavity.venting.unwrap_or(-1.0),
             ]);
+            if let Some(burn) = &cavity.burn {
+                hash.numbers(&[burn.reached, burn.given, cavity.kept, cavity.known]);
+            }
+            if let Some(column) = &cavity.column {
+                hash.numbers(&[column.way, column.speed, column.acceleration, cavity.kept]);
+                hash.numbers(&[column.out.unwrap_or(-1.0), cavity.known]);
+            }
             for wall in &cavity.walls {
                 hash.numbers(&wall.hold.to_array());
                 hash.numbers(&wall.hold_moment.to_array());

@@ -122,6 +122,8 @@ pub(super) fn apply(world: &mut World, plan: &Plan) -> Result<(), EditError> {
             if let Some(parent) = turned.get(&(plan.root(world, wall.block), wall.behind)) {
                 walls::divide(world, &mut wall, parent);
             }
+            let source = &world.setup.sources[world.cavities[cavity].source as usize];
+            wall.wait_for(source, world.reference[wall.block as usize] + wall.arm);
             world.cavities[cavity].walls.push(wall);
             continue;
         }

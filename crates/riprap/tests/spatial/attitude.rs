@@ -262,6 +262,7 @@ fn charged() -> Setup {
         name: "charge".into(),
         place: Place::Point { centre: middle },
         delay: 0.0,
+        hole: Default::default(),
         push: CavityPressure::Gas {
             explosive: AMMONIUM.into(),
             mass: 1.0,

@@ -141,6 +141,7 @@ fn blasted(venting: Option<Venting>) -> Setup {
         name: "charge".into(),
         place: Place::Point { centre: Vec3::splat(6.0) },
         delay: 10.0 * DT,
+        hole: Default::default(),
         push: CavityPressure::Gas {
             explosive: AMMONIUM.into(),
             mass: 40.0,

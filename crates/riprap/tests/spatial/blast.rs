@@ -25,7 +25,7 @@ pub const AMMONIUM: Explosive = Explosive {
 
 /// Gas in cracks with the constants of the language.
 pub const CRACKS: Cracks = Cracks {
-    friction: Friction { viscosity: 2e-5, roughness: 1e-4 },
+    friction: Friction { viscosity: 2e-5, roughness: 1e-4, inertia: true },
     aperture: 1e-4,
     widest: 2e-2,
     air: 1e5,
@@ -36,6 +36,7 @@ fn charge(centre: Vec3, mass: f64, coupling: Coupling) -> Source {
         name: "charge".into(),
         place: Place::Point { centre },
         delay: 0.0,
+        hole: Default::default(),
         push: CavityPressure::Gas { explosive: AMMONIUM.into(), mass, coupling, venting: None },
     }
 }
@@ -163,6 +164,7 @@ fn slab_of(joint: JointLaw, push: CavityPressure, delay: f64) -> Run {
         name: "charge".into(),
         place: Place::Point { centre: Vec3::new(3.0, 3.0, 2.0) },
         delay,
+        hole: Default::default(),
         push,
     });
     Run::new(setup)

@@ -139,6 +139,7 @@ fn gas_in_a_spherical_cavity_comes_to_its_plateau() {
         name: "charge".into(),
         place: Place::Blocks { blocks: vec![0] },
         delay: 0.0,
+        hole: Default::default(),
         push: CavityPressure::Gas {
             explosive: AMMONIUM.into(),
             mass: AMMONIUM.density * part,

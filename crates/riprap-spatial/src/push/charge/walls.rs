@@ -30,11 +30,11 @@ pub struct Spot {
     pub normal: Vec3,
 }
 
-/// Walls on rigid blocks.
-pub fn on_blocks(cavity: &Cavity) -> impl Iterator<Item = Spot> + '_ {
-    cavity.walls.iter().map(|wall| {
+/// Walls on rigid blocks that the gas has reached, each with the time from the ignition until then (s).
+pub fn on_blocks(cavity: &Cavity) -> impl Iterator<Item = (Spot, f64)> + '_ {
+    cavity.walls.iter().filter(|wall| cavity.reached(wall)).map(|wall| {
         let (normal, area) = wall.now();
-        Spot { anchor: centre(wall), area, normal }
+        (Spot { anchor: centre(wall), area, normal }, wall.after)
     })
 }
 
@@ -117,7 +117,8 @@ fn surfaces(deform: &Deform, source: u16) -> impl Iterator<Item = &Surface> {
 #[must_use]
 pub fn swept(world: &World, cavity: &Cavity) -> f64 {
     let freedoms = world.all_freedoms();
-    let on_blocks = cavity.walls.iter().map(|wall| swept_by(wall, &freedoms));
+    let reached = cavity.walls.iter().filter(|wall| cavity.reached(wall));
+    let on_blocks = reached.map(|wall| swept_by(wall, &freedoms));
     on_blocks.sum::<f64>() + volume(world, on_nodes(world, cavity.source))
 }
 
@@ -131,7 +132,7 @@ fn volume(world: &World, walls: impl Iterator<Item = Spot>) -> f64 {
 #[must_use]
 pub fn lost(world: &World, cavity: &Cavity) -> f64 {
     let freedoms = world.all_freedoms();
-    let dead = |w: &&Wall| !world.alive[w.block as usize];
+    let dead = |w: &&Wall| !world.alive[w.block as usize] && cavity.reached(w);
     let dead = cavity.walls.iter().filter(dead);
     dead.map(|wall| swept_by(wall, &freedoms)).sum()
 }
@@ -155,10 +156,10 @@ pub fn held_nodes<'a>(
     tractions(world, cavity.source).map(|(node, area, t)| (node, area * t))
 }
 
-/// Work of the stress at the start on the walls of a cavity since then, J.
+/// Work of the stress at the start on the walls of a cavity that the gas has not reached, since then, J.
 #[must_use]
 pub fn held(world: &World, cavity: &Cavity) -> f64 {
-    let on_blocks = cavity.walls.iter().map(|w| {
+    let on_blocks = cavity.walls.iter().filter(|w| cavity.holds(w)).map(|w| {
         let b = w.block as usize;
         w.hold.dot(world.bodies.displacement(b)) + w.hold_moment.dot(world.bodies.rotation(b))
     });

@@ -75,7 +75,23 @@ fn build(world: &World, blocks: [usize; 2]) -> Option<CrackGas> {
     }
     let masses = vec![0.0; cells as usize];
     let books = GasBooks::default();
-    Some(CrackGas { fluid, rules, network, cracks, cavities, masses, blocks, books, stuck: None })
+    Some(CrackGas {
+        fluid,
+        rules,
+        fluxes: vec![0.0; network.ports.len()],
+        network,
+        cracks,
+        cavities,
+        masses,
+        failed: [0; 2],
+        every: 1,
+        passed: 0,
+        waits: 0.0,
+        limit: 0.0,
+        blocks,
+        books,
+        stuck: None,
+    })
 }
 
 /// Whether a place lies on a face without condition of one of the blocks `around`.
@@ -110,6 +126,7 @@ impl Crack {
             volume: 0.0,
             aperture: 0.0,
             pressure: 0.0,
+            known: [0.0; 3],
             push: Vec3::ZERO,
             speed: 0.0,
         }
@@ -126,10 +143,12 @@ impl World {
     }
 }
 
-/// Hands the gas on from the network before blocks were divided or taken out: a crack shares it among its parts by area. What has lost its crack has left.
+/// Hands the gas on from the network before blocks were divided or taken out: a crack shares it among its parts by area. What has lost its crack has left,
+/// and the flow begins anew from rest.
 fn hand_on(world: &World, old: &CrackGas, new: &mut CrackGas) {
     new.books = old.books;
     new.stuck = old.stuck;
+    new.waits = old.waits;
     let cavities = new.cracks.len();
     for (k, number) in old.cavities.iter().enumerate() {
         if let Some(cell) = new.cell_of_cavity(*number as usize) {

@@ -150,6 +150,7 @@ fn lists_follow_the_split() {
         name: "hole".into(),
         place: Place::Blocks { blocks: vec![1] },
         delay: 0.0,
+        hole: Default::default(),
         push: CavityPressure::Pressure { time: TimeFunction::Constant(1.0) },
     });
     let force = Vec3::new(8.0, 0.0, 0.0);

@@ -160,6 +160,14 @@ impl Builder<'_> {
                 let at = global(centre);
                 enter(name_of, crate::scenario::language::span_of(centre), at, at, mass);
             }
+            (None, Some(line), _) if gas.decks.is_some() => {
+                let span = crate::scenario::language::span_of(&line.from);
+                let decks = self.decks(name, line, gas.decks.as_deref()?)?;
+                for (number, hole) in (1..).zip(decks) {
+                    let (span, mass) = (span.clone(), Some(hole.mass));
+                    enter(format!("{name_of}.{number}"), span, hole.from, hole.to, mass);
+                }
+            }
             (None, Some(line), _) => {
                 let span = crate::scenario::language::span_of(&line.from);
                 enter(name_of, span, global(&line.from), global(&line.to), mass);

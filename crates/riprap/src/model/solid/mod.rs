@@ -16,6 +16,7 @@ mod fit;
 mod glued;
 mod graded;
 mod grid;
+mod holes;
 mod inspect;
 mod joints;
 mod mesh;

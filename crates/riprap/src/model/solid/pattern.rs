@@ -1,11 +1,17 @@
-//! Blast patterns: many holes from a CSV file.
+//! Blast patterns, many holes from a CSV file, and holes with decks.
 
 use riprap_geom::Vec3;
 
+use super::global;
 use crate::model::builder::Builder;
 use crate::scenario::csv_columns::Column;
-use crate::scenario::language::Pattern;
+use crate::scenario::language::{Deck, Pattern, Segment};
+use crate::scenario::read::with_unit;
 use crate::scenario::units::Dim;
+use crate::scenario::{Name, Span};
+
+/// A deck may end beyond the toe by this share of the hole: round-off.
+const ON_TOE: f64 = 1e-9;
 
 /// The charged part of a hole, in the coordinates of the file.
 pub(super) struct Hole {
@@ -17,6 +23,8 @@ pub(super) struct Hole {
     pub(super) mass: f64,
     /// Time of detonation, s.
     pub(super) delay: f64,
+    /// Length of the hole above it without explosive, m.
+    pub(super) stemmed: f64,
 }
 
 /// Columns of a pattern; one of the mass and the diameter of each charge is there.
@@ -77,8 +85,59 @@ impl Builder<'_> {
                 to: toe,
                 mass,
                 delay: delay[k],
+                stemmed,
             });
         }
         Some(holes)
+    }
+
+    /// The charges of a hole with decks, in the coordinates of the scene; `None` after an error.
+    pub(super) fn decks(
+        &mut self,
+        name: &Name,
+        line: &Segment,
+        decks: &[Deck],
+    ) -> Option<Vec<Hole>> {
+        let (collar, toe) = (global(&line.from), global(&line.to));
+        let length = collar.distance(toe);
+        let mut holes: Vec<Hole> = Vec::with_capacity(decks.len());
+        let mut above = 0.0;
+        for (number, deck) in (1..).zip(decks) {
+            let [from, to] = [deck.from.si(), deck.to.si()];
+            let path = format!("sources.{name}.gas_cavity.decks.{number}");
+            let delay = self.reading(path, deck).delay();
+            let wrong = if to > length * (1.0 + ON_TOE) {
+                Some((&deck.to, format!("the hole is {} long", with_unit(length, "m"))))
+            } else if from >= to {
+                Some((&deck.to, format!("it begins at {}", with_unit(from, "m"))))
+            } else if from < above {
+                let message = format!("the deck above it ends at {}", with_unit(above, "m"));
+                return self.wrong_deck(name, number, &deck.from.span, &message);
+            } else {
+                None
+            };
+            if let Some((end, why)) = wrong {
+                let message = format!("it ends at {}, but {why}", with_unit(to, "m"));
+                return self.wrong_deck(name, number, &end.span, &message);
+            }
+            let at = |depth: f64| collar + (toe - collar) * (depth / length).min(1.0);
+            let (mass, stemmed) = (deck.mass.si(), from - above);
+            holes.push(Hole { from: at(from), to: at(to), mass, delay, stemmed });
+            above = to;
+        }
+        if holes.is_empty() {
+            let message = format!("`{name}` has no deck");
+            let help = "give each charge of the hole: decks = [{ from = \"2 m\", to = \"5 m\", mass = \"20 kg\" }]";
+            self.error_at("source.decks", name, message, help);
+            return None;
+        }
+        Some(holes)
+    }
+
+    fn wrong_deck<T>(&mut self, name: &Name, number: u32, span: &Span, why: &str) -> Option<T> {
+        let message = format!("deck {number} of `{name}`: {why}");
+        let help = "give decks from the collar on, with `from` and `to` as distances from it along the hole, none over another";
+        self.error_at("source.decks", span.clone(), message, help);
+        None
     }
 }

@@ -3,7 +3,6 @@
 use riprap_geom::Vec3;
 
 use super::global;
-use super::pattern::Hole;
 use super::places::region_of;
 use crate::laws::explosive::{Explosive, ExplosiveError, Products};
 use crate::laws::jwl::{self, Jwl};
@@ -22,8 +21,8 @@ use crate::scenario::{Diagnostic, Name, Span};
 use crate::spatial::divisible::Divisible;
 use crate::spatial::region::Bounds;
 use crate::spatial::setup::{
-    BlockSpec, CavityPressure, Coupling, Cracks, Criterion, During, Place, Refinement, Region,
-    Shape, Source, Venting,
+    BlockSpec, CavityPressure, Coupling, Cracks, Criterion, During, Hole, Place, Refinement,
+    Region, Shape, Source, Venting,
 };
 use riprap_core::flow::Friction;
 
@@ -65,33 +64,40 @@ impl Builder<'_> {
             Some(language::Venting::Cracks(cracks)) => self.cracks(name, cracks),
         };
         let push = |mass: f64| CavityPressure::Gas { explosive, mass, coupling, venting };
-        if let Some(pattern) = &gas.pattern {
-            let Some(holes) = self.holes(pattern, explosive.density()) else {
-                return;
-            };
-            for (number, hole) in (1..).zip(holes) {
-                let Hole { from, to, .. } = hole;
-                let origin = self.spatial.origin;
-                let place = Place::Line { from: from - origin, to: to - origin };
-                let name_of = format!("{name}.{number}");
-                if self.in_rock(&place, &name_of, &pattern.csv.span) {
-                    self.enter_source(name_of, place, delay + hole.delay, push(hole.mass));
-                }
+        let origin = self.spatial.origin;
+        let (holes, span) = match (&gas.pattern, &gas.line, &gas.decks) {
+            (Some(pattern), ..) => {
+                (self.holes(pattern, explosive.density()), pattern.csv.span.clone())
             }
-            return;
-        }
-        // A missing mass is reported by the rules of the language.
-        let Some(mass) = &gas.mass else { return };
-        let place = self.source_place(name, &gas.centre, &gas.line, &gas.group);
-        if let Some(place) = place {
-            self.enter_source(name.text.clone(), place, delay, push(mass.si()));
+            (None, Some(line), Some(decks)) => (self.decks(name, line, decks), span_of(&line.from)),
+            (None, _, _) => {
+                // A missing mass is reported by the rules of the language.
+                let Some(mass) = &gas.mass else { return };
+                let place = self.source_place(name, &gas.centre, &gas.line, &gas.group);
+                let Some(place) = place else { return };
+                let Some(hole) = self.hole(name, gas, &explosive, &place, None) else { return };
+                self.enter_source(name.text.clone(), place, delay, push(mass.si()), hole);
+                return;
+            }
+        };
+        for (number, hole) in (1..).zip(holes.unwrap_or_default()) {
+            let place = Place::Line { from: hole.from - origin, to: hole.to - origin };
+            let name_of = format!("{name}.{number}");
+            if self.in_rock(&place, &name_of, &span) {
+                let above = (number, hole.stemmed);
+                let Some(own) = self.hole(name, gas, &explosive, &place, Some(above)) else {
+                    return;
+                };
+                self.enter_source(name_of, place, delay + hole.delay, push(hole.mass), own);
+            }
         }
     }
 
     /// How gas flows in the cracks of a charge.
     fn cracks(&mut self, name: &Name, said: &VentingCracks) -> Option<Venting> {
         let mut read = self.reading(format!("sources.{name}.gas_cavity.venting.cracks"), said);
-        let friction = Friction { viscosity: read.viscosity(), roughness: read.roughness() };
+        let (viscosity, roughness) = (read.viscosity(), read.roughness());
+        let friction = Friction { viscosity, roughness, inertia: read.inertia() };
         let (aperture, widest) = (read.aperture(), read.aperture_max());
         let air = read.air_pressure();
         if widest < aperture {
@@ -162,13 +168,21 @@ impl Builder<'_> {
             return;
         };
         if let Some(place) = self.source_place(name, &cavity.centre, &cavity.line, &cavity.group) {
-            self.enter_source(name.text.clone(), place, delay, CavityPressure::Pressure { time });
+            let push = CavityPressure::Pressure { time };
+            self.enter_source(name.text.clone(), place, delay, push, Hole::default());
         }
     }
 
-    fn enter_source(&mut self, name: String, place: Place, delay: f64, push: CavityPressure) {
+    fn enter_source(
+        &mut self,
+        name: String,
+        place: Place,
+        delay: f64,
+        push: CavityPressure,
+        hole: Hole,
+    ) {
         self.directory.sources.push(name.clone());
-        self.spatial.sources.push(Source { name, place, delay, push });
+        self.spatial.sources.push(Source { name, place, delay, push, hole });
     }
 
     /// The explosive in numbers, if they make sense.
