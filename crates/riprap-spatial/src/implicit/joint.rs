@@ -77,20 +77,27 @@ impl Point {
 }
 
 impl Joint {
+    /// Velocity of a point of the second block against the first, m/s.
+    fn speed(point: &Point, twist: &Twist) -> Vec3 {
+        let [x, y, z, p, q, r] = *twist;
+        Vec3::new(x, y, z) + Vec3::new(p, q, r).cross(point.arm)
+    }
+
     /// Way of a point in the step, m.
     fn way(&self, point: &Point, twist: &Twist, step: &Stepping) -> [f64; 3] {
-        let [x, y, z, p, q, r] = *twist;
-        let v = Vec3::new(x, y, z) + Vec3::new(p, q, r).cross(point.arm);
+        let v = Self::speed(point, twist);
         self.frame.map(|axis| step.dt * axis.dot(v))
     }
 
     /// Traction of a point at the end of the step, without failure.
     fn moved(&self, point: &Point, twist: &Twist, step: &Stepping) -> Traction {
-        let way = self.way(point, twist, step);
-        match &self.model {
-            Some(model) => self.told(model, point, &way),
-            None => [0, 1, 2].map(|k| point.traction[k] + self.springs[k.min(1)] * way[k]),
+        if let Some(model) = &self.model {
+            return self.told(model, point, &self.way(point, twist, step));
         }
+        let v = Self::speed(point, twist);
+        std::array::from_fn(|k| {
+            point.traction[k] + self.springs[k.min(1)] * step.dt * self.frame[k].dot(v)
+        })
     }
 
     /// Whether a point fails at once when it is beyond its strength.
