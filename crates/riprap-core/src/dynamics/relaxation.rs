@@ -21,7 +21,7 @@ pub enum Integration {
     Explicit,
     /// Long steps that find the forces of their end: stiff blocks that move slowly.
     Implicit,
-    /// Implicit where its step is 20 times the explicit one or more and all of the model can take it.
+    /// Implicit where its step is 20 times the explicit one or more and all of the model can take it; in a static phase without damping wherever the model can.
     Automatic,
 }
 
