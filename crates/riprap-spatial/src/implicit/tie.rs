@@ -9,8 +9,6 @@
 //! that is pulled holds against what moves its ends across it by its force over its length. A bar that tears is no convex law: bars hold while the step is
 //! solved, then the first that is stretched beyond its rupture tears, and the step is solved again.
 
-#![expect(clippy::needless_range_loop, reason = "indices are rows and columns of several matrices")]
-
 use riprap_core::sparse::{Block, Matrix};
 use riprap_geom::Vec3;
 
