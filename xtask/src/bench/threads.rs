@@ -11,33 +11,24 @@ use serde_json::Value;
 
 use super::{keep, manifest_of, release};
 
+/// The end of the timed phase.
+macro_rules! steps {
+    ($count:literal) => {
+        concat!("phases.timed.until.steps=", $count)
+    };
+}
+
 /// Runs that are looked at: a name, the scene, and words for `riprap run`.
 const RUNS: [(&str, &str, &[&str]); 6] = [
-    (
-        "wall of 110,592",
-        "scenes/bench/wall.toml",
-        &["--case", "large", "--set", "phases.timed.until.steps=400"],
-    ),
+    ("wall of 100,000", "scenes/bench/wall.toml", &["--case", "large", "--set", steps!(400)]),
     (
         "lattice of 1,000,000",
         "scenes/bench/lattice.toml",
-        &["--case", "large", "--set", "phases.timed.until.steps=60"],
+        &["--case", "large", "--set", steps!(60)],
     ),
-    (
-        "rubble",
-        "scenes/bench/rubble.toml",
-        &["--case", "large", "--set", "phases.timed.until.steps=60"],
-    ),
-    (
-        "masonry",
-        "scenes/bench/masonry.toml",
-        &["--case", "large", "--set", "phases.timed.until.steps=60"],
-    ),
-    (
-        "blast",
-        "scenes/bench/blast_throw.toml",
-        &["--case", "large", "--set", "phases.timed.until.steps=60"],
-    ),
+    ("rubble of 2,000", "scenes/bench/rubble.toml", &["--case", "medium", "--set", steps!(300)]),
+    ("masonry", "scenes/bench/masonry.toml", &["--case", "medium", "--set", steps!(300)]),
+    ("blast", "scenes/bench/blast_throw.toml", &["--case", "medium", "--set", steps!(300)]),
     ("beam with bonds", "scenes/fracture/notched_beam_25kn.toml", &[]),
 ];
 
