@@ -76,7 +76,7 @@ impl Maker<'_> {
         changed: bool,
     ) -> Result<Done, StudyError> {
         let in_space = matches!(setup, Setup::Spatial(_));
-        self.either(in_space, |rules| self.from_start((setup.clone(), &plan), rules, changed))
+        self.either(in_space, |rules| self.whole((setup.clone(), &plan), rules, changed))
     }
 
     /// Makes a trial by the rules, and by relaxation where Newton's method does not decide it: it has come to no end, or blocks have slid in its long steps before
@@ -100,7 +100,8 @@ impl Maker<'_> {
         if decided || !(leaves_open && done.sought) { Ok(done) } else { trial(&relaxing) }
     }
 
-    fn from_start(
+    /// Runs the phases of a scene by the rules, and one more.
+    fn whole(
         &self,
         (setup, plan): (Setup, &Plan),
         rules: &Rules,
