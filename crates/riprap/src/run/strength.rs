@@ -319,7 +319,7 @@ impl Fit {
             points.iter().map(|p| (p[k] - [x, y][k]) * (p[l] - [x, y][l])).sum::<f64>()
         };
         let (xx, xy, yy) = (sum(0, 0), sum(0, 1), sum(1, 1));
-        if points.len() < 2 || !(xx > 0.0) {
+        if points.len() < 2 || xx.is_nan() || xx <= 0.0 {
             return None;
         }
         let slope = xy / xx;

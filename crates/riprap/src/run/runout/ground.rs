@@ -76,7 +76,7 @@ fn height([a, b, c]: &[Vec3; 3], at: Vec3) -> Option<f64> {
     // A place on an edge belongs to both sides.
     let slack = 1e-12;
     let inside = s >= -slack && t >= -slack && s + t <= 1.0 + slack;
-    inside.then(|| a.z + s * u.z + t * v.z)
+    inside.then_some(a.z + s * u.z + t * v.z)
 }
 
 #[cfg(test)]

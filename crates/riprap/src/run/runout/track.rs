@@ -120,8 +120,8 @@ impl Track {
     pub(super) fn samples(&self) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
         let first = self.first();
         let between = self.states.windows(2).flat_map(|pair| {
-            let steps = if pair[1].time > pair[0].time { 1..=BETWEEN } else { 1..=0 };
-            steps.map(move |k| {
+            let steps = if pair[1].time > pair[0].time { BETWEEN } else { 0 };
+            (1..=steps).map(move |k| {
                 // In a frame as it stands there.
                 if k == BETWEEN {
                     return (pair[1].place, pair[1].velocity);
@@ -146,9 +146,9 @@ impl Track {
             for _ in 0..60 {
                 let middle = 0.5 * (low + high);
                 if (near(way(a, b, middle).0) < 0.0) == behind {
-                    low = middle
+                    low = middle;
                 } else {
-                    high = middle
+                    high = middle;
                 }
             }
             let (place, velocity) = way(a, b, high);

@@ -7,7 +7,8 @@ impl Fitted {
     fn text(self, scale: f64) -> String {
         let value = scale * self.value;
         match self.error {
-            Some(error) => format!("{value:.4} +- {:.2}", scale * error),
+            // Two digits of the error, whatever its size.
+            Some(error) => format!("{value:.4} +- {:.1e}", scale * error),
             None => format!("{value:.4}"),
         }
     }

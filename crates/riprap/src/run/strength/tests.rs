@@ -97,7 +97,7 @@ fn shear_tests_and_disks() {
     // A disk of 54 mm by 27 mm under 20 kN: 2 P/(pi D t).
     let disk = Test::Disk { diameter: 0.054, thickness: Some(0.027) };
     let loaded = "step,time [s],load [N]\n0,0,0\n1,1,-20000\n".to_owned();
-    let answer = runs(&[loaded.clone()], &rules(disk)).unwrap();
+    let answer = runs(std::slice::from_ref(&loaded), &rules(disk)).unwrap();
     near(answer.tests[0].peak, 2.0 * 20e3 / (std::f64::consts::PI * 0.054 * 0.027));
     assert!(answer.tests[0].at_end && answer.words().contains("still rising"));
     let flat = Test::Disk { diameter: 0.054, thickness: None };
@@ -107,8 +107,9 @@ fn shear_tests_and_disks() {
 #[test]
 fn what_cannot_be_read_is_told() {
     let text = "step,time [s],load [N],rest [N],none [N]\n0,0,1,0,\n1,1,2,0,\n".to_owned();
-    let ask =
-        |load: &str| runs(&[text.clone()], &Rules { load: load.to_owned(), ..rules(Test::Axial) });
+    let ask = |load: &str| {
+        runs(std::slice::from_ref(&text), &Rules { load: load.to_owned(), ..rules(Test::Axial) })
+    };
     assert!(ask("laod").unwrap_err().to_string().contains("load"));
     assert!(matches!(ask("rest"), Err(StrengthError::Zero { .. })));
     assert!(matches!(ask("none"), Err(StrengthError::Empty { .. })));
@@ -120,6 +121,6 @@ fn what_cannot_be_read_is_told() {
         Rules { area: Some(0.0), ..rules(Test::Axial) },
         Rules { length: Some(f64::NAN), ..rules(Test::Axial) },
     ] {
-        assert!(matches!(runs(&[text.clone()], &wrong), Err(StrengthError::Number(_))));
+        assert!(matches!(runs(std::slice::from_ref(&text), &wrong), Err(StrengthError::Number(_))));
     }
 }
