@@ -1,8 +1,6 @@
 //! Memory that a model needs: the least, before it is made, and what a run of it will take.
 
 use super::builder::Builder;
-use crate::plan::{Every, Plan};
-use crate::run::engine::View;
 use crate::scenario::language::{Block, Mechanics};
 use crate::scenario::{Diagnostic, Span};
 
@@ -27,11 +25,6 @@ const FLAT_NEAR: f64 = 600.0;
 /// What writing a picture or a checkpoint takes for a while: bytes of a rigid and of a deformable block, and the most that stays.
 const WRITTEN: [f64; 2] = [1200.0, 3000.0];
 const WRITTEN_MOST: f64 = 25e6;
-
-/// Bytes of a frame of the present before it is compressed; 0 where none is written.
-pub(crate) fn of_frame(view: &View<'_>, plan: &Plan) -> usize {
-    if plan.frames == Some(Every::Never) { 0 } else { view.picture("", &plan.pictures).bytes() }
-}
 
 /// Of each piece of a bolt.
 const BOLT_PIECE: f64 = 400.0;

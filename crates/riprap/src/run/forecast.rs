@@ -174,7 +174,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     let meets = touching.min(simulation.engine().contact_step_limit(USUAL));
     warnings.extend((plan.phases.iter()).filter_map(|p| idle_safety(p, stable.dt, meets)));
     let memory = memory::expected(&parts(&simulation.view(), setup, contacts, found.as_ref()));
-    let frame = memory::of_frame(&simulation.view(), plan);
+    let frame = simulation.view().frame_bytes(plan);
     let trial = Trial::of(&mut simulation, stage)?;
     let [least_steps, steps] = match trial.end {
         Some(taken) => [Some(taken); 2],

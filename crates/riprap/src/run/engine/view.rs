@@ -4,6 +4,7 @@ use super::{Kind, Who, notes};
 use crate::accounts::{Account, Condition};
 use crate::exec::Exec;
 use crate::ledger::Balance;
+use crate::plan::{Every, Plan};
 use crate::record::conditions::Conditions;
 use crate::record::field::Site;
 use crate::record::frame::bars;
@@ -427,6 +428,12 @@ impl<'a> View<'a> {
     /// The threads of the engine.
     pub(crate) fn exec(&self) -> &'a Exec {
         either!(self, v => &v.scratch.exec)
+    }
+
+    /// Bytes of a frame of the present before it is compressed; 0 where the plan writes none.
+    #[must_use]
+    pub fn frame_bytes(&self, plan: &Plan) -> usize {
+        if plan.frames == Some(Every::Never) { 0 } else { self.picture("", &plan.pictures).bytes() }
     }
 
     /// A picture with everything but tetrahedra.
