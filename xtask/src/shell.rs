@@ -43,11 +43,16 @@ pub fn failures() -> Vec<String> {
 }
 
 /// Whether `line` names a failed check: of cargo (`test a::b ... FAILED`), of pytest and of `riprap verify`
-/// (`FAILED …`), of the browser's tally (`failed: …`), an error of rustc, clippy or rustdoc (`error: …`).
+/// (`FAILED …`), of the browser's tally (`failed: …`).
 fn names_failure(line: &str) -> bool {
     let line = line.trim();
-    ["FAILED ", "failed: ", "error: ", "error["].iter().any(|word| line.starts_with(word))
+    ["FAILED ", "failed: "].iter().any(|word| line.starts_with(word))
         || (line.starts_with("test ") && line.ends_with("FAILED"))
+}
+
+/// Whether `line`, which is not of a test, names an error of rustc, clippy or rustdoc.
+fn names_error(line: &str) -> bool {
+    ["error: ", "error["].iter().any(|word| line.starts_with(word))
 }
 
 /// Copies what a command says of errors to ours, whole lines at a time, and returns the lines that name a failure, each with the
@@ -64,7 +69,7 @@ fn copy_errors(stream: impl Read, mark: &str) -> Vec<String> {
             last.push_str(" at ");
             last.push_str(place);
         }
-        named = names_failure(&line);
+        named = names_error(&line) || names_failure(&line);
         if named && kept.len() < KEPT {
             kept.push(line.trim().to_owned());
         }
@@ -153,7 +158,10 @@ pub fn run(root: &Path, command: &mut Command) -> Result<Finished, String> {
     }
     if let Some(lines) = errors {
         let lines = lines.join().map_err(|_| format!("reading the errors of {name} failed"))?;
-        lines.iter().for_each(|line| keep_failure(line));
+        FAILURES.with_borrow_mut(|kept| {
+            let room = KEPT.saturating_sub(kept.len());
+            kept.extend(lines.into_iter().take(room));
+        });
     }
     let status = child.wait().map_err(|e| format!("waiting for {name}: {e}"))?;
     Ok(Finished { success: status.success(), counts })
