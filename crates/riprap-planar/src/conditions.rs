@@ -3,7 +3,7 @@
 use riprap_geom::{Vec2, Vec3};
 
 use super::loads::edge_normal;
-use super::setup::{LoadKind, Motion};
+use super::setup::LoadKind;
 use super::view::View;
 use crate::frame::conditions::{Conditions, GivenLoad, LoadKind as Kind, Support, Table};
 
@@ -22,13 +22,7 @@ pub fn conditions(view: &View<'_>, first: usize) -> Conditions {
     out.supports = setup
         .supports
         .iter()
-        .map(|s| Support {
-            driven: match s.motion {
-                Motion::Fixed { .. } => false,
-                Motion::Velocity { .. } | Motion::Acceleration { .. } => true,
-            },
-            blocks: s.blocks.clone(),
-        })
+        .map(|s| Support { driven: s.motion.is_driven(), blocks: s.blocks.clone() })
         .collect();
     let [x, y] = setup.origin;
     let tables = setup.water.iter();

@@ -160,6 +160,17 @@ pub enum Motion {
 }
 
 impl Motion {
+    /// Whether it moves blocks, rather than holding them.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        match self {
+            Self::Fixed { .. } => false,
+            Self::Velocity { .. } | Self::Acceleration { .. } => true,
+        }
+    }
+}
+
+impl Motion {
     /// What is prescribed along x, along y and for rotation.
     #[must_use]
     pub fn targets(&self) -> [Target<'_>; 3] {

@@ -332,6 +332,17 @@ pub enum Motion {
 }
 
 impl Motion {
+    /// Whether it moves blocks, rather than holding them.
+    #[must_use]
+    pub fn is_driven(&self) -> bool {
+        match self {
+            Self::Fixed { .. } => false,
+            Self::Velocity { .. } | Self::Acceleration { .. } => true,
+        }
+    }
+}
+
+impl Motion {
     /// What is prescribed for translation along, and rotation about x, y, z.
     #[must_use]
     pub fn targets(&self) -> [[Target<'_>; 3]; 2] {

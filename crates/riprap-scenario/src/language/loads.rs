@@ -65,6 +65,7 @@ pub struct Support {
 }
 
 /// A servo: what it multiplies acts fully as long as the field is far from its target, in proportion within a band about it, and backwards beyond.
+/// It ends where a phase removes, releases or fixes all that it acts on.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Control {

@@ -6,7 +6,7 @@ use crate::frame::conditions::{
     Conditions, FaceCondition, FaceKind, GivenLoad, LoadKind as Kind, Support, Table,
 };
 use crate::query::view::View;
-use crate::setup::{BoundaryKind, LoadKind, Motion};
+use crate::setup::{BoundaryKind, LoadKind};
 
 /// Conditions on the blocks with numbers from `first` on. What is not about single blocks is told with the first of them.
 #[must_use]
@@ -25,13 +25,7 @@ pub fn conditions(view: &View<'_>, first: usize) -> Conditions {
     out.supports = setup
         .supports
         .iter()
-        .map(|s| Support {
-            driven: match s.motion {
-                Motion::Fixed { .. } => false,
-                Motion::Velocity { .. } | Motion::Acceleration { .. } => true,
-            },
-            blocks: s.blocks.clone(),
-        })
+        .map(|s| Support { driven: s.motion.is_driven(), blocks: s.blocks.clone() })
         .collect();
     let tables = setup.water.iter();
     let tables = tables.map(|table| Table::of(table, setup.origin, false));

@@ -26,8 +26,9 @@ pub use cursor::{
 };
 pub use error::RunError;
 
+use self::control::Servos;
 use self::shorter::Shorter;
-use super::engine::{BuildError, Engine, Kind, Reading, Stable, View};
+use super::engine::{BuildError, Engine, Kind, Stable, View};
 use crate::exec::Exec;
 use crate::ledger::Balance;
 use crate::plan::{
@@ -55,8 +56,8 @@ pub struct Simulation {
     reason: Option<Reason>,
     /// The shortest step in place of a given one.
     shorter: Option<Shorter>,
-    /// Readings of the servos of the plan, once they have begun.
-    readings: Option<Vec<Reading>>,
+    /// The servos of the plan, once they have begun.
+    servos: Option<Servos>,
 }
 
 impl Simulation {
@@ -87,7 +88,7 @@ impl Simulation {
             residual: None,
             reason: None,
             shorter: None,
-            readings: None,
+            servos: None,
         }
     }
 
@@ -215,7 +216,7 @@ impl Simulation {
     /// # Errors
     /// The physics stopped the run; the state is still the last one.
     pub fn prepare(&mut self) -> Result<Stage, RunError> {
-        if self.readings.is_none() {
+        if self.servos.is_none() {
             self.begin_controls()?;
         }
         if !self.cursor.entered {

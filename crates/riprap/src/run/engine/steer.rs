@@ -58,6 +58,14 @@ pub enum SteerError {
         /// The name.
         name: String,
     },
+    /// A support whose blocks have all been removed, released or fixed.
+    #[error(
+        "the support {name:?} moves no block any more: its blocks were removed, released or fixed"
+    )]
+    Idle {
+        /// The name.
+        name: String,
+    },
     /// Not a number.
     #[error("the value for {name:?} is not finite")]
     NotFinite {
@@ -158,22 +166,43 @@ impl State {
     }
 }
 
+/// Steers the motion of a support, and those of its blocks that still have it: a phase may have fixed some. `give` is `None` of a motion that has no
+/// velocity.
+fn steer_all<'a, M: 'a>(
+    own: &'a mut M,
+    of_blocks: impl Iterator<Item = &'a mut M>,
+    name: &str,
+    mut give: impl FnMut(&mut M) -> Option<Result<(), SteerError>>,
+) -> Result<(), SteerError> {
+    let Some(done) = give(own) else {
+        return Err(SteerError::Free { name: name.to_owned(), axis: 'x' });
+    };
+    done?;
+    let mut moves = false;
+    for motion in of_blocks {
+        if let Some(done) = give(motion) {
+            done?;
+            moves = true;
+        }
+    }
+    if moves { Ok(()) } else { Err(SteerError::Idle { name: name.to_owned() }) }
+}
+
 fn planar(world: &mut planar::world::World, name: &str, to: Steered) -> Result<(), SteerError> {
     use planar::setup::Motion;
     let loads = world.setup.loads.iter_mut().map(|load| (load.account, &mut load.time));
     let Some((k, velocity)) = change(&world.setup.accounts, loads, name, to)? else {
         return Ok(());
     };
-    let mut held = world.held_by(k);
-    held.sort_unstable();
+    let mut moved = world.held_by(k);
+    moved.sort_unstable();
     let of_blocks = world.motion.iter_mut().enumerate();
     let of_blocks = of_blocks
-        .filter(|(b, _)| held.binary_search(b).is_ok())
+        .filter(|(b, _)| moved.binary_search(b).is_ok())
         .filter_map(|(_, m)| m.as_deref_mut());
-    let own = std::iter::once(&mut world.setup.supports[k].motion);
-    own.chain(of_blocks).try_for_each(|motion| match motion {
-        Motion::Velocity { x, y, .. } => prescribe(&mut [x, y], velocity, name),
-        Motion::Fixed { .. } | Motion::Acceleration { .. } => prescribe(&mut [], velocity, name),
+    steer_all(&mut world.setup.supports[k].motion, of_blocks, name, |motion| match motion {
+        Motion::Velocity { x, y, .. } => Some(prescribe(&mut [x, y], velocity, name)),
+        Motion::Fixed { .. } | Motion::Acceleration { .. } => None,
     })
 }
 
@@ -191,12 +220,11 @@ fn spatial(world: &mut spatial::world::World, name: &str, to: Steered) -> Result
     let of_blocks = of_blocks
         .filter(|(b, _)| held.binary_search(b).is_ok())
         .filter_map(|(_, m)| m.as_deref_mut());
-    let own = std::iter::once(&mut world.setup.supports[k].motion);
-    own.chain(of_blocks).try_for_each(|motion| match motion {
+    steer_all(&mut world.setup.supports[k].motion, of_blocks, name, |motion| match motion {
         Motion::Velocity { translation: [x, y, z], .. } => {
-            prescribe(&mut [x, y, z], velocity, name)
+            Some(prescribe(&mut [x, y, z], velocity, name))
         }
-        Motion::Fixed { .. } | Motion::Acceleration { .. } => prescribe(&mut [], velocity, name),
+        Motion::Fixed { .. } | Motion::Acceleration { .. } => None,
     })
 }
 
@@ -305,6 +333,29 @@ impl Engine {
     pub(in crate::run) fn groups(&self) -> Vec<(&str, &[u32])> {
         either!(self, e => {
             e.world.setup.groups.iter().map(|g| (g.name.as_str(), &g.blocks[..])).collect()
+        })
+    }
+
+    /// Whether what a servo of that name acts on is still there: a block on which the load acts, or one that the support moves.
+    pub(in crate::run) fn acts(&self, name: &str) -> bool {
+        either!(self, e => {
+            let world = &e.world;
+            let setup = &world.setup;
+            let Some(at) = setup.accounts.iter().position(|of| of.name == name) else {
+                return false;
+            };
+            match setup.accounts[at].holder {
+                Holder::Load => {
+                    let of_name = |account: Option<u16>| account.map(usize::from) == Some(at);
+                    let mut loads = setup.loads.iter().filter(|load| of_name(load.account));
+                    loads.any(|load| load.blocks.iter().any(|b| world.alive[*b as usize]))
+                }
+                Holder::Support(k) => {
+                    let mut held = world.held_by(usize::from(k)).into_iter();
+                    held.any(|b| world.motion[b].as_deref().is_some_and(|m| m.is_driven()))
+                }
+                Holder::Nodes(_) | Holder::Boundary(_) => false,
+            }
         })
     }
 

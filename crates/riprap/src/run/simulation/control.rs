@@ -5,24 +5,27 @@
 
 use super::{RunError, Simulation};
 use crate::plan::{Acts, Control};
+use crate::record::field::Site;
 use crate::run::engine::Reading;
 use crate::run::engine::steer::Steered;
+
+/// Readings of the servos of a plan.
+#[derive(Debug, Default)]
+pub(super) struct Servos {
+    readings: Vec<Reading>,
+    /// The servo that could not act, and why.
+    refused: Option<(usize, String)>,
+}
 
 impl Simulation {
     /// Finds what the servos read; at the start of a run loads begin with nothing, and supports at rest.
     pub(super) fn begin_controls(&mut self) -> Result<(), RunError> {
         let kind = self.kind();
-        let fails = |control: &Control, reason: String, now: &Self| RunError::Control {
-            name: control.name.clone(),
-            reason,
-            step: now.steps(),
-            time: now.time(),
-        };
-        let mut readings = Vec::new();
+        let mut servos = Servos::default();
         for control in self.plan.controls.clone() {
             let reading = Reading::new(kind, &control.gauge)
-                .map_err(|wrong| fails(&control, wrong.to_string(), self))?;
-            readings.push(reading);
+                .map_err(|wrong| self.idle(&control, wrong.to_string()))?;
+            servos.readings.push(reading);
             if self.steps() > 0 || self.cursor.entered {
                 continue;
             }
@@ -31,22 +34,18 @@ impl Simulation {
                 Acts::Velocity(_) => Steered::Velocity([0.0; 3]),
             };
             let begun = self.engine.steer(&control.name, nothing);
-            begun.map_err(|wrong| fails(&control, wrong.to_string(), self))?;
+            begun.map_err(|wrong| self.idle(&control, wrong.to_string()))?;
         }
-        self.readings = Some(readings);
+        self.servos = Some(servos);
         Ok(())
     }
 
     /// What the servos ask for, by the forces of the present, prepared state.
     pub(super) fn asked_by_controls(&self) -> Vec<Steered> {
-        let readings = self.readings.iter().flatten();
-        let view = self.view();
-        let pairs = self.plan.controls.iter().zip(readings);
-        pairs
+        self.controls()
             .map(|(control, reading)| {
-                let value = reading.value(&view);
-                let off = (control.target - value) / (control.band * control.target);
-                // What cannot be read (blocks that do not touch yet) is nothing.
+                let off = self.off(control, reading);
+                // What cannot be read (the stress between blocks that do not touch yet) is nothing.
                 let off = if off.is_finite() { off.clamp(-1.0, 1.0) } else { 1.0 };
                 match control.acts {
                     Acts::Load { rise } => {
@@ -59,13 +58,90 @@ impl Simulation {
             .collect()
     }
 
-    /// Gives loads and supports what the servos have asked for.
+    /// Gives loads and supports what the servos have asked for. Those whose blocks a phase has removed, released or fixed are over.
     pub(super) fn control(&mut self, asked: Vec<Steered>) {
-        for (control, to) in self.plan.controls.iter().zip(asked) {
-            // Names and values have been tried when the run began.
-            let done = self.engine.steer(&control.name, to);
-            debug_assert!(done.is_ok(), "{done:?}");
+        let Some(servos) = &mut self.servos else {
+            return;
+        };
+        for (k, (control, to)) in self.plan.controls.iter().zip(asked).enumerate() {
+            if !self.engine.acts(&control.name) {
+                continue;
+            }
+            if let Err(wrong) = self.engine.steer(&control.name, to) {
+                servos.refused = Some((k, wrong.to_string()));
+            }
         }
+    }
+
+    /// Stops a run in which a servo acts that reads nothing any more, or could not act.
+    pub(super) fn look_at_controls(&self) -> Result<(), RunError> {
+        if let Some((k, reason)) = self.servos.as_ref().and_then(|s| s.refused.as_ref()) {
+            return Err(self.idle(&self.plan.controls[*k], reason.clone()));
+        }
+        for (control, reading) in self.controls() {
+            let alive = |b: &u32| self.engine.is_alive(*b);
+            let of = &control.gauge.of;
+            let gone = match reading.info().site {
+                Site::Block | Site::Pair => !of.iter().all(alive),
+                Site::Group => !of.iter().any(alive),
+                _ => false,
+            };
+            if gone && self.engine.acts(&control.name) {
+                let field = &control.gauge.field;
+                let reason = format!(
+                    "the blocks of which it reads `{field}` have been removed; remove, `release` or `fix` what it moves in the same phase"
+                );
+                return Err(self.idle(control, reason));
+            }
+        }
+        Ok(())
+    }
+
+    /// The servos that act at the end of a run and have not reached what they were to keep, in words.
+    pub(super) fn missed_targets(&self) -> Vec<String> {
+        let acting = self.controls().filter(|(control, _)| self.engine.acts(&control.name));
+        acting
+            .filter_map(|(control, reading)| {
+                let off = self.off(control, reading);
+                // At the edge of its band a servo moves with all of its velocity, as it may.
+                (!(off.abs() <= 1.0 + 1e-9)).then(|| {
+                    let (field, target) = (&control.gauge.field, control.target);
+                    let value = reading.value(&self.view());
+                    let now = if value.is_finite() {
+                        format!("is {value:.4e}")
+                    } else {
+                        "cannot be read".to_owned()
+                    };
+                    let unit = reading.info().unit;
+                    let allow = match control.acts {
+                        Acts::Load { .. } => "a shorter `rise`",
+                        Acts::Velocity(_) => "a larger velocity",
+                    };
+                    format!(
+                        "the control of `{}` has not reached its target: `{field}` {now}, asked {target:.4e} {unit} (band {:.3} %) at t = {:.4e} s; \
+                         possible remedies: more time, or {allow}",
+                        control.name,
+                        100.0 * control.band,
+                        self.time(),
+                    )
+                })
+            })
+            .collect()
+    }
+
+    fn controls(&self) -> impl Iterator<Item = (&Control, &Reading)> {
+        let readings = self.servos.iter().flat_map(|servos| &servos.readings);
+        self.plan.controls.iter().zip(readings)
+    }
+
+    /// How far the field is below its target, over the band.
+    fn off(&self, control: &Control, reading: &Reading) -> f64 {
+        (control.target - reading.value(&self.view())) / (control.band * control.target)
+    }
+
+    fn idle(&self, control: &Control, reason: String) -> RunError {
+        let (step, time) = (self.steps(), self.time());
+        RunError::Control { name: control.name.clone(), reason, step, time }
     }
 }
 
@@ -90,6 +166,46 @@ mod tests {
         rest.advance(250).unwrap();
         assert_eq!(rest.engine().hash(), whole.engine().hash());
         assert!(whole.field("pair.normal_force", &["right", "core"]).unwrap() > 1e5);
+    }
+
+    fn with_phase(text: &str) -> Simulation {
+        let (phase, checks) = ("until.time = \"0.3 s\"\n", "[[checks]]");
+        let at = SCENE.find(checks).unwrap();
+        let scene = SCENE[..at].replace(phase, "until.time = \"0.05 s\"\n");
+        let later = format!("[[phases]]\nname = \"later\"\nuntil.time = \"0.05 s\"\n{text}\n");
+        Simulation::from_toml(&format!("{scene}{later}")).unwrap()
+    }
+
+    #[test]
+    fn a_servo_that_reads_nothing_any_more_stops_the_run() {
+        let said = with_phase("remove = [\"core\"]").run().unwrap_err().to_string();
+        assert!(said.contains("control of `platen` cannot act"), "{said}");
+        assert!(said.contains("`pair.normal_force` have been removed"), "{said}");
+        // Without what it moves it is over, however that comes about.
+        for phase in [
+            "remove = [\"right\", \"core\"]",
+            "remove = [\"core\"]\nfix = [\"right\"]",
+            "fix = [\"right\"]",
+            "release = [\"right\"]",
+            "remove = [\"stone\"]",
+        ] {
+            let mut run = with_phase(phase);
+            run.run().unwrap();
+            assert!(!run.warnings().iter().any(|w| w.contains("control of")), "{phase}");
+        }
+    }
+
+    #[test]
+    fn a_servo_that_does_not_reach_its_target_is_reported() {
+        let mut whole = Simulation::from_toml(SCENE).unwrap();
+        whole.run().unwrap();
+        assert!(!whole.warnings().iter().any(|w| w.contains("control of")));
+        let slow = SCENE.replace("rise = \"20 ms\"", "rise = \"20 s\"");
+        let mut slow = Simulation::from_toml(&slow).unwrap();
+        slow.run().unwrap();
+        let said = slow.warnings().join("\n");
+        assert!(said.contains("control of `press` has not reached its target"), "{said}");
+        assert!(said.contains("a shorter `rise`"), "{said}");
     }
 
     #[test]

@@ -98,7 +98,7 @@ impl Simulation {
             .chain(self.unsettled_friction())
             .chain(rough::crushed(&self.view()));
         let noted = self.noted_words().into_iter();
-        let noted = noted.chain(meeting::idle_bolts(&self.view()));
+        let noted = noted.chain(meeting::idle_bolts(&self.view())).chain(self.missed_targets());
         all.chain(supports).chain(noted).collect()
     }
 

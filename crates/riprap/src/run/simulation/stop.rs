@@ -152,6 +152,7 @@ impl Simulation {
         let step = self.steps();
         self.look_at_depth()?;
         self.look_at_seepage()?;
+        self.look_at_controls()?;
         let due = over || due(step, CHECK_INTERVAL, 2);
         if due || self.cursor.crossed >= CROSSED {
             // Every look counts, whatever it was due for: the way is that since the last one.
