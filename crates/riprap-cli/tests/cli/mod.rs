@@ -5,6 +5,7 @@ mod beyond;
 #[cfg(unix)]
 mod faults;
 mod guards;
+mod many;
 mod runs;
 mod templates;
 mod verbs;
