@@ -51,6 +51,27 @@ pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     })
 }
 
+/// Says what a study has found: as JSON where that is asked for, else in words. Where a file is asked for, the table of all goes there.
+fn answer(
+    json: Option<serde_json::Value>,
+    out: Option<&Path>,
+    csv: impl FnOnce() -> Result<Vec<u8>, String>,
+    words: impl FnOnce() -> String,
+) -> Result<(), Failure> {
+    if let Some(file) = out {
+        write_file(file, &csv().map_err(Failure::Output)?)?;
+    }
+    if let Some(found) = json {
+        screen::line(&found.to_string());
+        return Ok(());
+    }
+    screen::line(&words());
+    if let Some(file) = out {
+        screen::line(&file.display().to_string());
+    }
+    Ok(())
+}
+
 /// Number of threads the user asked for, or of the machine.
 pub fn threads(how: &How) -> usize {
     how.threads.map_or_else(cores, usize::from)

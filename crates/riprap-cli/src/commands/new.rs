@@ -13,7 +13,7 @@ pub fn run(args: &New) -> Result<(), Failure> {
     if args.list {
         for template in TEMPLATES {
             screen::line(&format!(
-                "{:<10} {}  {:>6} blocks  {:>6}  {}",
+                "{:<16} {}  {:>6} blocks  {:>6}  {}",
                 template.name, template.space, template.blocks, template.time, template.about
             ));
         }

@@ -4,7 +4,7 @@ use riprap::exec::Exec;
 use riprap::run::removable::{Answer, Block, Kind, RemovableError, Rules, removable};
 
 use crate::args::Removable;
-use crate::commands::write_file;
+use crate::commands::answer as say;
 use crate::diagnostics::Style;
 use crate::failure::Failure;
 use crate::numbers::{ratio, si};
@@ -20,24 +20,18 @@ pub fn run(args: &Removable, style: Style) -> Result<(), Failure> {
         }
         RemovableError::Build(_) | RemovableError::Run(_) => Failure::Physics(e.to_string()),
     })?;
-    if let Some(file) = &args.out {
-        let table = answer.table().map_err(|e| Failure::Output(e.to_string()))?;
-        write_file(file, &table)?;
-    }
-    if args.json {
-        screen::line(&serde_json::json!(answer).to_string());
-        return Ok(());
-    }
-    let listed: Vec<&Block> =
-        answer.blocks.iter().filter(|block| args.all || block.kind != Kind::Tapered).collect();
-    if !listed.is_empty() {
-        screen::print(&table(&answer, &listed, args.rounds > 1));
-    }
-    screen::line(&answer.words());
-    if let Some(file) = &args.out {
-        screen::line(&file.display().to_string());
-    }
-    Ok(())
+    let json = args.json.then(|| serde_json::json!(answer));
+    let csv = || answer.table().map_err(|e| e.to_string());
+    say(json, args.out.as_deref(), csv, || {
+        let listed: Vec<&Block> =
+            answer.blocks.iter().filter(|block| args.all || block.kind != Kind::Tapered).collect();
+        let rows = if listed.is_empty() {
+            String::new()
+        } else {
+            table(&answer, &listed, args.rounds > 1)
+        };
+        rows + &answer.words()
+    })
 }
 
 /// A row a block.

@@ -4,27 +4,16 @@ use riprap::run::strength::{Rules, Test, strength};
 use riprap::scenario::units::{self, Dim};
 
 use crate::args::Strength;
+use crate::commands::answer as say;
 use crate::commands::plot::quantity;
-use crate::commands::write_file;
 use crate::failure::Failure;
-use crate::screen;
 
 /// `riprap strength`.
 pub fn run(args: &Strength) -> Result<(), Failure> {
     let answer = strength(&args.runs, &rules(args)?).map_err(|e| Failure::Input(e.to_string()))?;
-    if let Some(file) = &args.out {
-        let table = answer.table().map_err(|e| Failure::Output(e.to_string()))?;
-        write_file(file, &table)?;
-    }
-    if args.json {
-        screen::line(&serde_json::json!(answer).to_string());
-        return Ok(());
-    }
-    screen::line(&answer.words());
-    if let Some(file) = &args.out {
-        screen::line(&file.display().to_string());
-    }
-    Ok(())
+    let json = args.json.then(|| serde_json::json!(answer));
+    let csv = || answer.table().map_err(|e| e.to_string());
+    say(json, args.out.as_deref(), csv, || answer.words())
 }
 
 fn rules(args: &Strength) -> Result<Rules, Failure> {
