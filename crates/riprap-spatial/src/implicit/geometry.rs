@@ -97,12 +97,25 @@ impl Pair {
     /// Adds a piece of faces whose normals have the components `facing` along and against the direction of the pair, as it was found with
     /// faces `out` (m) further out.
     fn add(&mut self, facing: [f64; 2], share: f64, frame: &Frame, polygon: &Polygon, out: f64) {
+        let corners = polygon.s().iter().zip(polygon.t()).map(|(s, t)| [*s, *t]);
+        self.add_piece(facing, share, frame, polygon.slope, corners, out);
+    }
+
+    /// The same of a polygon by its corners, and the depth in it; whether it counts.
+    pub(super) fn add_piece(
+        &mut self,
+        facing: [f64; 2],
+        share: f64,
+        frame: &Frame,
+        [w, u, v]: [f64; 3],
+        corners: impl Iterator<Item = [f64; 2]>,
+        out: f64,
+    ) -> bool {
         if facing.iter().any(|c| *c < GLANCING) {
-            return;
+            return false;
         }
-        let [w, u, v] = polygon.slope;
         let from = self.corners.len();
-        self.corners.extend(polygon.s().iter().zip(polygon.t()).map(|(s, t)| [*s, *t]));
+        self.corners.extend(corners);
         self.pieces.push(Piece::new(
             &self.basis(),
             self.law.normal_stiffness,
@@ -112,10 +125,11 @@ impl Pair {
             [w - out, -u, -v],
             from..self.corners.len(),
         ));
+        true
     }
 
     /// Makes it a pair in this direction, with centroids at `centres` (m) from its origin, without pieces and memory.
-    fn begin(&mut self, direction: Vec3, centres: [Vec3; 2], law: ContactLaw) {
+    pub(super) fn begin(&mut self, direction: Vec3, centres: [Vec3; 2], law: ContactLaw) {
         let first = farthest_axis(direction).cross(direction).normalize();
         let (mut pieces, mut corners) =
             (std::mem::take(&mut self.pieces), std::mem::take(&mut self.corners));

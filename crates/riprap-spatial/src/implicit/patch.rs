@@ -79,6 +79,9 @@ pub(crate) struct Piece {
     frame: [Vec3; 3],
     /// Its corners among those of the pair, in its own frame, m, anticlockwise.
     corners: Range<usize>,
+    /// Further polygons in the same frame with the same pressure, and how often they count: of terms of glued parts. What all of them make is a part of
+    /// the plane, counted once.
+    more: Vec<(Range<usize>, f64)>,
 }
 
 /// Moments of `b b'` over an area: 1, u, v, uu, uv, vv.
@@ -90,8 +93,20 @@ impl Moments {
         self.0[0] == 0.0
     }
 
+    /// Area, m².
+    pub(crate) fn area(&self) -> f64 {
+        self.0[0]
+    }
+
+    /// Adds those of another area that counts `factor` times.
+    fn add(&mut self, other: &Self, factor: f64) {
+        for (to, x) in self.0.iter_mut().zip(other.0) {
+            *to += factor * x;
+        }
+    }
+
     /// Of a convex polygon, by a fan from its first corner.
-    fn of(corners: &[[f64; 2]]) -> Self {
+    pub(crate) fn of(corners: &[[f64; 2]]) -> Self {
         let mut sum = [0.0; 6];
         let Some((&[u0, v0], rest)) = corners.split_first() else {
             return Self(sum);
@@ -113,7 +128,7 @@ impl Moments {
     }
 
     /// `G p`.
-    fn times(&self, p: &[f64; 3]) -> [f64; 3] {
+    pub(crate) fn times(&self, p: &[f64; 3]) -> [f64; 3] {
         let [one, u, v, uu, uv, vv] = self.0;
         [
             one * p[0] + u * p[1] + v * p[2],
@@ -176,7 +191,13 @@ impl Piece {
             weight,
             frame: [foot, along, across],
             corners,
+            more: Vec::new(),
         }
+    }
+
+    /// Adds a polygon in its frame that counts `factor` times its own.
+    pub(crate) fn add_polygon(&mut self, corners: Range<usize>, factor: f64) {
+        self.more.push((corners, factor));
     }
 
     pub(crate) fn weight(&self) -> f64 {
@@ -201,16 +222,10 @@ impl Piece {
         {
             *p = soft * (at_rest - step.dt * self.kappa * dot3(screw, twist));
         }
-        let corners = &corners[self.corners.clone()];
-        let pressed = corners.iter().filter(|c| pressure_at(&pressure, **c) > 0.0).count();
-        let moments = if pressed == 0 {
-            Moments::default()
-        } else if pressed == corners.len() {
-            Moments::of(corners)
-        } else {
-            wet(corners, &pressure, spare);
-            Moments::of(spare)
-        };
+        let mut moments = wet_moments(&corners[self.corners.clone()], &pressure, spare);
+        for (own, factor) in &self.more {
+            moments.add(&wet_moments(&corners[own.clone()], &pressure, spare), *factor);
+        }
         let load = moments.times(&pressure).map(|x| self.weight * x);
         Pressed { moments, load, pressure }
     }
@@ -227,10 +242,13 @@ impl Piece {
         spare: &mut Vec<[f64; 2]>,
     ) {
         let Pressed { pressure, .. } = self.press(corners, &end, step, 1.0, spare);
-        wet(&corners[self.corners.clone()], &pressure, spare);
-        let from = corners.len();
-        corners.extend_from_slice(spare);
-        self.corners = from..corners.len();
+        let more = self.more.iter_mut().map(|(own, _)| own);
+        for own in [&mut self.corners].into_iter().chain(more) {
+            wet(&corners[own.clone()], &pressure, spare);
+            let from = corners.len();
+            corners.extend_from_slice(spare);
+            *own = from..corners.len();
+        }
         self.kappa *= harder;
         let kappa = self.kappa;
         self.pressure = self.screws.map(|screw| -step.dt * kappa * rebound * dot3(&screw, &start));
@@ -250,7 +268,9 @@ impl Piece {
     /// Largest of a pressure in its polygon, Pa.
     pub(crate) fn most(&self, corners: &[[f64; 2]], pressure: &[f64; 3]) -> f64 {
         let at = |corner: &[f64; 2]| pressure_at(pressure, *corner);
-        corners[self.corners.clone()].iter().map(at).fold(0.0, f64::max)
+        let more = self.more.iter().filter(|(_, factor)| *factor > 0.0).map(|(own, _)| own);
+        let all = [&self.corners].into_iter().chain(more);
+        all.flat_map(|own| &corners[own.clone()]).map(at).fold(0.0, f64::max)
     }
 
     /// Adds the wrench on the second block about the origin of the pair.
@@ -290,6 +310,19 @@ impl Piece {
 
 fn pressure_at(p: &[f64; 3], [u, v]: [f64; 2]) -> f64 {
     p[0] + p[1] * u + p[2] * v
+}
+
+/// Moments of the part of a polygon where a linear pressure is above zero.
+fn wet_moments(corners: &[[f64; 2]], p: &[f64; 3], spare: &mut Vec<[f64; 2]>) -> Moments {
+    let pressed = corners.iter().filter(|c| pressure_at(p, **c) > 0.0).count();
+    if pressed == 0 {
+        Moments::default()
+    } else if pressed == corners.len() {
+        Moments::of(corners)
+    } else {
+        wet(corners, p, spare);
+        Moments::of(spare)
+    }
 }
 
 /// The part of a polygon where a linear pressure is above zero.

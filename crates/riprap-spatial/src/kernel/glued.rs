@@ -5,15 +5,22 @@
 //! pressure: where a term is nearest without being so in the whole, another one with the other sign takes it away, face by face.
 //! Each pair of terms is a pair of convex blocks.
 
-use riprap_geom::polyhedron::{GluedError, Polyhedron, glued};
+use std::ops::Range;
+
+use riprap_geom::polyhedron::{FLAT, GluedError, Polyhedron, glued};
 use riprap_geom::{Mat3, Vec3};
 
 use crate::kernel::shape::{Body, Pose, Shape, ShapeError, turn};
 use crate::kernel::sums::Sums;
 use crate::kernel::surface::{Found, Pair, Walker};
+use crate::kernel::terrain::Reached;
 
 /// A sum of pressures of both signs that is below this share of them is what round-off leaves of nothing.
-pub(super) const CANCELLED: f64 = 1e-9;
+pub(crate) const CANCELLED: f64 = 1e-9;
+/// Faces whose normals differ by more (cosine) are never taken for one plane, however small they are.
+const SAME_SIDE: f64 = 0.9;
+/// What rounding may add to the distance of two balls, over it.
+const ROUNDING: f64 = 1e-9;
 
 /// Why parts take no part in contact.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -37,12 +44,20 @@ pub struct Term {
     pub sign: f64,
     /// Numbers of all of its faces.
     faces: Vec<u16>,
+    /// Number of the plane of each face among all planes of the block.
+    planes: Vec<u16>,
 }
 
 impl Term {
     fn new(shape: Shape, centre: Vec3, sign: f64) -> Self {
         let faces = (0..shape.faces() as u16).collect();
-        Self { shape, centre, sign, faces }
+        Self { shape, centre, sign, faces, planes: Vec::new() }
+    }
+
+    /// Number of the plane of a face: terms share planes, since all of them are those of faces of the block.
+    #[must_use]
+    pub fn plane(&self, face: usize) -> u16 {
+        self.planes[face]
     }
 
     /// Where its frame stands, by that of the block.
@@ -98,7 +113,37 @@ impl Glued {
         made
     }
 
+    /// Numbers the planes of the faces of all terms, the largest face of each first: it knows its plane best.
+    fn number_planes(&mut self) {
+        let faces = self.terms.iter().enumerate().flat_map(|(t, term)| {
+            term.shape.areas.iter().enumerate().map(move |(f, area)| (t, f, *area))
+        });
+        let mut faces: Vec<(usize, usize, f64)> = faces.collect();
+        faces.sort_by(|a, b| b.2.total_cmp(&a.2).then((a.0, a.1).cmp(&(b.0, b.1))));
+        let reach = |term: &Term| term.centre.length() + term.shape.radius;
+        let size = self.terms.iter().map(reach).fold(0.0, f64::max);
+        let mut planes: Vec<(Vec3, f64)> = Vec::new();
+        for term in &mut self.terms {
+            term.planes = vec![0; term.faces.len()];
+        }
+        for (t, f, _) in faces {
+            let term = &self.terms[t];
+            let normal = term.shape.normals[f];
+            let on = |(n, d): &(Vec3, f64)| {
+                let mut corners = term.shape.outline(f).iter();
+                let height = |v: &u16| n.dot(term.shape.vertices[usize::from(*v)] + term.centre);
+                n.dot(normal) > SAME_SIDE && corners.all(|v| (height(v) - d).abs() <= FLAT * size)
+            };
+            let known = planes.iter().position(on).unwrap_or_else(|| {
+                planes.push((normal, term.shape.offsets[f] + normal.dot(term.centre)));
+                planes.len() - 1
+            });
+            self.terms[t].planes[f] = known as u16;
+        }
+    }
+
     fn finish(&mut self) {
+        self.number_planes();
         self.first.push(self.terms.len());
         self.inradius = f64::INFINITY;
         for piece in 0..self.pieces() {
@@ -157,9 +202,29 @@ pub struct Gluer {
     pub walker: Walker,
     /// Walks over what they have in common with earlier ones.
     pub other: Walker,
+    turned: Turned,
+}
+
+/// The terms of two blocks, turned into space.
+#[derive(Clone, Debug, Default)]
+struct Turned {
     normals: [Vec<Vec3>; 2],
     first: [Vec<usize>; 2],
     turns: [Mat3; 2],
+}
+
+/// Two terms that have a surface with their faces further out: their pieces are those that the walker has kept.
+pub(crate) struct Shown<'a> {
+    /// Numbers of the pieces of the blocks that they belong to.
+    pub pieces: [usize; 2],
+    /// The terms.
+    pub terms: [&'a Term; 2],
+    /// Whether they are these pieces themselves.
+    pub leads: bool,
+    /// Sums over their surface.
+    pub sums: &'a Sums,
+    /// Origin of their planes in space, m.
+    pub origin: Vec3,
 }
 
 /// Two blocks where they are.
@@ -175,55 +240,61 @@ impl Gluer {
     /// Turns the terms of two blocks to where they are; comes before their pieces are looked at.
     pub fn place(&mut self, placed: &Placed) {
         for side in 0..2 {
-            self.normals[side].clear();
-            self.first[side].clear();
+            let Turned { normals, first, turns } = &mut self.turned;
+            normals[side].clear();
+            first[side].clear();
             let rotation = placed.poses[side].rotation;
             for term in &placed.blocks[side].terms {
-                self.first[side].push(self.normals[side].len());
-                self.turns[side] = turn(&term.shape, rotation, &mut self.normals[side]);
+                first[side].push(normals[side].len());
+                turns[side] = turn(&term.shape, rotation, &mut normals[side]);
             }
         }
     }
 
+    /// Shows the terms of two blocks that have a surface with all faces `by` (m) further out, piece by piece; what is known of the blocks. Where pieces
+    /// have none, their common parts have none.
+    pub(crate) fn find_inflated(
+        &mut self,
+        placed: &Placed,
+        by: f64,
+        mut each: impl FnMut(&mut Walker, &Shown),
+    ) -> Reached {
+        let (mut gap, mut touching) = (f64::INFINITY, false);
+        for a in 0..placed.blocks[0].pieces() {
+            for b in 0..placed.blocks[1].pieces() {
+                let numbers = placed.numbers([a, b]);
+                let whole = [numbers[0].start, numbers[1].start];
+                let all = numbers[0].clone().flat_map(|m| numbers[1].clone().map(move |n| [m, n]));
+                for of in all {
+                    let (found, origin, _) =
+                        self.turned.look(placed, &mut self.walker, of, Some(by));
+                    match found {
+                        Found::Apart(found) if of == whole => {
+                            gap = gap.min(found);
+                            break;
+                        }
+                        Found::Apart(_) => {}
+                        Found::FullyPenetrated(radius) => return Reached::FullyPenetrated(radius),
+                        Found::Touching(sums) => {
+                            touching = true;
+                            let terms = [0, 1].map(|side| &placed.blocks[side].terms[of[side]]);
+                            let (pieces, leads) = ([a, b], of == whole);
+                            let sums = &sums;
+                            each(&mut self.walker, &Shown { pieces, terms, leads, sums, origin });
+                        }
+                    }
+                }
+            }
+        }
+        if touching { Reached::Touching } else { Reached::Apart(gap) }
+    }
+
     /// Finds what pieces `pieces` of two blocks share and no earlier ones do.
     pub fn find(&mut self, placed: &Placed, pieces: [usize; 2]) -> Touch {
-        let Self { walker, other, normals, first, turns } = self;
-        let body = |side: usize, number: usize| -> (Body<'_>, &Term) {
-            let term = &placed.blocks[side].terms[number];
-            let start = first[side][number];
-            let own = Body {
-                shape: &term.shape,
-                normals: &normals[side][start..start + term.shape.faces()],
-                turn: turns[side],
-                position: placed.poses[side].position + turns[side] * term.centre,
-            };
-            (own, term)
-        };
-        let numbers = [0, 1].map(|side| {
-            let first = &placed.blocks[side].first;
-            first[pieces[side]]..first[pieces[side] + 1]
-        });
-        let look = |walker: &mut Walker, [m, n]: [usize; 2]| -> (Found, Vec3, f64) {
-            let [(a, of_a), (b, of_b)] = [body(0, m), body(1, n)];
-            let origin = super::planes::origin(&a, &b);
-            let apart = (a.position - b.position).length();
-            let gap = apart - (a.shape.radius + b.shape.radius);
-            let sign = of_a.sign * of_b.sign;
-            // Balls about both tell it without a walk, less what rounding may have added to their distance.
-            if gap > 1e-9 * apart {
-                return (Found::Apart(gap - 1e-9 * apart), origin, sign);
-            }
-            let found = walker.find(&Pair {
-                bodies: [&a, &b],
-                faces: [&of_a.faces, &of_b.faces],
-                ties: true,
-                hint: None,
-                witnesses: &[],
-            });
-            (found, origin, sign)
-        };
+        let Self { walker, other, turned } = self;
+        let numbers = placed.numbers(pieces);
         let whole = [numbers[0].start, numbers[1].start];
-        let (found, origin, _) = look(walker, whole);
+        let (found, origin, _) = turned.look(placed, walker, whole, None);
         let mut sums = match found {
             Found::Apart(gap) => return Touch::Apart(gap),
             Found::FullyPenetrated(radius) => return Touch::FullyPenetrated(radius),
@@ -235,7 +306,7 @@ impl Gluer {
                 if [m, n] == whole {
                     continue;
                 }
-                match look(other, [m, n]) {
+                match turned.look(placed, other, [m, n], None) {
                     (Found::Apart(_), ..) => {}
                     (Found::FullyPenetrated(radius), ..) => return Touch::FullyPenetrated(radius),
                     (Found::Touching(own), at, sign) => {
@@ -249,5 +320,64 @@ impl Gluer {
             return Touch::Covered;
         }
         Touch::Touching(sums, origin)
+    }
+}
+
+impl Placed<'_> {
+    /// Numbers of the terms of these pieces.
+    fn numbers(&self, pieces: [usize; 2]) -> [Range<usize>; 2] {
+        [0, 1].map(|side| {
+            let first = &self.blocks[side].first;
+            first[pieces[side]]..first[pieces[side] + 1]
+        })
+    }
+}
+
+impl Turned {
+    fn body<'a>(&'a self, placed: &Placed<'a>, side: usize, number: usize) -> (Body<'a>, &'a Term) {
+        let term = &placed.blocks[side].terms[number];
+        let start = self.first[side][number];
+        let own = Body {
+            shape: &term.shape,
+            normals: &self.normals[side][start..start + term.shape.faces()],
+            turn: self.turns[side],
+            position: placed.poses[side].position + self.turns[side] * term.centre,
+        };
+        (own, term)
+    }
+
+    /// What two terms share, where their planes are counted from, and the sign of both. `out`: with faces so far further out, m.
+    fn look(
+        &self,
+        placed: &Placed,
+        walker: &mut Walker,
+        [m, n]: [usize; 2],
+        out: Option<f64>,
+    ) -> (Found, Vec3, f64) {
+        let [(a, of_a), (b, of_b)] = [self.body(placed, 0, m), self.body(placed, 1, n)];
+        let origin = super::planes::origin(&a, &b);
+        let apart = (a.position - b.position).length();
+        let gap = apart - (a.shape.radius + b.shape.radius);
+        let sign = of_a.sign * of_b.sign;
+        let beside = 2.0 * out.unwrap_or(0.0);
+        // Balls about both tell it without a walk, less what rounding may have added to their distance.
+        if gap - beside > ROUNDING * apart {
+            return (Found::Apart(gap - ROUNDING * apart), origin, sign);
+        }
+        let pair = Pair {
+            bodies: [&a, &b],
+            faces: [&of_a.faces, &of_b.faces],
+            ties: true,
+            hint: None,
+            witnesses: &[],
+        };
+        let found = match out {
+            None => walker.find(&pair),
+            Some(by) => match walker.find_inflated(&pair, by) {
+                Found::Apart(gap) => Found::Apart(gap + beside),
+                found => found,
+            },
+        };
+        (found, origin, sign)
     }
 }

@@ -28,6 +28,20 @@ pub struct Under {
     width: Width,
 }
 
+/// What a term of a block of glued parts has on a facet.
+pub(crate) struct Trodden<'a> {
+    /// Number of the piece of the block that it belongs to.
+    pub piece: usize,
+    pub facet: u32,
+    /// Depth below the facet over the way.
+    pub slope: Vec3,
+    pub term: &'a Term,
+    /// Normals of its faces in space.
+    pub normals: &'a [Vec3],
+    /// Its centroid from that of the block, m.
+    pub centre: Vec3,
+}
+
 impl Under {
     /// Uses no wider instructions than `width` from now on.
     pub fn limit_width(&mut self, width: Width) {
@@ -63,6 +77,42 @@ impl Under {
         let reached = self.treaders[0].find_inflated(terrain, body, body.shape.radius + by, by);
         self.facets.extend_from_slice(&self.treaders[0].facets);
         reached
+    }
+
+    /// The same of a block of glued parts: shows what each of its terms has on each facet, piece by piece.
+    pub(crate) fn find_inflated_glued(
+        &mut self,
+        terrain: &Terrain,
+        block: &Glued,
+        pose: &Pose,
+        by: f64,
+        mut each: impl FnMut(&Treader, &Trodden),
+    ) -> Reached {
+        self.begin(block.pieces());
+        let mut nearest = f64::INFINITY;
+        for piece in 0..block.pieces() {
+            for (k, term) in block.piece(piece).iter().enumerate() {
+                let (body, centre) = place(term, pose, &mut self.normals);
+                let treader = &mut self.common;
+                match treader.find_inflated(terrain, &body, body.shape.radius + by, by) {
+                    Reached::Apart(gap) if k == 0 => {
+                        nearest = nearest.min(gap);
+                        break;
+                    }
+                    Reached::Apart(_) => {}
+                    Reached::FullyPenetrated(depth) => return Reached::FullyPenetrated(depth),
+                    Reached::Touching => {
+                        nearest = 0.0;
+                        let normals = body.normals;
+                        for on in &treader.facets {
+                            let (facet, slope) = (on.facet, on.slope);
+                            each(treader, &Trodden { piece, facet, slope, term, normals, centre });
+                        }
+                    }
+                }
+            }
+        }
+        if nearest > 0.0 { Reached::Apart(nearest) } else { Reached::Touching }
     }
 
     /// The pieces of a convex block on a facet: its face, the plane and the polygon.

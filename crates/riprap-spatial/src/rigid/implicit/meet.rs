@@ -5,12 +5,14 @@ use riprap_geom::Vec3;
 
 use crate::contact;
 use crate::implicit::geometry::{Reach, reach, reach_ground};
+use crate::implicit::glued::{reach_glued, reach_ground_glued};
 use crate::implicit::memory::{Implicit, sprung};
 use crate::implicit::pair::{Pair, Reply};
 use crate::implicit::patch::Twist;
 use crate::kernel::friction::Wrench;
+use crate::kernel::glued::Placed;
 use crate::kernel::surface;
-use crate::kernel::{Body, Memory, PairKey, Role, Terrain, turn};
+use crate::kernel::{Body, Memory, PairKey, Pose, Role, Terrain, turn};
 use crate::state::contact_scratch::{
     ContactScratch, Deepest, Exerted, PairGroup, PairKind, Pressed, Slot, Workspace,
 };
@@ -49,7 +51,10 @@ pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
         &mut nothing,
         &mut workspaces,
         |first, pairs, found, (), workspace| {
-            workspace.walker.cutter.limit_width(width);
+            let Workspace { walker, gluer, .. } = &mut *workspace;
+            for walker in [walker, &mut gluer.walker, &mut gluer.other] {
+                walker.cutter.limit_width(width);
+            }
             workspace.under.limit_width(width);
             for (k, (pair, found)) in pairs.iter_mut().zip(found).enumerate() {
                 looking.at(first + k, pair, found, workspace);
@@ -160,7 +165,8 @@ impl Looking<'_> {
         }
         let (reached, count) = match constants.kind {
             PairKind::Terrain(ground) => self.on_ground(ground.into(), k, pair, out, found, work),
-            PairKind::Convex | PairKind::Glued => self.convex(k, pair, out, found, work),
+            PairKind::Convex => self.convex(k, pair, out, found, work),
+            PairKind::Glued => self.glued(k, pair, out, found, work),
         };
         match reached {
             Reach::Apart(gap) => {
@@ -244,6 +250,29 @@ impl Looking<'_> {
         }
     }
 
+    /// Two blocks of which one at least is made of glued parts; how many patches they share.
+    fn glued(
+        &self,
+        k: usize,
+        pair: &FoundPair,
+        out: f64,
+        found: &mut NearPair,
+        work: &mut Workspace,
+    ) -> (Reach, usize) {
+        let (world, contacts, key) = (self.world, self.contacts, pair.key());
+        let pose = |side: usize| {
+            let at = contacts.place[key.ends[side] as usize] as usize;
+            let Pose { position, rotation } = contacts.poses[at];
+            Pose { position: key.place(side, position, &world.setup.periodic), rotation }
+        };
+        let placed = Placed {
+            blocks: key.ends.map(|b| &contacts.glued[world.solid[b as usize] as usize]),
+            poses: [pose(0), pose(1)],
+        };
+        let law = contacts.constants[k].law(&contacts.rows);
+        reach_glued(&mut work.gluer, &placed, out, law, &mut found.patches)
+    }
+
     /// A block on terrain; on how many facets it has patches.
     fn on_ground(
         &self,
@@ -267,6 +296,12 @@ impl Looking<'_> {
         }
         let body = Body { shape, normals: &work.normals, turn, position: pose.position };
         let law = contacts.constants[k].law(&contacts.rows);
+        let glued = contacts.glued.get(world.solid[b] as usize).filter(|glued| !glued.is_convex());
+        if let Some(glued) = glued {
+            let (under, block) = (&mut work.under, (glued, &pose));
+            let terrain = &grounds[ground];
+            return reach_ground_glued(under, terrain, block, out, law, &mut found.patches);
+        }
         reach_ground(&mut work.under, &grounds[ground], &body, out, law, &mut found.patches)
     }
 }
