@@ -12,6 +12,8 @@
 //!
 //! A joint that softens, closes along a curve or dilates carries what its own law ([`crate::laws::behaviour`]) says of the end of the step. Its rates are those
 //! of each traction with its own displacement, not below zero: where it softens, what is beside it and the masses bring the rounds to their end.
+//!
+//! A joint that fails as one face asks its mean traction and its torsion ([`super::face`]).
 
 use riprap_geom::Vec3;
 
@@ -35,6 +37,8 @@ pub(crate) struct Joint {
     pub strength: Option<Strength>,
     /// How it weakens, closes and dilates, where it is not brittle with straight springs.
     pub model: Option<JointModel>,
+    /// Half the distances of its points along b and c (m), where it fails as one face.
+    pub whole: Option<[f64; 2]>,
     pub points: [Point; 4],
 }
 
@@ -60,13 +64,13 @@ pub(crate) struct Point {
 }
 
 /// Displacement over which rates are taken, m.
-const BESIDE: f64 = 1e-9;
+pub(super) const BESIDE: f64 = 1e-9;
 
 /// What a point carries at the end of a step.
-struct End {
-    traction: Traction,
+pub(super) struct End {
+    pub(super) traction: Traction,
     /// Rates of the normal and the shear traction over those of the springs; shear along its direction and across it.
-    share: [f64; 3],
+    pub(super) share: [f64; 3],
 }
 
 impl Point {
@@ -84,13 +88,13 @@ impl Joint {
     }
 
     /// Way of a point in the step, m.
-    fn way(&self, point: &Point, twist: &Twist, step: &Stepping) -> [f64; 3] {
+    pub(super) fn way(&self, point: &Point, twist: &Twist, step: &Stepping) -> [f64; 3] {
         let v = Self::speed(point, twist);
         self.frame.map(|axis| step.dt * axis.dot(v))
     }
 
     /// Traction of a point at the end of the step, without failure.
-    fn moved(&self, point: &Point, twist: &Twist, step: &Stepping) -> Traction {
+    pub(super) fn moved(&self, point: &Point, twist: &Twist, step: &Stepping) -> Traction {
         if let Some(model) = &self.model {
             return self.told(model, point, &self.way(point, twist, step));
         }
@@ -101,7 +105,7 @@ impl Joint {
     }
 
     /// Whether a point fails at once when it is beyond its strength.
-    fn is_brittle(&self) -> bool {
+    pub(super) fn is_brittle(&self) -> bool {
         self.model.as_ref().is_none_or(|model| model.weakening == Weakening::Brittle)
     }
 
@@ -166,6 +170,13 @@ impl Joint {
         End { traction, share }
     }
 
+    fn ends(&self, twist: &Twist, step: &Stepping, rates: bool) -> [End; 4] {
+        match self.whole {
+            Some(_) => self.ends_of_face(twist, step, rates),
+            None => self.points.each_ref().map(|point| self.end(point, twist, step, rates)),
+        }
+    }
+
     /// Adds what it exerts on the second block about the origin of the pair and, where asked for, the rate of its impulse.
     pub(crate) fn add(
         &self,
@@ -176,8 +187,11 @@ impl Joint {
         answer: &mut Answer,
     ) {
         answer.acts = true;
-        for point in &self.points {
-            let End { traction, share } = self.end(point, twist, step, with_rate);
+        if with_rate {
+            self.add_rubbing_of_face(twist, step, soft, &mut answer.rate);
+        }
+        let ends = self.ends(twist, step, with_rate);
+        for (point, End { traction, share }) in self.points.iter().zip(ends) {
             let [n, b, c] = self.frame;
             let force = -soft * self.area * (traction[0] * n + traction[1] * b + traction[2] * c);
             let moment = point.arm.cross(force);
@@ -238,14 +252,18 @@ impl Joint {
 
     /// Utilisation of its weakest point at the end of the step.
     pub(crate) fn weakest(&self, twist: &Twist, step: &Stepping) -> f64 {
+        if self.whole.is_some() {
+            return self.used_as_face(twist, step);
+        }
         self.points.iter().map(|point| self.used(point, twist, step)).fold(0.0, f64::max)
     }
 
     /// Lets the points fail whose utilisation is at least `from`.
     pub(crate) fn fail(&mut self, twist: &Twist, step: &Stepping, from: f64) {
         let joint = *self;
+        let together = self.whole.is_some() && self.used_as_face(twist, step) >= from;
         for point in &mut self.points {
-            if joint.used(point, twist, step) >= from {
+            if together || self.whole.is_none() && joint.used(point, twist, step) >= from {
                 (point.failed, point.fails) = (true, true);
                 point.pressure = (-joint.moved(point, twist, step)[0]).max(0.0);
                 point.next = point.pressure;
@@ -262,8 +280,17 @@ impl Joint {
         }
     }
 
+    /// What a point that opens has stored at the start of the step and no law of its own books, J. A face that slides on keeps the shear of its open points.
+    pub(crate) fn lost(&self, point: usize) -> f64 {
+        if self.whole.is_none() || self.points.iter().all(|point| point.opens) {
+            return self.stored(point);
+        }
+        let tension = self.points[point].traction[0].max(0.0);
+        0.5 * self.area * tension * tension / self.springs[0]
+    }
+
     /// Energy in the springs of a point at the start of the step, J.
-    pub(crate) fn stored(&self, point: usize) -> f64 {
+    fn stored(&self, point: usize) -> f64 {
         let of = &self.points[point];
         let energy = match &self.model {
             Some(model) => {
@@ -278,7 +305,7 @@ impl Joint {
 }
 
 /// Adds `k s s'` with the screw `s` of a direction and its moment.
-fn add_square(rate: &mut [Twist; 6], k: f64, direction: Vec3, moment: Vec3) {
+pub(super) fn add_square(rate: &mut [Twist; 6], k: f64, direction: Vec3, moment: Vec3) {
     if k == 0.0 {
         return;
     }

@@ -14,12 +14,6 @@ use crate::state::patches::flag;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
 
-/// Why implicit steps do not take the law of patch `p`.
-pub(super) fn obstacle(world: &World, p: usize) -> Option<&'static str> {
-    let joint = Reading { world, p }.joint();
-    (joint.failure == Failure::Face && joint.strength.is_some()).then_some("that fails as one face")
-}
-
 /// Gives the joints to the solver, behind the pairs of found contact.
 pub(super) fn find(world: &World, scratch: &mut Scratch) {
     let desk = &mut scratch.implicit;
@@ -36,15 +30,19 @@ fn pair(world: &World, p: usize) -> Pair {
     let law = reading.joint();
     let arms: [[Vec3; 2]; 4] = std::array::from_fn(|q| points.arms(class, q));
     let springs = class.stiffness;
+    let whole = (law.failure == Failure::Face).then_some(class.half_spacing);
+    // In the law of a face the shear of all points starts anew, or of none.
+    let all_open = memory.iter().all(|memory| memory.open);
     let joint = Joint {
         frame: points.frame,
         area: 0.25 * class.area,
         springs,
         strength: law.strength,
         model: (!law.is_plain()).then_some(law.behaviour),
+        whole: whole.filter(|_| law.strength.is_some()),
         points: std::array::from_fn(|q| {
             let [known, mut memory] = [memory[q]; 2];
-            if memory.open {
+            if memory.open && (whole.is_none() || all_open) {
                 // Where it closes, its shear spring is stretched by the way of the step alone.
                 memory.slip = [0, 1].map(|k| points.at[q][k + 1] + start[q][k + 1] / springs[1]);
             }
@@ -99,7 +97,7 @@ pub(super) fn remember(world: &mut World, scratch: &Scratch) -> f64 {
             *flags |= flag::of(flag::BROKEN, q);
             if point.opens {
                 *flags |= flag::of(flag::OPEN, q);
-                lost += pair.joint.as_ref().map_or(0.0, |joint| joint.stored(q));
+                lost += pair.joint.as_ref().map_or(0.0, |joint| joint.lost(q));
             }
         }
     }
