@@ -15,7 +15,7 @@ pub struct Implicit {
     pub books: Option<Books>,
     /// Heat of friction in the last step, J.
     pub rubbed: f64,
-    /// What the laws of joints and bolts have booked as lost since the last evaluation, J.
+    /// What the laws of joints, bolts and conditions have booked as lost since the last evaluation, J.
     pub lost_in_joints: f64,
 }
 
@@ -49,7 +49,7 @@ pub struct Books {
     pub normal: f64,
     /// Energy in the springs along the contacts, J.
     pub shear: f64,
-    /// Energy in the springs of joints and in bolts, J.
+    /// Energy in the springs of joints and of faces with a condition, and in bolts, J.
     pub joints: f64,
 }
 

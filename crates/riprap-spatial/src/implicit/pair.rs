@@ -4,6 +4,7 @@
 
 use riprap_geom::Vec3;
 
+use crate::implicit::hold::Hold;
 use crate::implicit::joint::Joint;
 use crate::implicit::patch::{
     Basis, Normal, Piece, Pressed, Stepping, Twist, dot, normal_part, whole,
@@ -60,6 +61,8 @@ pub(crate) struct Pair {
     pub strikes: bool,
     /// The joint that ties the blocks, in place of the pieces of a contact.
     pub joint: Option<Box<Joint>>,
+    /// What holds the second block from outside, in their place.
+    pub hold: Option<Box<Hold>>,
 }
 
 /// What a pair answers at a twist.
@@ -199,9 +202,7 @@ impl Pair {
     /// What it has done in a step that ends with this twist.
     pub(crate) fn reply(&self, twist: &Twist, step: &Stepping, spare: &mut Vec<[f64; 2]>) -> Reply {
         let mut reply = Reply::default();
-        if let Some(joint) = &self.joint {
-            let mut answer = Answer::default();
-            joint.add(twist, step, 1.0, false, &mut answer);
+        if let Some(answer) = self.tied(twist, step, 1.0, false) {
             reply.elastic = answer.wrench;
             return reply;
         }
@@ -284,6 +285,17 @@ impl Pair {
         answer
     }
 
+    /// That of a joint, or of what holds a block from outside.
+    fn tied(&self, twist: &Twist, step: &Stepping, soft: f64, with_rate: bool) -> Option<Answer> {
+        let mut answer = Answer::default();
+        if let Some(joint) = &self.joint {
+            joint.add(twist, step, soft, with_rate, &mut answer);
+        } else {
+            self.hold.as_ref()?.add(twist, step, soft, with_rate, &mut answer);
+        }
+        Some(answer)
+    }
+
     /// Force and, where asked for, its rate.
     pub(crate) fn answer(
         &self,
@@ -293,9 +305,7 @@ impl Pair {
         with_rate: bool,
         spare: &mut Vec<[f64; 2]>,
     ) -> Answer {
-        if let Some(joint) = &self.joint {
-            let mut answer = Answer::default();
-            joint.add(twist, step, soft, with_rate, &mut answer);
+        if let Some(answer) = self.tied(twist, step, soft, with_rate) {
             return answer;
         }
         let mut answer = self.pressing(twist, step, soft, with_rate, spare);

@@ -106,6 +106,11 @@ impl Solver {
         self.replies.clear();
     }
 
+    /// Twists of the pairs in the solution.
+    pub(crate) fn twists(&self) -> &[Twist] {
+        &self.twists
+    }
+
     /// Mean speed of the bodies as their energy has it, those that turn included, m/s.
     pub(crate) fn mean_speed(&self) -> f64 {
         let (mut energy, mut mass) = (0.0, 0.0);

@@ -3,8 +3,10 @@
 //! Springs and dashpots act at four points of a face through the half block behind it (`M/h` and `2G/h` per area,
 //! h from centroid to face). A viscous face puts the dashpots of Lysmer & Kuhlemeyer (1969) behind these
 //! springs: `s = k (u - a)`, `da/dt = s / Z`, by the trapezoidal rule in `a`; reflection is then of second order in
-//! the size of the block, against first order for a dashpot on the face of the rigid block. Dashpots without
+//! the size of the block, against first order for a dashpot on the face of the rigid block. In implicit steps: `ahead`. Dashpots without
 //! springs take the mean of the velocities before and after the kick: a lag of half a step would reflect too.
+
+mod ahead;
 
 use std::collections::BTreeMap;
 

@@ -23,6 +23,7 @@ use crate::exec::Divide;
 use crate::joint::patch::Poses;
 use crate::lanes::{LANES, Lanes, Width};
 use crate::push::boundary;
+use crate::push::boundary::FaceForces;
 use crate::rigid::kick::{Acting, Kick, Moving};
 use crate::state::bodies::{Bodies, SolidClass, Turned};
 use crate::state::contact_scratch::{ContactScratch, Share};
@@ -354,7 +355,11 @@ impl Gathering<'_> {
         // Works of `load` are booked here as those of loads; writers of `own` have booked what theirs do.
         let mut other = self.pushes.own.blocks.get(b).copied().unwrap_or_default();
         for (k, face) in faces.iter_mut().enumerate() {
-            let pushes = self.boundary.act(face, &mut partial.arrival, &mut dashpots);
+            let pushes = match self.implicit {
+                // Springs and dashpots are among what the step has found.
+                true => FaceForces { dead: self.boundary.given(face), ..FaceForces::default() },
+                false => self.boundary.act(face, &mut partial.arrival, &mut dashpots),
+            };
             if let Some(entry) = entries.get_mut(k) {
                 entry.dead = pushes.dead;
                 entry.halves[0] = pushes.booked;

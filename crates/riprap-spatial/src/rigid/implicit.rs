@@ -9,6 +9,7 @@
 //! instant again changes nothing: the memory belongs to the step that is made.
 
 mod bolts;
+pub(crate) mod conditions;
 pub(crate) mod joints;
 mod meet;
 pub(crate) mod obstacle;
@@ -99,7 +100,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
     scratch.implicit.failed = None;
     if !meet {
         scratch.implicit.begin(world.alive.len(), world.found.pairs.len());
-        if world.patches.is_empty() && world.bolts.is_empty() {
+        if world.patches.is_empty() && world.bolts.is_empty() && !conditions::are_there(world) {
             return;
         }
     }
@@ -114,6 +115,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
         meet::find(world, scratch, dt);
     }
     joints::find(world, scratch);
+    conditions::find(world, scratch, dt);
     bolts::find(world, scratch);
     scratch.profile.add("pieces", begun.spent(&scratch.exec));
     let begun = Begun::now(&scratch.exec);
@@ -146,6 +148,7 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
             meet::hand_over(world, scratch);
         }
         joints::hand_over(world, scratch);
+        conditions::hand_over(world, scratch);
         bolts::hand_over(scratch);
         if step.span > 0.0 {
             make_exact(scratch, step.span);
@@ -157,7 +160,13 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch, meet: bool) {
 fn ends(world: &World, desk: &ImplicitDesk, k: usize) -> [u32; 2] {
     match desk.pairs.get(k) {
         Some(pair) => world.found.pairs[*pair as usize].ends,
-        None => world.patches.ends[desk.joints[k - desk.pairs.len()] as usize],
+        None => match desk.joints.get(k - desk.pairs.len()) {
+            Some(patch) => world.patches.ends[*patch as usize],
+            None => {
+                let held = &desk.faces[k - desk.pairs.len() - desk.joints.len()];
+                [world.faces[held.face as usize].block; 2]
+            }
+        },
     }
 }
 
@@ -196,6 +205,7 @@ fn make_exact(scratch: &mut Scratch, span: f64) {
 /// The blocks of the pairs within reach: those that answer, and the motion of those that do not.
 fn lay_out(world: &World, scratch: &mut Scratch, step: &Stepping) {
     let kick = scratch.kick(world);
+    let tractions = conditions::given(world, scratch);
     let mut desk = std::mem::take(&mut scratch.implicit);
     let all = (0..desk.solver.pairs.len()).map(|k| ends(world, &desk, k));
     let all = all.flatten().chain(bolts::blocks(&desk));
@@ -206,7 +216,7 @@ fn lay_out(world: &World, scratch: &mut Scratch, step: &Stepping) {
         let b = b as usize;
         let solid = world.solid_of(b);
         let mut other = Acting { force: solid.mass * kick.gravity, ..Acting::default() };
-        for list in [&scratch.pushes.loads.blocks, &scratch.pushes.own.blocks] {
+        for list in [&scratch.pushes.loads.blocks, &scratch.pushes.own.blocks, &tractions] {
             let push = list.get(b).copied().unwrap_or_default();
             other.force += push.force;
             other.moment += push.moment;
@@ -247,17 +257,22 @@ fn lay_out(world: &World, scratch: &mut Scratch, step: &Stepping) {
         let pair = &mut desk.solver.pairs[k];
         pair.ends = ends.map(|b| desk.place[b as usize]);
         pair.given = ends.map(|b| desk.given[b as usize]);
+        if pair.hold.is_some() {
+            // From outside: what does not move.
+            (pair.ends[0], pair.given[0]) = (None, [Vec3::ZERO; 2]);
+        }
     }
     bolts::attach(&mut desk, step);
     scratch.implicit = desk;
 }
 
 /// Books the energy of the contacts of an instant, once all works before it are: what the integration has taken.
-pub(crate) fn book(world: &mut World, scratch: &Scratch) {
+pub(crate) fn book(world: &mut World, scratch: &mut Scratch) {
     if world.implicit.is_none() {
         return;
     }
-    let joints = joints::stored(world, scratch) + world.bolt_energy();
+    conditions::book(world, scratch);
+    let joints = joints::stored(world, scratch) + world.bolt_energy() + conditions::stored(world);
     let Some(implicit) = world.implicit.as_deref_mut() else { return };
     let lost_in_joints = std::mem::take(&mut implicit.lost_in_joints);
     let [normal, shear] = scratch.implicit.stored;
@@ -291,7 +306,7 @@ pub(crate) fn remember(world: &mut World, scratch: &mut Scratch) {
     let snapped = bolts::remember(world, scratch);
     world.works.bolts += snapped;
     let Some(implicit) = world.implicit.as_deref_mut() else { return };
-    implicit.lost_in_joints += torn + snapped;
+    implicit.lost_in_joints += torn + snapped + conditions::taken(scratch);
     implicit.kept.clear();
     let mut heat = 0.0;
     let solver = &scratch.implicit.solver;

@@ -90,6 +90,8 @@ pub(crate) struct ImplicitDesk {
     pub(crate) pairs: Vec<u32>,
     /// Patches of the pairs of the solver behind those.
     pub(crate) joints: Vec<u32>,
+    /// Faces of the pairs of the solver behind those.
+    pub(crate) faces: Vec<HeldFace>,
     /// Which blocks of the solver joints tie.
     pub(crate) tied: Vec<bool>,
     /// Places in the list of found contacts of blocks that lie in each other without a surface on which they could press each other.
@@ -106,6 +108,17 @@ pub(crate) struct ImplicitDesk {
     pub(crate) unsettled: bool,
     /// That the last step was not solved.
     pub(crate) failed: Option<NotSolved>,
+}
+
+/// A face that springs or dashpots hold in an implicit step.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct HeldFace {
+    /// Its number.
+    pub(crate) face: u32,
+    /// What the far ends of its springs have done since the last instant.
+    pub(crate) booked: Account,
+    /// Power that dashpots without springs will take, W.
+    pub(crate) taken: f64,
 }
 
 /// What was found of a pair of blocks for an implicit step.

@@ -38,6 +38,7 @@ impl Builder<'_> {
             InSpace::Spatial => {
                 self.unused_dashpots();
                 self.unused_in_implicit_phases();
+                self.waves_in_implicit_phases();
             }
         }
         let scenario = &self.parsed.scenario;

@@ -27,13 +27,5 @@ pub fn obstacle(world: &World) -> Option<Obstacle> {
     if let Some(source) = world.setup.sources.first() {
         return found(format!("source `{}` pushes from a cavity", source.name), "remove it");
     }
-    if let Some(face) = world.faces.iter().find(|face| face.boundary.is_some()) {
-        let number = usize::from(face.boundary.unwrap_or_default());
-        let name = &world.setup.boundaries[number].name;
-        return found(
-            format!("boundary `{name}` acts on faces of blocks"),
-            "use supports and loads instead",
-        );
-    }
     None
 }

@@ -74,6 +74,8 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
     for law in [strong, &dilates] {
         assert_eq!(refused(&TWO.replace("friction_angle", law)), "");
     }
+    // So are those that fail as one face.
+    assert_eq!(refused(&whole), "");
     let parts = TWO.replace(
         "brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] }",
         "parts = [\n  { brick = { size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"-0.5 m\", \"-0.5 m\", \"0 m\"] } },\n  \
@@ -86,11 +88,23 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
     let viscous = format!(
         "{TWO}[[boundaries]]\nname = \"top\"\non = {{ block = \"stone\", side = \"z-max\" }}\nviscous = {{}}\n"
     );
-    for (text, words) in [
-        (&whole, "a joint that fails as one face ties blocks `floor` and `stone`"),
-        (&off, "contact detection is switched off"),
-        (&viscous, "boundary `top` acts on faces of blocks"),
-    ] {
+    // Conditions on faces are taken, and what steps damp of a wave is told, but where nothing moves.
+    assert_eq!(refused(&viscous), "");
+    let told = |text: &str| {
+        let warnings = model(text).expect("good").warnings;
+        let waves = warnings.iter().filter(|w| w.code == "phase.waves");
+        waves.map(|w| w.message.clone()).collect::<Vec<_>>()
+    };
+    let words = "phase `rest` is implicit, and boundary `top` is there for waves: steps of 1.0e-3 s halve a wave of 3.51e1 Hz in each period";
+    let [said] = &told(&viscous)[..] else { panic!("one warning") };
+    assert!(said.starts_with(words), "{said}");
+    let held = viscous.replace("viscous = {}", "held = {}");
+    let quiet = viscous.replace("until.time = \"1 s\"", "kind = \"static\"\nuntil.steps = 10");
+    let explicit = viscous.replace("\"implicit\"", "\"explicit\"");
+    for text in [TWO, &held, &quiet, &explicit] {
+        assert!(told(text).is_empty());
+    }
+    for (text, words) in [(&off, "contact detection is switched off")] {
         let said = refused(text);
         assert!(said.contains(words), "{said}");
         assert!(said.contains("phase `rest` is implicit") && said.contains("t.toml:"), "{said}");

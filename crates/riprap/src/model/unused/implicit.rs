@@ -1,10 +1,45 @@
-//! Dampings that implicit phases do not read: contacts and joints have no dashpots there, and a static phase has no motion to damp.
+//! Dampings that implicit phases do not read: contacts and joints have no dashpots there, and a static phase has no motion to damp. What such phases damp
+//! themselves: waves.
 
 use crate::model::builder::Builder;
-use crate::plan::{Integration, PhaseKind};
+use crate::plan::{Integration, PhaseKind, TimeStep};
 use crate::scenario::quantity::Span;
+use crate::spatial::setup::{Boundary, BoundaryKind};
+
+/// Frequency of the wave whose amplitude implicit steps halve in a period, times their length: a step takes the factor `1/sqrt(1 + (w h)^2)`, a period
+/// `exp(-pi w h)`.
+const HALVED: f64 = std::f64::consts::LN_2 / (2.0 * std::f64::consts::PI * std::f64::consts::PI);
 
 impl Builder<'_> {
+    /// Tells a dynamic implicit phase with a viscous face what its steps take of a wave.
+    pub(super) fn waves_in_implicit_phases(&mut self) {
+        let viscous = |b: &&Boundary| matches!(b.kind, BoundaryKind::Viscous { .. });
+        let Some(boundary) = self.spatial.boundaries.iter().find(viscous) else { return };
+        let boundary = boundary.name.clone();
+        let mut told = Vec::new();
+        for (said, plan) in self.parsed.scenario.phases.iter().zip(&self.plan.phases) {
+            let TimeStep::Given { dt } = plan.time_step else { continue };
+            if plan.integration == Integration::Implicit && plan.kind != PhaseKind::Static {
+                told.push((
+                    said.name.span.clone(),
+                    format!(
+                        "phase `{}` is implicit, and boundary `{boundary}` is there for waves: steps of {dt:.1e} s halve a wave of {:.2e} Hz in each period, and faster ones sooner",
+                        said.name,
+                        HALVED / dt
+                    ),
+                ));
+            }
+        }
+        for (span, message) in told {
+            self.warn_at(
+                "phase.waves",
+                span,
+                message,
+                "use `integration = \"explicit\"` where waves matter",
+            );
+        }
+    }
+
     /// Warns of dampings that no implicit phase reads.
     pub(super) fn unused_in_implicit_phases(&mut self) {
         let of_phases = self.parsed.scenario.phases.iter().zip(&self.plan.phases);

@@ -5,6 +5,7 @@ use crate::dynamics::damping::Damping;
 use crate::plan::{IMPLICIT_STEP, Integration, Phase, PhaseKind, TimeStep};
 use crate::spatial::Obstacle;
 use crate::spatial::read::outlook;
+use crate::spatial::setup::{Boundary, BoundaryKind};
 
 /// Explicit steps that one implicit step must stand for: it costs about as much as 20.
 const WORTH: f64 = 20.0;
@@ -53,6 +54,13 @@ impl Simulation {
         }
         if let Some(Obstacle { what, .. }) = self.engine.obstacle() {
             return Some(what);
+        }
+        let takes_waves = |b: &&Boundary| matches!(b.kind, BoundaryKind::Viscous { .. });
+        if let Some(boundary) = view.world.setup.boundaries.iter().find(takes_waves) {
+            return Some(format!(
+                "boundary `{}` takes waves, which long steps damp",
+                boundary.name
+            ));
         }
         if settles {
             // Tens of steps, where a relaxation has thousands.
