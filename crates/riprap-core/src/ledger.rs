@@ -2,7 +2,7 @@
 //!
 //! Stored: kinetic, gravity (minus the work of gravity), contact normal and shear, bonds.
 //! Put in: work of loads, supports and gas. Taken out: friction, damping, fracture, absorbed at viscous
-//! boundaries. Booked apart: the
+//! boundaries; taken along by blocks that leave the model. Booked apart: the
 //! energy a non-conservative contact law makes or loses (`law_defect`), what edits of the
 //! model add (`edit_defect`), and what changes of the step add (`step_change`). What is left over is the **residual**.
 //!
@@ -46,6 +46,8 @@ pub struct Works {
     /// Taken by the integration itself in implicit phases: what contacts have taken up in a step and do not store at its end. With half the
     /// step it is half as much.
     pub integrator: f64,
+    /// Taken along by blocks that have left the model: their energy of motion, and what their contacts and joints stored.
+    pub left: f64,
     /// Made (+) or lost (-) by a contact law without potential, booked when a contact ends; or by steps too long for contacts and joints.
     pub law_defect: f64,
     /// Added by edits: removed blocks, velocities set to zero, hand-over of bonds.
@@ -170,6 +172,7 @@ impl Works {
             bolts: factor * self.bolts,
             gas: factor * self.gas,
             integrator: factor * self.integrator,
+            left: factor * self.left,
             law_defect: factor * self.law_defect,
             edit_defect: factor * self.edit_defect,
             step_change: factor * self.step_change,
@@ -195,9 +198,32 @@ impl Works {
         self.bolts += other.bolts;
         self.gas += other.gas;
         self.integrator += other.integrator;
+        self.left += other.left;
         self.law_defect += other.law_defect;
         self.edit_defect += other.edit_defect;
         self.step_change += other.step_change;
+    }
+}
+
+/// Blocks that have left the model, and what they took along besides the energy [`Works::left`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Left {
+    /// Their number.
+    pub blocks: u64,
+    /// kg; in the plane kg/m.
+    pub mass: f64,
+    /// N s; in the plane N s/m.
+    pub momentum: [f64; 3],
+}
+
+impl Left {
+    /// Books one more.
+    pub fn book(&mut self, mass: f64, velocity: [f64; 3]) {
+        self.blocks += 1;
+        self.mass += mass;
+        for (sum, v) in self.momentum.iter_mut().zip(velocity) {
+            *sum += mass * v;
+        }
     }
 }
 
@@ -261,7 +287,8 @@ impl Balance {
             - w.fracture
             - w.absorbed
             - w.bolts
-            - w.integrator;
+            - w.integrator
+            - w.left;
         self.total() - expected
     }
 
@@ -330,7 +357,7 @@ impl std::fmt::Display for Unexplained {
 pub type Term = fn(&Balance) -> f64;
 
 /// Columns of `energy.csv`: name (behind `energy.` in the field table) and how it is read.
-pub const COLUMNS: [(&str, Term); 19] = [
+pub const COLUMNS: [(&str, Term); 20] = [
     ("kinetic", |b| b.kinetic),
     ("gravity", |b| b.gravity),
     ("contact_normal", |b| b.contact_normal),
@@ -346,6 +373,7 @@ pub const COLUMNS: [(&str, Term); 19] = [
     ("absorbed", |b| b.works.absorbed),
     ("bolt_loss", |b| b.works.bolts),
     ("integrator", |b| b.works.integrator),
+    ("left", |b| b.works.left),
     ("law_defect", |b| b.works.law_defect),
     ("edit_defect", |b| b.works.edit_defect),
     ("step_change", |b| b.works.step_change),

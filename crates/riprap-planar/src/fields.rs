@@ -272,6 +272,9 @@ riprap_core::fields! {
     "model.broken" "-" Model Scalar true "Number of joints whose points have all failed." |v, _| one(v.world.bonds.iter().filter(|b| b.broken()).count() as f64);
     "model.broken_points" "-" Model Scalar true "Number of joint points that have failed so far: it never decreases, not even when blocks are removed." |v, _| one(broken_points(v, |_| true));
     "model.joints" "-" Model Scalar true "Number of joints built." |v, _| one(v.world.bonds.len() as f64);
+    "model.left_blocks" "-" Model Scalar false "Number of blocks that have left the model (`phases.*.leavers`)." |v, _| one(v.world.left.blocks as f64);
+    "model.left_mass" "kg/m" Model Scalar false "Mass of the blocks that have left the model." |v, _| one(v.world.left.mass);
+    "model.left_momentum" "N s/m" Model Vector false "Momentum that they took along." |v, _| { let [x, y, _] = v.world.left.momentum; [x, y] };
     "model.fragments" "-" Model Scalar true "Number of fragments: blocks connected by intact joints. Blocks with all freedoms prescribed, and blocks joined to them, are not fragments." |v, _| one(v.fragments().loose().count() as f64);
     "model.largest_fragment" "m2" Model Scalar true "Area of the largest fragment; 0 without fragments." |v, _| one(v.fragments().loose().next().map_or(0.0, |f| f.size));
     "bolt.axial_force" "N" Bolt Scalar false "Largest axial force in the bolts, tension positive." |v, of| one(bolts::largest(v, of, f64::NEG_INFINITY, bolts::force));
@@ -301,6 +304,7 @@ riprap_core::fields! {
     "energy.fracture" "J/m" Energy Scalar true "Released by the failure of joints." |v, _| one(v.world.works.fracture);
     "energy.bolt_loss" "J/m" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
     "energy.integrator" "J/m" Energy Scalar true "Taken by the integration itself in implicit phases." |v, _| one(v.world.works.integrator);
+    "energy.left" "J/m" Energy Scalar true "Taken along by blocks that have left the model (`phases.*.leavers`)." |v, _| one(v.world.works.left);
     "energy.law_defect" "J/m" Energy Scalar true "Created (+) or lost (-) by a contact law without potential, or by too long steps." |v, _| one(v.world.works.law_defect);
     "energy.edit_defect" "J/m" Energy Scalar true "Added by edits: removed blocks, zeroed velocities, changed laws, joints released to contact." |v, _| one(v.world.works.edit_defect);
     "energy.step_change" "J/m" Energy Scalar true "Added by changes of the time step, including the first, and by jumps of forces: the difference between the kinetic energies at half steps and at whole steps." |v, _| one(v.world.works.step_change);

@@ -27,7 +27,7 @@ use super::world::{Body, World, Wrench};
 use crate::accounts::{Account, Entries};
 use crate::exec::{Exec, piece};
 use crate::failed::FailedPoints;
-use crate::ledger::Works;
+use crate::ledger::{Left, Works};
 use crate::sums::{self, GROUP};
 use kick::kicks;
 use riprap_core::profile::{Begun, Profile};
@@ -73,6 +73,7 @@ impl World {
             failed: FailedPoints::default(),
             bolts: Vec::new(),
             works: Works::default(),
+            left: Left::default(),
             accounts: vec![Account::default(); setup.accounts.len()],
             start_energy: None,
             setup,

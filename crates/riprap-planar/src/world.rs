@@ -11,7 +11,7 @@ use super::setup::{Motion, Setup};
 use crate::accounts::{self, Account, Holder};
 use crate::failed::FailedPoints;
 use crate::laws::bolt::{Chain, Toll};
-use crate::ledger::Works;
+use crate::ledger::{Left, Works};
 
 /// Whole state of a planar model.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -56,6 +56,8 @@ pub struct World {
     pub bolts: Vec<Bolt>,
     /// Running sums of the energy ledger.
     pub works: Works,
+    /// Blocks that have left the model.
+    pub left: Left,
     /// Work of the conditions in `setup.accounts`.
     pub accounts: Vec<Account>,
     /// Kinetic and stored energy at the start, J/m; set by the first evaluation.

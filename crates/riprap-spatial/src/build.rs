@@ -20,7 +20,7 @@ use crate::faces::overlap;
 use crate::faces::overlap::Overlap;
 use crate::faces::region::Bounds;
 use crate::failed::FailedPoints;
-use crate::ledger::Works;
+use crate::ledger::{Left, Works};
 use crate::push::boundary;
 use crate::push::charge;
 use crate::setup::{GivenBody, Motion, Setup, Shape, Solid};
@@ -82,6 +82,7 @@ impl World {
             last_check_step: 0,
             events: Vec::new(),
             works: Works::default(),
+            left: Left::default(),
             accounts: vec![Account::default(); setup.accounts.len()],
             start_energy: None,
             setup,

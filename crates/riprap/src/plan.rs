@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 pub use check::{Check, Expected, Part, Reduce, Window};
 
+use crate::Vec3;
 pub use crate::dynamics::damping::Damping;
 pub use crate::dynamics::relaxation::{Breaks, Integration, PhaseKind, Relaxation};
 use crate::planar::setup::ContactLaw;
@@ -105,6 +106,8 @@ pub struct Phase {
     pub remove: Vec<u32>,
     /// Time over which the forces that these gave to others fade, s; at once where it is not given.
     pub removal_ramp: Option<f64>,
+    /// Where free rigid blocks leave the model in the course of it.
+    pub leavers: Option<Leavers>,
     /// Blocks fixed at the start of the phase.
     pub fix: Vec<u32>,
     /// Blocks whose supports are taken away at the start of the phase.
@@ -132,6 +135,24 @@ pub struct Phase {
     pub deform: Option<Deforming>,
     /// Energy residual over the largest energy exchanged at which the run is stopped.
     pub max_residual: f64,
+}
+
+/// Where the model ends for blocks that fly or fall out of it: at either of the two. Local coordinates, in the plane without z.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Leavers {
+    /// Lowest and highest corner of a box that a block leaves, m.
+    pub outside: Option<[Vec3; 2]>,
+    /// A point of a plane (m), and its normal to the side that a block leaves to.
+    pub beyond: Option<[Vec3; 2]>,
+}
+
+impl Leavers {
+    /// Whether a block with its centroid at a place (m) leaves.
+    #[must_use]
+    pub fn take(&self, place: Vec3) -> bool {
+        self.outside.is_some_and(|[min, max]| !(place.cmpge(min).all() && place.cmple(max).all()))
+            || self.beyond.is_some_and(|[at, normal]| (place - at).dot(normal) > 0.0)
+    }
 }
 
 /// Rules of a phase for deformable blocks.
@@ -173,6 +194,7 @@ impl Phase {
             damping: Damping::default(),
             remove: Vec::new(),
             removal_ramp: None,
+            leavers: None,
             fix: Vec::new(),
             release: Vec::new(),
             install: Vec::new(),

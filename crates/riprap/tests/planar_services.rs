@@ -26,6 +26,7 @@ fn plan(time_step: TimeStep) -> Plan {
             gravity: None,
             gravity_ramp: None,
             removal_ramp: None,
+            leavers: None,
             water: None,
             contacts: vec![],
             joints: vec![],

@@ -51,7 +51,7 @@ pub use loads::{
     Target,
 };
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
-pub use phases::{CutAxis, Cutting, Damping, Phase, Relaxation, Reset, Rest, Until};
+pub use phases::{CutAxis, Cutting, Damping, Leavers, Phase, Relaxation, Reset, Rest, Until};
 pub use points::{Point, Point3};
 pub use regions::{Cylinder, Group, HalfSpace, Near, Prism, SizeRange, Sphere};
 pub use samples::{Beta, Correlation, MeasuredValues, Moments, MonteCarlo, RandomValue, Sampling};

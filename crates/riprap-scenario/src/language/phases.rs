@@ -4,6 +4,8 @@ use riprap_keys::{Keys, Words};
 use serde::Deserialize;
 
 use super::interfaces::InterfaceChange;
+use super::regions::HalfSpace;
+use super::solids::BoxRegion;
 use crate::quantity::{
     Acceleration, Down, EnergyPerLength, Name, Names, NotNegativeTime, PositiveLength,
     PositivePlain, PositiveTime, Quantity, Rate, Share, ShareBelowOne, Speed, Strength, Table,
@@ -48,6 +50,9 @@ pub struct Phase {
     /// the phase. Default 0 s: at once.
     #[key(only_with("remove"))]
     pub removal_ramp: Option<Quantity<NotNegativeTime>>,
+    /// Free rigid blocks are taken away as soon as their centroid leaves the model. What they take along is booked: `model.left_mass`,
+    /// `model.left_momentum`, `energy.left`. Default: none is.
+    pub leavers: Option<Leavers>,
     /// Groups or blocks that are fixed when the phase begins.
     #[serde(default)]
     pub fix: Vec<Name>,
@@ -96,6 +101,17 @@ pub struct Phase {
     /// Lets deformable blocks be cut where they are about to break. Default: none is cut.
     #[key(space = "spatial")]
     pub cut: Option<Cutting>,
+}
+
+/// Where the model ends for blocks that fly or fall out of it.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+#[keys(any_of("outside", "beyond"))]
+pub struct Leavers {
+    /// Blocks outside this box leave.
+    pub outside: Option<BoxRegion>,
+    /// Blocks on the side of a plane (in the plane of a line) to which its normal points leave.
+    pub beyond: Option<HalfSpace>,
 }
 
 /// How a static phase of deformable blocks relaxes, where it is not by default.

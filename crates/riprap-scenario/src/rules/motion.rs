@@ -144,6 +144,9 @@ impl Rules {
         if let Some(ramp) = &phase.removal_ramp {
             self.removal_ramp(phase, ramp);
         }
+        if let Some(region) = phase.leavers.as_ref().and_then(|leavers| leavers.outside.as_ref()) {
+            self.region(region);
+        }
         self.relaxing(phase);
     }
 

@@ -408,6 +408,9 @@ riprap_core::fields! {
     "model.gas_residual" "-" Model Scalar false "Energy of the gas that these lines do not explain, over the energy released." |v, _| one(v.gas_residual());
     "model.seepage_inflow" "m3/s" Model Scalar true "Inflow of water through open faces." |v, _| one(v.world.seepage_inflow());
     "model.stable_step" "s" Model Scalar true "Stable time step of the present state without damping (safety 1)." |v, _| one(crate::stable::stable_step(v.world, v.scratch, 0.0).dt);
+    "model.left_blocks" "-" Model Scalar false "Number of blocks that have left the model (`phases.*.leavers`)." |v, _| one(v.world.left.blocks as f64);
+    "model.left_mass" "kg" Model Scalar false "Mass of the blocks that have left the model." |v, _| one(v.world.left.mass);
+    "model.left_momentum" "N s" Model Vector3 false "Momentum that they took along." |v, _| Vec3::from(v.world.left.momentum);
     "model.fragments" "-" Model Scalar true "Number of fragments: blocks connected by intact patches or bonds. Blocks with all freedoms prescribed, and blocks joined to them, are not fragments." |v, _| one(v.fragments().loose().count() as f64);
     "model.largest_fragment" "m3" Model Scalar true "Volume of the largest fragment; 0 without fragments." |v, _| one(v.fragments().loose().next().map_or(0.0, |f| f.size));
     "energy.kinetic" "J" Energy Scalar true "Kinetic energy, time-centred." |v, _| one(v.balance().kinetic);
@@ -425,6 +428,7 @@ riprap_core::fields! {
     "energy.bolts" "J" Energy Scalar true "Elastic energy of bolts: bars, grout, plates and dowels." |v, _| one(v.world.bolt_energy());
     "energy.bolt_loss" "J" Energy Scalar true "Dissipated in bolts: yield of bars, slip of grout and dowels, rupture." |v, _| one(v.world.works.bolts);
     "energy.integrator" "J" Energy Scalar true "Taken by the integration itself in implicit phases." |v, _| one(v.world.works.integrator);
+    "energy.left" "J" Energy Scalar true "Taken along by blocks that have left the model (`phases.*.leavers`)." |v, _| one(v.world.works.left);
     "energy.law_defect" "J" Energy Scalar true "Created (+) or lost (-) by contacts and joints in violation of their laws: by too long steps." |v, _| one(v.balance().works.law_defect);
     "energy.edit_defect" "J" Energy Scalar true "Added by edits: removed and split blocks, zeroed velocities, changed laws, joints released to contact." |v, _| one(v.world.works.edit_defect);
     "energy.step_change" "J" Energy Scalar true "Added by changes of the time step, including the first, and by jumps of forces: the difference between the kinetic energies at half steps and at whole steps." |v, _| one(v.world.works.step_change);

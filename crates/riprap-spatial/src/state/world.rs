@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use crate::accounts::{Account, Holder, of};
 use crate::failed::FailedPoints;
 use crate::implicit::memory::Implicit;
-use crate::ledger::Works;
+use crate::ledger::{Left, Works};
 use crate::setup::{Motion, Setup};
 use crate::state::anchor::{Anchor, Freedoms};
 pub use crate::state::bodies::{Bodies, SolidClass, Turned, vec3};
@@ -97,6 +97,8 @@ pub struct World {
     pub events: Vec<EditEvent>,
     /// Running sums of the energy ledger.
     pub works: Works,
+    /// Blocks that have left the model.
+    pub left: Left,
     /// Work of the conditions in `setup.accounts`.
     pub accounts: Vec<Account>,
     /// Kinetic and stored energy at the start, J; set by the first evaluation.

@@ -26,6 +26,7 @@ mod generated;
 mod in_situ;
 mod inspect;
 mod interfaces;
+mod leavers;
 mod loose;
 pub(crate) mod memory;
 mod motion;

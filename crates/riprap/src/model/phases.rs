@@ -97,6 +97,7 @@ impl Builder<'_> {
             damping,
             remove,
             removal_ramp: self.removal_ramp(said),
+            leavers: self.leavers(said),
             fix,
             release,
             install: Vec::new(),

@@ -105,7 +105,7 @@ impl Builder<'_> {
     }
 
     /// Which blocks deform.
-    fn deforming_blocks(&self) -> Vec<bool> {
+    pub(super) fn deforming_blocks(&self) -> Vec<bool> {
         let mut deforms = vec![false; self.spatial.blocks.len()];
         for set in &self.spatial.deform.sets {
             for &block in &set.blocks {

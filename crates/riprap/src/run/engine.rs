@@ -2,6 +2,7 @@
 //! a scene needs. A closed choice: every question is a `match` over both.
 
 mod edit;
+mod leave;
 mod notes;
 mod reading;
 pub mod steer;
@@ -10,6 +11,7 @@ mod view;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+pub use leave::Departed;
 pub use reading::Reading;
 pub use view::{Drawn, Movement, View};
 

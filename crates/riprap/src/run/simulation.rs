@@ -12,6 +12,7 @@ mod control;
 mod cursor;
 mod ends;
 mod error;
+mod leavers;
 mod noted;
 mod shorter;
 mod steer;
@@ -247,6 +248,7 @@ impl Simulation {
         let revision = self.engine.revision();
         self.evaluate_step(&phase)?;
         self.divide()?;
+        self.let_leave()?;
         let sudden = self.engine.contact_step_limit(phase.time_step) < SUDDEN * self.dt;
         if self.engine.revision() != revision || sudden {
             // New neighbours can shorten the step.
@@ -299,7 +301,8 @@ impl Simulation {
 
     /// Takes what has happened since the last look; `again`: the step has been looked at before.
     pub fn take_events(&mut self, again: bool) -> Vec<serde_json::Value> {
-        self.engine.take_events(again)
+        let left = self.cursor.departed.drain(..).map(|one| one.event());
+        self.engine.take_events(again).into_iter().chain(left).collect()
     }
 
     /// Goes to the next phase; the present state stays as it is until the next `prepare`.

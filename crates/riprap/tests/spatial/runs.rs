@@ -53,6 +53,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         gravity: None,
         gravity_ramp: None,
         removal_ramp: None,
+        leavers: None,
         water: None,
         contacts: Vec::new(),
         joints: Vec::new(),

@@ -147,3 +147,23 @@ fn the_plane_has_regions_too() {
         assert_eq!(it.blocks.len(), blocks, "{shape}");
     }
 }
+
+#[test]
+fn the_model_must_lie_within_the_bounds_that_blocks_leave() {
+    let text = |leavers: &str| {
+        format!(
+            "{CUBE}{FLOOR}[[phases]]\nname = \"fly\"\nuntil = {{ time = \"1 s\" }}\nleavers = {{ {leavers} }}\n"
+        )
+    };
+    let wide = "outside = { min = [\"-9 m\", \"-9 m\"], max = [\"9 m\", \"9 m\"] }";
+    let model = good(&text(wide));
+    let bounds = model.plan.phases[0].leavers.expect("bounds");
+    assert!(bounds.outside.is_some() && bounds.beyond.is_none());
+    let narrow = "outside = { min = [\"-9 m\", \"-9 m\"], max = [\"0.4 m\", \"9 m\"] }";
+    assert!(bad(&text(narrow)).contains("before anything moves, `cube` first"));
+    let over = "beyond = { at = [\"0 m\", \"0 m\"], normal = [0, 1] }";
+    assert!(bad(&text(over)).contains("before anything moves, `cube` first"));
+    let none = "beyond = { at = [\"0 m\", \"9 m\"], normal = [0, 0] }";
+    assert!(bad(&text(none)).contains("is zero"));
+    assert!(bad(&text("")).contains("outside"));
+}

@@ -58,6 +58,7 @@ fn falling() -> Job {
         gravity: None,
         gravity_ramp: None,
         removal_ramp: None,
+        leavers: None,
         water: None,
         contacts: Vec::new(),
         joints: Vec::new(),

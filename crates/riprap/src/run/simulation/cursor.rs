@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::ledger::Unexplained;
 use crate::plan::Plan;
 use crate::run::engine::steer::{SteerError, Steered};
-use crate::run::engine::{Stable, State, StateRef, View};
+use crate::run::engine::{Departed, Stable, State, StateRef, View};
 
 /// Where in the plan a run is.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -50,6 +50,8 @@ pub struct Cursor {
     /// The step for which the last forces of the last phase were found, s: dampers depend on it, and a run that is resumed at its end finds
     /// these forces again.
     pub closing_dt: f64,
+    /// Blocks that have left the model and have not been recorded yet.
+    pub departed: Vec<Departed>,
 }
 
 /// What a block is pressed into.
