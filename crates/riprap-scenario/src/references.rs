@@ -127,6 +127,15 @@ impl<'a> References<'a> {
     /// Whether it is a group, or may be one: the groups of meshes and drawings are in their files, and the model looks there.
     fn is_group(&self, name: &str) -> bool {
         self.groups.contains(name)
+            || name.rsplit_once('.').is_some_and(|(of, number)| {
+                let group = self.scenario.groups.get(of);
+                let rounds = group.and_then(|g| g.excavation.as_ref()?.rounds);
+                number.parse().is_ok_and(|k: u64| k > 0 && rounds.is_some_and(|n| k <= n))
+            })
+            || name.strip_suffix("_lintels").is_some_and(|of| {
+                let walls = self.scenario.blocks.iter().filter(|b| b.name.as_str() == of);
+                walls.flat_map(|b| &b.masonry).any(|wall| !wall.openings.is_empty())
+            })
             || self.scenario.blocks.iter().any(|b| b.mesh.is_some() || b.polygons.is_some())
     }
 
@@ -211,6 +220,9 @@ impl<'a> References<'a> {
             }
             for block in &group.blocks {
                 self.block(block);
+            }
+            if let Some(set) = &group.joint_set {
+                self.block(&set.of);
             }
         }
         for boundary in &scenario.boundaries {

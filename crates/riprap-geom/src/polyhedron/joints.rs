@@ -112,14 +112,20 @@ pub fn normal_of_dip(dip: f64, direction: f64) -> Vec3 {
     Vec3::new(sin * libm::sin(direction), sin * libm::cos(direction), cos)
 }
 
-/// The planes of sets that meet the box from `min` to `max` (m), in the order of the sets, each along its normal.
+/// The planes of each set that meet the box from `min` to `max` (m), along its normal.
 ///
 /// # Errors
 /// Numbers out of range, more than [`MAX_SET`] planes in a set.
-pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<Joint>, GeomError> {
+pub fn planes(
+    sets: &[PlaneSet],
+    min: Vec3,
+    max: Vec3,
+    seed: u64,
+) -> Result<Vec<Vec<Joint>>, GeomError> {
     let mut chance = Chance::new(seed);
-    let mut joints = Vec::new();
+    let mut all = Vec::with_capacity(sets.len());
     for set in sets {
+        let mut joints = Vec::new();
         let spacing = set.spacing;
         demand("the spacing of a joint set", spacing, spacing > 0.0, "above 0")?;
         let far = set.at.abs().max_element();
@@ -161,8 +167,9 @@ pub fn planes(sets: &[PlaneSet], min: Vec3, max: Vec3, seed: u64) -> Result<Vec<
                 },
             });
         }
+        all.push(joints);
     }
-    Ok(joints)
+    Ok(all)
 }
 
 /// Cuts solids by joints, one joint after the other. A cut that would leave a part thinner than `thinnest` (m) across the
@@ -380,7 +387,7 @@ mod tests {
     #[test]
     fn three_sets_across_fill_the_cube() {
         let sets = [set(0.0, 0.0, 0.25), set(90.0, 0.0, 0.25), set(90.0, 90.0, 0.25)];
-        let joints = planes(&sets, CUBE.0, CUBE.1, 1).unwrap();
+        let joints = planes(&sets, CUBE.0, CUBE.1, 1).unwrap().concat();
         let divided = divide(cube(), &joints, 0.0, 0).unwrap();
         // Planes at 0.05, 0.3, 0.55, 0.8 along each axis.
         assert_eq!((divided.solids.len(), divided.spared), (125, 0));
@@ -399,7 +406,7 @@ mod tests {
             (set.spacing_scatter, set.angle_scatter) = (0.05, 0.1);
         }
         let made = |seed| {
-            let joints = planes(&sets, CUBE.0, CUBE.1, seed).unwrap();
+            let joints = planes(&sets, CUBE.0, CUBE.1, seed).unwrap().concat();
             divide(cube(), &joints, 0.0, 0).unwrap()
         };
         let (one, again, other) = (made(1), made(1), made(2));
@@ -541,7 +548,7 @@ mod tests {
         let error = planes(&[fine], CUBE.0, CUBE.1, 1).unwrap_err();
         assert!(error.to_string().contains("planes of a joint set"), "{error}");
         let thin = [set(0.0, 0.0, 1e-3), set(90.0, 0.0, 1e-3)];
-        let joints = planes(&thin, CUBE.0, CUBE.1, 1).unwrap();
+        let joints = planes(&thin, CUBE.0, CUBE.1, 1).unwrap().concat();
         assert!(divide(cube(), &joints[..300], 0.0, 0).is_ok());
     }
 }

@@ -5,7 +5,8 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::files::{Polygons, Traces};
-use super::joints::{JointPlanes, JointSet};
+use super::joints::{CutAlong, JointPlanes, JointSet};
+use super::masonry::{Masonry, Vault};
 use super::points::Point;
 use super::solids::{Brick, Grid, Mechanics, Mesh, Part, Polyhedron, Terrain};
 use crate::quantity::{
@@ -35,7 +36,9 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
     "polyhedron",
     "parts",
     "mesh",
-    "terrain"
+    "terrain",
+    "masonry",
+    "vault"
 ))]
 #[keys(excludes(
     "cut",
@@ -58,7 +61,7 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 #[keys(excludes(
     "mass",
     "inertia",
-    when = "polygons | wall | arch | cut | voronoi | pour | grid | mesh & !mesh.glued",
+    when = "polygons | wall | arch | cut | voronoi | pour | grid | masonry | vault | mesh & !mesh.glued",
     help = "they are those of one body: give the material its density, or write a [[blocks]] for each shape"
 ))]
 #[keys(excludes(
@@ -69,7 +72,7 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 ))]
 #[keys(excludes(
     "copies",
-    when = "polygons | wall | arch | cut | voronoi | pour | grid | mesh & !mesh.glued",
+    when = "polygons | wall | arch | cut | voronoi | pour | grid | masonry | vault | mesh & !mesh.glued",
     help = "`copies` is for single shapes; write another [[blocks]] with `shift`"
 ))]
 pub struct Block {
@@ -122,6 +125,12 @@ pub struct Block {
     /// Cells of a mesh of Gmsh, a tessellation of Neper or surfaces in STL.
     #[key(space = "spatial", instead = "use `voronoi` or `cut`")]
     pub mesh: Option<Mesh>,
+    /// A wall of bricks with openings.
+    #[key(space = "spatial", instead = "use `wall`")]
+    pub masonry: Option<Masonry>,
+    /// A barrel vault or an arch of wedge-shaped stones.
+    #[key(space = "spatial", instead = "use `arch`")]
+    pub vault: Option<Vault>,
     /// Fixed ground with one height per place.
     #[key(space = "spatial", instead = "use a fixed `polygon`")]
     pub terrain: Option<Terrain>,
@@ -180,6 +189,10 @@ pub enum Geometry<'a> {
     Mesh(&'a Mesh),
     /// `terrain`
     Terrain(&'a Terrain),
+    /// `masonry`
+    Masonry(&'a Masonry),
+    /// `vault`
+    Vault(&'a Vault),
 }
 
 impl Geometry<'_> {
@@ -199,6 +212,8 @@ impl Geometry<'_> {
             | Geometry::Voronoi(_)
             | Geometry::Pour(_)
             | Geometry::Polygons(_)
+            | Geometry::Masonry(_)
+            | Geometry::Vault(_)
             | Geometry::Grid(_) => true,
             Geometry::Mesh(mesh) => mesh.glued != Some(true),
         }
@@ -225,6 +240,8 @@ impl Block {
             self.parts.as_ref().map(|g| ("parts", Geometry::Parts(g))),
             self.mesh.as_ref().map(|g| ("mesh", Geometry::Mesh(g))),
             self.terrain.as_ref().map(|g| ("terrain", Geometry::Terrain(g))),
+            self.masonry.as_ref().map(|g| ("masonry", Geometry::Masonry(g))),
+            self.vault.as_ref().map(|g| ("vault", Geometry::Vault(g))),
         ]
         .into_iter()
         .flatten()
@@ -351,6 +368,7 @@ pub struct Arch {
 #[keys(any_of(
     "joint_sets",
     "joints",
+    "along",
     space = "spatial",
     help = "add joint_sets = [{ dip = \"60 deg\", dip_direction = \"90 deg\", spacing = \"1 m\" }]"
 ))]
@@ -370,6 +388,9 @@ pub struct Cut {
     /// Joints one by one: planes, or disks. They cut before the sets do.
     #[key(space = "spatial", instead = "use `traces`")]
     pub joints: Option<JointPlanes>,
+    /// Excavations along whose surfaces the blocks are cut, after the joints, so that what is taken out leaves smooth walls.
+    #[key(space = "spatial", instead = "use `traces`")]
+    pub along: Option<CutAlong>,
     /// Seed of the random numbers: the same seed gives the same blocks.
     #[key(default = 1)]
     pub seed: Option<u64>,

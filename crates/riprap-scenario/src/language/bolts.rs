@@ -4,14 +4,14 @@ use riprap_keys::Keys;
 use serde::Deserialize;
 
 use crate::quantity::{
-    BondStiffness, BondStrength, Length, Modulus, Name, NotNegativePlain, PositiveArea,
-    PositiveForce, PositiveLength, Quantity, SpringStiffness, Vector,
+    BondStiffness, BondStrength, Length, Modulus, Name, NotNegativeAngle, NotNegativePlain,
+    PositiveArea, PositiveForce, PositiveLength, Quantity, SpringStiffness, Vector,
 };
 
 /// A bolt, anchor or cable, or many alike: an axial bar in grout.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
-#[keys(one_of("head", "csv", when = "!toe"))]
+#[keys(one_of("head", "csv", "pattern", when = "!toe"))]
 pub struct Bolt {
     /// Name; several are called name.1, name.2, ...
     pub name: Name,
@@ -27,6 +27,10 @@ pub struct Bolt {
     /// CSV file with columns `head_x`, `head_y`, `head_z`, `toe_x`, `toe_y`, `toe_z` (no z in the plane), each with its unit behind an underscore.
     #[key(excludes("repeat", help = "write all ends into the file"))]
     pub csv: Option<Name>,
+    /// Bolts across the walls of an excavation.
+    #[key(space = "spatial", instead = "use `repeat`")]
+    #[key(excludes("repeat", help = "a pattern has rows of its own"))]
+    pub pattern: Option<BoltPattern>,
     /// Distance of such bolts out of the plane, m; all numbers are those of one bolt.
     #[key(space = "planar")]
     #[key(default = "1 m")]
@@ -58,6 +62,23 @@ pub struct Repeat {
     /// How many there are in all.
     #[key(min = 1, max = 10_000)]
     pub count: u64,
+}
+
+/// Bolts at right angles to the walls of an excavation, in rows around its profile.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct BoltPattern {
+    /// Name of a group with `excavation`.
+    pub group: Name,
+    /// Length of a bolt, m.
+    pub length: Quantity<PositiveLength>,
+    /// Distance between the bolts of a row along the wall, m.
+    pub spacing: Quantity<PositiveLength>,
+    /// Distance between rows along the line, m; the first is half of it from `from`.
+    pub rows: Quantity<PositiveLength>,
+    /// Largest angle between the upward direction and a bolt: walls that face further down have none. Of benches only the faces have bolts.
+    #[key(default = "135 deg")]
+    pub half_angle: Option<Quantity<NotNegativeAngle>>,
 }
 
 /// The bar of a bolt.

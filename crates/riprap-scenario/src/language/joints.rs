@@ -66,3 +66,14 @@ pub struct JointPlanes {
     /// Interface of rock bridges, the parts of cuts beyond disks and polygons.
     pub bridges: Option<Name>,
 }
+
+/// Surfaces of excavations along which rock is cut.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct CutAlong {
+    /// Groups with `excavation`, `box`, `half_space` or `prism`.
+    pub groups: Vec<Name>,
+    /// Interface of the cuts, which is rock that is still whole: of the surfaces, and of their planes beyond, so far as blocks
+    /// there are cut through. Default that of the materials.
+    pub interface: Option<Name>,
+}

@@ -16,6 +16,7 @@ mod ground;
 mod interfaces;
 mod joints;
 mod loads;
+mod masonry;
 mod outputs;
 mod phases;
 mod points;
@@ -34,7 +35,7 @@ pub use blocks::{
     Arch, Block, Copies, Cut, Geometry, Polygon, Pour, Rectangle, Regular, Rotate, Voronoi, Wall,
     WallBond,
 };
-pub use bolts::{Bolt, Dowel, Grout, Plate, Repeat, Steel};
+pub use bolts::{Bolt, BoltPattern, Dowel, Grout, Plate, Repeat, Steel};
 pub use checks::{Bisect, Check, Criterion, Reduce};
 pub use files::{Polygons, Traces};
 pub use ground::{
@@ -45,15 +46,19 @@ pub use interfaces::{
     BartonBandis, Bond, BrittleBond, Closure, Cohesive, Interface, InterfaceChange, JointSoftening,
     curve,
 };
-pub use joints::{JointPlanes, JointSet};
+pub use joints::{CutAlong, JointPlanes, JointSet};
 pub use loads::{
     BodyLoad, Control, EdgeLoad, Fixed, Load, Motion, MotionComponents, Nodes, PointLoad, Support,
     Target,
 };
+pub use masonry::{Lintel, Masonry, MasonryBond, Vault, VaultBond, WallOpening};
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Leavers, Phase, Relaxation, Reset, Rest, Until};
 pub use points::{Point, Point3};
-pub use regions::{Cylinder, Group, HalfSpace, Near, Prism, SizeRange, Sphere};
+pub use regions::{
+    AlongSet, BenchesProfile, CircleProfile, Cylinder, Excavation, Group, HalfSpace,
+    HorseshoeProfile, Near, NearFace, Prism, SizeRange, Sphere,
+};
 pub use samples::{Beta, Correlation, MeasuredValues, Moments, MonteCarlo, RandomValue, Sampling};
 pub use solids::{
     Ball, BoxRegion, Brick, Deformable, Empty, Graded, Grid, GridBox, GridCells, Mechanics, Mesh,

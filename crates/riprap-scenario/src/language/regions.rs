@@ -3,9 +3,9 @@
 use riprap_keys::Keys;
 use serde::Deserialize;
 
-use super::points::Point;
+use super::points::{Point, Point3};
 use super::solids::BoxRegion;
-use crate::quantity::{Length, Name, Plain, PositiveLength, Quantity, Vector};
+use crate::quantity::{Angle, Length, Name, Plain, PositiveLength, Quantity, Vector};
 
 /// A named set of blocks, besides the groups that blocks name themselves: all that one of its keys holds. A block lies where its
 /// centroid lies at the start.
@@ -26,6 +26,15 @@ pub struct Group {
     pub prism: Option<Prism>,
     /// The blocks near a straight line.
     pub near: Option<Near>,
+    /// The blocks in a tunnel, a shaft or a pit: a profile along a line. `blocks.*.cut.along` cuts the rock along its surface.
+    #[key(space = "spatial", instead = "use `prism`")]
+    pub excavation: Option<Excavation>,
+    /// The blocks near a face, which is a polygon.
+    #[key(space = "spatial", instead = "use `near`")]
+    pub near_face: Option<NearFace>,
+    /// The blocks with a face along a set of joints.
+    #[key(space = "spatial", instead = "use `half_space` or `near`")]
+    pub joint_set: Option<AlongSet>,
     /// The blocks of a size: the edge of the cube, in the plane of the square, that is as large.
     pub size: Option<SizeRange>,
     /// The blocks of a material.
@@ -95,6 +104,91 @@ pub struct Near {
     pub to: Vector<Length>,
     /// Largest distance from it, m.
     pub distance: Quantity<PositiveLength>,
+}
+
+/// What lies near a polygon.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct NearFace {
+    /// Corners [x, y, z] of a flat convex polygon in order, m.
+    pub points: Vec<Point3>,
+    /// Largest distance from it, m.
+    pub distance: Quantity<PositiveLength>,
+}
+
+/// Blocks between joints of a set.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct AlongSet {
+    /// Name of the `[[blocks]]` with the set.
+    pub of: Name,
+    /// Number of the set in its `cut.joint_sets`, from 1.
+    #[key(min = 1, max = 1000)]
+    pub number: u64,
+}
+
+/// A profile along a straight line. In the profile `u` points to the right of who looks from `from` to `to`, and `v` up; along an upright
+/// line `v` points north (y).
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+#[keys(one_of("circle", "horseshoe", "polygon", "benches"))]
+pub struct Excavation {
+    /// One end of the line [x, y, z], m.
+    pub from: Point3,
+    /// Other end of the line, m.
+    pub to: Point3,
+    /// A circle about the line.
+    pub circle: Option<CircleProfile>,
+    /// Upright walls under half a circle; the line is the middle of the floor.
+    pub horseshoe: Option<HorseshoeProfile>,
+    /// Corners [u, v] in order, from the line, m.
+    pub polygon: Option<Vec<Point>>,
+    /// A pit with benches that rise to the left of the line, which is the toe of the lowest one.
+    pub benches: Option<BenchesProfile>,
+    /// Number of equal parts along the line, the groups name.1, name.2, ... from `from` on.
+    #[key(default = 1, min = 1, max = 1000)]
+    pub rounds: Option<u64>,
+}
+
+/// A circle of straight sides, as large as the circle.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct CircleProfile {
+    /// Radius, m.
+    pub radius: Quantity<PositiveLength>,
+    /// Number of sides.
+    #[key(default = 24, min = 3, max = 360)]
+    pub sides: Option<u64>,
+}
+
+/// Upright walls under half a circle.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct HorseshoeProfile {
+    /// Width, m.
+    pub width: Quantity<PositiveLength>,
+    /// Height from the floor to the crown, m; at least half of the width.
+    pub height: Quantity<PositiveLength>,
+    /// Number of straight sides of the arch, whose corners lie on the half circle.
+    #[key(default = 12, min = 2, max = 180)]
+    pub sides: Option<u64>,
+}
+
+/// Faces with berms between them.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct BenchesProfile {
+    /// Height of a bench, m.
+    pub height: Quantity<PositiveLength>,
+    /// Angle of the faces, up to 90 deg.
+    pub face_angle: Quantity<Angle>,
+    /// Width of the berms between faces, m.
+    pub berm: Quantity<PositiveLength>,
+    /// Number of benches.
+    #[key(min = 1, max = 100)]
+    pub count: u64,
+    /// Width of the floor to the right of the line, m.
+    pub floor: Quantity<PositiveLength>,
 }
 
 /// Sizes of blocks.

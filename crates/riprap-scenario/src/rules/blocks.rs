@@ -2,13 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::Rules;
+use super::{Rules, above};
 use crate::diagnostic::short;
 use crate::language::{
-    Around, Block, BoxRegion, Cut, Geometry, Graded, Grid, Group, MAX_BLOCKS, Place, Polygon,
-    Polyhedron, Rotate,
+    Around, Block, BoxRegion, Cut, Excavation, Geometry, Graded, Grid, Group, MAX_BLOCKS, Place,
+    Polygon, Polyhedron, Rotate, span_of,
 };
-use crate::quantity::{Length, Span, Vector};
+use crate::quantity::{Length, Quantity, Span, Vector};
 use crate::vectors::InSpace;
 
 impl Rules {
@@ -59,6 +59,8 @@ impl Rules {
             | Geometry::Grid(Grid::Box(_))
             | Geometry::Mesh(_)
             | Geometry::Terrain(_)
+            | Geometry::Masonry(_)
+            | Geometry::Vault(_)
             | Geometry::Polygons(_)
             | Geometry::Rectangle(_)
             | Geometry::Regular(_) => {}
@@ -188,6 +190,9 @@ impl Rules {
         {
             self.corners(&first[0].span, "`prism`", prism.points.len());
         }
+        if let Some(said) = &group.excavation {
+            self.excavation(said);
+        }
         if let Some(size) = &group.size
             && let (Some(low), Some(high)) = (&size.above, &size.below)
         {
@@ -204,6 +209,34 @@ impl Rules {
                 message,
                 "write for example normal = [0, 0, 1]",
             );
+        }
+    }
+
+    fn excavation(&mut self, said: &Excavation) {
+        let place = |point: &[Quantity<Length>; 3]| point.each_ref().map(Quantity::si);
+        if self.values_sound && place(&said.from) == place(&said.to) {
+            let message = "the line of the excavation has no length".to_owned();
+            self.error("value.order", &span_of(&said.to), message, "give two points");
+        }
+        if let Some(points) = &said.polygon {
+            let span = points.first().map_or_else(|| span_of(&said.from), |p| p[0].span.clone());
+            self.corners(&span, "the excavation", points.len());
+        }
+        if let Some(shape) = &said.horseshoe
+            && self.values_sound
+            && above(0.5 * shape.width.si(), shape.height.si())
+        {
+            let message = "a horseshoe is at least half as high as wide".to_owned();
+            let help = "its roof is half a circle: give a larger `height`, or a `polygon`";
+            self.error("value.order", &shape.height.span, message, help);
+        }
+        if let Some(shape) = &said.benches
+            && self.values_sound
+            && !(f64::EPSILON..=FRAC_PI_2).contains(&shape.face_angle.si())
+        {
+            let message = format!("a face cannot rise by \"{}\"", shape.face_angle.raw);
+            let help = "the angle of a face is above 0 deg and at most 90 deg (upright)";
+            self.error("value.range", &shape.face_angle.span, message, help);
         }
     }
 

@@ -8,12 +8,14 @@ use crate::quantity::{Name, Span};
 use crate::rule::no_effect;
 use crate::vectors::InSpace;
 
-/// Whether the rock bridges of some blocks have this interface.
+/// Whether the rock bridges of some blocks, or cuts along excavations, have this interface.
 fn is_of_bridges(name: &Name, scenario: &Scenario) -> bool {
-    let cuts = scenario.blocks.iter().filter_map(|block| block.cut.as_ref());
-    let joints = cuts.filter_map(|cut| cut.joints.as_ref());
-    let mut bridges = joints.filter_map(|joints| joints.bridges.as_ref());
-    bridges.any(|bridge| bridge.as_str() == name.as_str())
+    let mut cuts = scenario.blocks.iter().filter_map(|block| block.cut.as_ref());
+    cuts.any(|cut| {
+        let bridges = cut.joints.as_ref().and_then(|joints| joints.bridges.as_ref());
+        let along = cut.along.as_ref().and_then(|along| along.interface.as_ref());
+        bridges.into_iter().chain(along).any(|of| of.as_str() == name.as_str())
+    })
 }
 
 impl Rules {

@@ -64,6 +64,15 @@ impl Bridges {
 }
 
 impl Ended {
+    /// A plane of which no part is a joint: all cuts along it are rock that is still whole. `size` (m) says how exactly a face lies on it.
+    #[must_use]
+    pub fn none(normal: Vec3, at: Vec3, size: f64) -> Self {
+        // An edge beyond the radius, and back: nothing lies within.
+        let far = at + 2.0 * size * normal.any_orthonormal_vector();
+        let corners = vec![far, far + size * normal.cross(far - at).normalize(), far];
+        Self { normal, at, radius: size, corners }
+    }
+
     /// Whether a point of its plane lies in it.
     fn covers(&self, at: Vec3) -> bool {
         let edges = self.corners.iter().zip(self.corners.iter().cycle().skip(1));
@@ -97,6 +106,10 @@ mod tests {
         for normal in [Vec3::Z, -Vec3::Z] {
             assert!(!hold(1.2, 0.2, 2.0, normal) && !hold(3.2, 0.0, 2.0, normal));
             assert!(hold(2.0, 0.0, 2.0, normal));
+        }
+        let whole = Bridges::new(1, vec![Ended::none(Vec3::Z, Vec3::ZERO, 3.0)]);
+        for (x, y) in [(0.0, 0.0), (1.0, 2.0), (-5.0, 0.1), (6.0, 0.0), (7.0, 7.0)] {
+            assert!(whole.hold(Vec3::new(x, y, 0.0), -Vec3::Z));
         }
         // On another plane, or across.
         assert!(!hold(2.0, 0.0, 2.1, Vec3::Z) && !hold(2.0, 0.0, 2.0, Vec3::Y));

@@ -34,7 +34,9 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
             | Geometry::Polyhedron(_)
             | Geometry::Parts(_)
             | Geometry::Mesh(_)
-            | Geometry::Terrain(_),
+            | Geometry::Terrain(_)
+            | Geometry::Masonry(_)
+            | Geometry::Vault(_),
         ) => Vec::new(),
         Some(Geometry::Polygon(Polygon::Points(points))) => all(points),
         Some(Geometry::Rectangle(r)) => r.corner.iter().chain(&r.centre).map(global).collect(),
@@ -103,7 +105,9 @@ impl Builder<'_> {
             | Geometry::Polyhedron(_)
             | Geometry::Parts(_)
             | Geometry::Mesh(_)
-            | Geometry::Terrain(_) => return None,
+            | Geometry::Terrain(_)
+            | Geometry::Masonry(_)
+            | Geometry::Vault(_) => return None,
             Geometry::Voronoi(v) => self.voronoi(block, v)?,
             Geometry::Pour(said) => self.poured(block, said)?,
         };

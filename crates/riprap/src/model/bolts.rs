@@ -13,7 +13,7 @@ use crate::scenario::language::{self, Dowel, Plate};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::units::Dim;
 use crate::scenario::vectors::InSpace;
-use crate::scenario::{Name, Quantity, Span};
+use crate::scenario::{Diagnostic, Name, Quantity, Span};
 use crate::{planar, spatial};
 
 /// Most bolts of one table.
@@ -50,7 +50,7 @@ impl Builder<'_> {
             if !self.has_room_for_pieces(said, &lines, design.piece) {
                 continue;
             }
-            let many = lines.len() > 1 || said.csv.is_some();
+            let many = lines.len() > 1 || said.csv.is_some() || said.pattern.is_some();
             for (number, line) in (1..).zip(lines) {
                 let name =
                     if many { format!("{}.{number}", said.name) } else { said.name.text.clone() };
@@ -165,6 +165,9 @@ impl Builder<'_> {
         if let Some(csv) = &said.csv {
             return self.bolts_of_file(csv);
         }
+        if let Some(pattern) = &said.pattern {
+            return self.bolts_on_walls(said, pattern);
+        }
         let (head, toe) = (said.head.as_ref()?, said.toe.as_ref()?);
         let count = said.repeat.iter().map(|row| row.count as usize);
         // Before any is made: a slip of the pen in a count must not fill the memory.
@@ -192,6 +195,42 @@ impl Builder<'_> {
             lines = copies.collect();
         }
         Some(lines)
+    }
+
+    /// Bolts across the walls of an excavation, in the coordinates of the file.
+    fn bolts_on_walls(
+        &mut self,
+        said: &language::Bolt,
+        pattern: &language::BoltPattern,
+    ) -> Option<Vec<Line>> {
+        let groups = &self.parsed.scenario.groups;
+        let name = &pattern.group;
+        let Some(excavation) = groups.get(name.as_str()).and_then(|of| of.excavation.as_ref())
+        else {
+            let known = groups.iter().filter(|(_, of)| of.excavation.is_some());
+            let known: Vec<&str> = known.map(|(name, _)| name.as_str()).collect();
+            self.found.push(Diagnostic::unknown("group with an `excavation`", name, known));
+            return None;
+        };
+        let opening = self.opening(excavation, Vec3::ZERO)?;
+        let half_angle = self.reading(format!("bolts.{}.pattern", said.name), pattern).half_angle();
+        let [length, spacing, rows] =
+            [&pattern.length, &pattern.spacing, &pattern.rows].map(Quantity::si);
+        if opening.bolts_about(spacing, rows) > MOST as f64 {
+            let message = format!("table `{}` would make more than {MOST} bolts", said.name);
+            self.error_at("bolt.many", pattern.spacing.span.clone(), message, "use fewer bolts");
+            return None;
+        }
+        let all = opening.bolts([spacing, rows, length], half_angle);
+        if all.is_empty() {
+            let message = format!("no wall of `{name}` faces up by `half_angle`");
+            let at = pattern.half_angle.as_ref().map_or(&name.span, |angle| &angle.span);
+            let help = "give a larger `half_angle`: of bolts with the upward direction";
+            self.error_at("bolt.place", at.clone(), message, help);
+            return None;
+        }
+        let span = &name.span;
+        Some(all.into_iter().map(|(head, toe)| Line { head, toe, span: span.clone() }).collect())
     }
 
     fn bolts_of_file(&mut self, csv: &Name) -> Option<Vec<Line>> {

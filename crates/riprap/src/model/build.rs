@@ -44,6 +44,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         directory: Directory::default(),
         drawn: BTreeMap::new(),
         surfaces: BTreeMap::new(),
+        sets: BTreeMap::new(),
         found: parsed.warnings.clone(),
         explained: Vec::new(),
         summary: Summary::default(),

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use riprap_geom::polyhedron::joints::Joint;
 use riprap_geom::{Vec2, Vec3};
 
 use super::generated::Drawn;
@@ -38,6 +39,8 @@ pub(super) struct Builder<'a> {
     pub(super) drawn: BTreeMap<String, Drawn>,
     /// Named faces of meshes: block, unit outward normal, distance from the local origin along it (m).
     pub(super) surfaces: BTreeMap<String, Vec<(u32, Vec3, f64)>>,
+    /// The joints of each set by which the blocks of a table in space were cut, local.
+    pub(super) sets: BTreeMap<String, Vec<Vec<Joint>>>,
     pub(super) found: Vec<Diagnostic>,
     pub(super) explained: Vec<Explained>,
     pub(super) summary: Summary,

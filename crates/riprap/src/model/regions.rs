@@ -1,10 +1,13 @@
 //! Groups: sets of blocks by place, size, material and name, and what `and`, `or`, `not` make of them.
 
 use riprap_geom::Vec3;
+use riprap_geom::polyhedron::joints::{Extent, Joint};
 
 use super::builder::Builder;
-use super::solid::volume;
-use crate::scenario::language::{Cylinder, Group, HalfSpace, Near, Prism, SizeRange, Sphere};
+use super::solid::{Opening, has_face, volume};
+use crate::scenario::language::{
+    AlongSet, Cylinder, Group, HalfSpace, Near, NearFace, Prism, SizeRange, Sphere, span_of,
+};
 use crate::scenario::quantity::Quantity;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Name, Span};
@@ -28,6 +31,17 @@ fn from_line(point: Vec3, [from, to]: [Vec3; 2]) -> (f64, f64) {
     ((point - from - share.clamp(0.0, 1.0) * way).length(), share)
 }
 
+/// Distance of a point from a polygon, m.
+fn from_polygon(point: Vec3, face: &Joint) -> f64 {
+    let Extent::Polygon(corners) = &face.extent else { return f64::INFINITY };
+    let ends = corners.iter().zip(corners.iter().cycle().skip(1));
+    let inside = |(a, b): (&Vec3, &Vec3)| (*b - *a).cross(point - *a).dot(face.normal) >= 0.0;
+    if ends.clone().all(inside) {
+        return face.normal.dot(point - face.at).abs();
+    }
+    ends.map(|(a, b)| from_line(point, [*a, *b]).0).fold(f64::INFINITY, f64::min)
+}
+
 impl Builder<'_> {
     /// Groups by place, size, material, name, and then those that others make.
     pub(super) fn groups(&mut self) {
@@ -35,6 +49,11 @@ impl Builder<'_> {
         for (name, group) in said.iter() {
             let mut blocks = self.in_regions(name, group);
             blocks.extend(group.size.iter().flat_map(|size| self.of_size(size)));
+            blocks.extend(self.rounds(name, group));
+            if let Some(set) = &group.joint_set {
+                blocks.extend(self.along_set(name, set));
+            }
+            self.is_face(group);
             if let Some(material) = &group.material {
                 let of = self.of_material(material.as_str());
                 if of.is_none() {
@@ -95,6 +114,66 @@ impl Builder<'_> {
             all.extend(inside);
         }
         all
+    }
+
+    /// Reports a face that is no flat convex polygon.
+    fn is_face(&mut self, group: &Group) {
+        let Some(said) = &group.near_face else { return };
+        let corner =
+            |p: &crate::scenario::language::Point3| Vec3::from(p.each_ref().map(Quantity::si));
+        let corners: Vec<Vec3> = said.points.iter().map(corner).collect();
+        if let Err(what) = Joint::polygon(&corners) {
+            let at = said.points.first().map_or(said.distance.span.clone(), span_of);
+            let help = "give the corners of a flat convex polygon in order";
+            self.error_at("group.face", at, format!("the face {what}"), help);
+        }
+    }
+
+    /// Blocks of an excavation; each of its parts along the line is a group too.
+    fn rounds(&mut self, name: &Name, group: &Group) -> Vec<u32> {
+        let shift = self.local3([0.0; 3]).into();
+        let said = group.excavation.as_ref();
+        let Some(opening) = said.and_then(|said| self.opening(said, shift)) else {
+            return Vec::new();
+        };
+        let places = (0u32..).zip(&self.directory.centroids);
+        let parts = places.filter_map(|(b, c)| Some((opening.round_of(Vec3::from(*c))?, b)));
+        let parts: Vec<(u32, u32)> = parts.collect();
+        if opening.rounds() > 1 {
+            for round in 0..opening.rounds() {
+                let of = parts.iter().filter(|(r, _)| *r == round).map(|(_, b)| *b).collect();
+                self.directory.extend(&format!("{name}.{}", round + 1), of);
+            }
+        }
+        parts.into_iter().map(|(_, b)| b).collect()
+    }
+
+    /// Blocks with a face along a set of joints.
+    fn along_set(&mut self, name: &Name, said: &AlongSet) -> Vec<u32> {
+        let sets = self.sets.get(said.of.as_str()).map_or(&[][..], Vec::as_slice);
+        let Some(joints) = sets.get(said.number as usize - 1) else {
+            let message = format!("`{}` has {} sets of joints", said.of, sets.len());
+            let help = "give the number of a set in its `cut.joint_sets`, from 1";
+            self.error_at("group.set", &said.of, message, help);
+            return Vec::new();
+        };
+        let tables: Vec<_> = self.directory.tables().collect();
+        let range = tables.iter().find(|(table, _)| *table == said.of.as_str());
+        let range = range.map_or(0..0, |(_, range)| range.clone());
+        let along = |b: &u32| {
+            let shape = &self.spatial.blocks[*b as usize].shape;
+            joints.iter().any(|joint| {
+                let offset = joint.normal.dot(joint.at);
+                has_face(shape, joint.normal, offset) || has_face(shape, -joint.normal, -offset)
+            })
+        };
+        let found: Vec<u32> = range.filter(along).collect();
+        if found.is_empty() {
+            let message = format!("no block of `{}` has a face along the set of `{name}`", said.of);
+            let help = "its joints may lie outside of the blocks: check `spacing` and `origin`; the group is empty";
+            self.warn_at("group.empty", &said.of, message, help);
+        }
+        found
     }
 
     /// The blocks nearest to the middle of an empty region, in words.
@@ -179,8 +258,36 @@ impl Builder<'_> {
                 at: from.span.clone(),
             });
         }
+        if let Some(said) = &group.excavation
+            && let Some(opening) = Opening::new(said, local([0.0; 3]))
+        {
+            all.push(Region {
+                middle: opening.middle(),
+                holds: Box::new(move |c| opening.round_of(c).is_some()),
+                word: "excavation",
+                at: span_of(&said.from),
+            });
+        }
+        all.extend(group.near_face.as_ref().and_then(|face| self.near_face(face)));
         all.extend(group.prism.as_ref().and_then(|prism| self.prism(prism)));
         all
+    }
+
+    /// What is near a polygon; `None` where it is none, which [`Self::groups`] reports.
+    fn near_face(&self, said: &NearFace) -> Option<Region<'static>> {
+        let corner = |p: &crate::scenario::language::Point3| {
+            Vec3::from(self.local3(p.each_ref().map(Quantity::si)))
+        };
+        let corners: Vec<Vec3> = said.points.iter().map(corner).collect();
+        let face = Joint::polygon(&corners).ok()?;
+        let most = said.distance.si();
+        let middle = face.at;
+        Some(Region {
+            holds: Box::new(move |c| from_polygon(c, &face) <= most),
+            middle,
+            word: "neighbourhood of the face",
+            at: span_of(said.points.first()?),
+        })
     }
 
     fn prism(&self, prism: &Prism) -> Option<Region<'static>> {

@@ -206,7 +206,7 @@ pub(in crate::model) fn boundary_name(said: &language::Boundary, number: usize) 
 }
 
 /// Whether a shape has a face on the plane `normal . x = offset` that looks along the normal.
-pub(super) fn has_face(shape: &Shape, normal: Vec3, offset: f64) -> bool {
+pub(in crate::model) fn has_face(shape: &Shape, normal: Vec3, offset: f64) -> bool {
     let (min, max) = bounds(shape);
     let slack = ON_PLANE * (max - min).max_element();
     // 1 minus the cosine is half the square of the angle: within 4.5e-5 rad.

@@ -12,6 +12,7 @@ use super::global;
 use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
+use crate::scenario::Name;
 use crate::scenario::csv_columns::Column;
 use crate::scenario::foreign::dfn::{Network, Shape, parse_fab};
 use crate::scenario::foreign::dfnworks::read_dfnworks;
@@ -19,7 +20,6 @@ use crate::scenario::foreign::itasca::parse_itasca;
 use crate::scenario::language::{Block, Cut, JointPlanes, JointSet};
 use crate::scenario::read::{Provenance, Read};
 use crate::scenario::units::Dim;
-use crate::scenario::{Diagnostic, Name};
 use crate::spatial::setup::{Bridges, Ended};
 
 /// Most joints one by one.
@@ -119,14 +119,22 @@ impl Builder<'_> {
         if let Some(name) = bridges {
             self.bridge(name, &joints);
         }
+        // After the joints: rock is excavated that has them.
+        let walls = match &cut.along {
+            Some(said) => self.joints_along(said, shift)?,
+            None => Vec::new(),
+        };
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         // Of all blocks of the table: a plane goes on from one to the next, and must reach through all of them.
         let boxes = made.shapes.iter().map(bounds);
         let (min, max) = boxes.fold(start, |(a, b), (min, max)| (a.min(min), b.max(max)));
         let solids = made.shapes.iter().map(solid).collect();
-        let divided = planes(&sets, min, max, seed).and_then(|more| {
-            joints.extend(more);
-            divide(solids, &joints, thinnest, seed)
+        let divided = planes(&sets, min, max, seed).and_then(|of_sets| {
+            joints.extend(of_sets.iter().flatten().cloned());
+            joints.extend(walls);
+            let divided = divide(solids, &joints, thinnest, seed);
+            self.sets.insert(block.name.text.clone(), of_sets);
+            divided
         });
         match divided {
             Ok(divided) => {
@@ -154,12 +162,7 @@ impl Builder<'_> {
 
     /// Gives the parts of cuts beyond the ends of joints an interface of their own.
     fn bridge(&mut self, name: &Name, joints: &[Joint]) {
-        let table = &self.parsed.scenario.interfaces;
-        let Some(row) = table.names().position(|one| one == name.as_str()) else {
-            let known: Vec<&str> = table.names().collect();
-            self.found.push(Diagnostic::unknown("interface", name, known));
-            return;
-        };
+        let Some(row) = self.interface_row(name) else { return };
         let ended = joints.iter().filter_map(|joint| {
             let (radius, corners) = match &joint.extent {
                 Extent::Whole | Extent::Partly(_) => return None,
@@ -171,7 +174,7 @@ impl Builder<'_> {
             };
             Some(Ended { normal: joint.normal, at: joint.at, radius, corners })
         });
-        let bridges = Bridges::new(row as u16, ended.collect());
+        let bridges = Bridges::new(row, ended.collect());
         self.spatial.bridges.push(bridges);
     }
 

@@ -53,7 +53,9 @@ pub(super) fn grid_of(block: &Block) -> Option<&GridBox> {
         | Geometry::Polyhedron(_)
         | Geometry::Parts(_)
         | Geometry::Mesh(_)
-        | Geometry::Terrain(_) => None,
+        | Geometry::Terrain(_)
+        | Geometry::Masonry(_)
+        | Geometry::Vault(_) => None,
     }
 }
 

@@ -19,7 +19,9 @@ mod grid;
 mod holes;
 mod inspect;
 mod joints;
+mod masonry;
 mod mesh;
+mod opening;
 mod pattern;
 mod places;
 mod pour;
@@ -30,8 +32,9 @@ mod supports;
 mod terrain;
 mod turn;
 
-pub(super) use boundaries::boundary_name;
+pub(super) use boundaries::{boundary_name, has_face};
 pub(super) use joints::{change_joint, reduce_joint};
+pub(super) use opening::Opening;
 pub(super) use shapes::{bounds, volume};
 pub(super) use turn::put_solid;
 

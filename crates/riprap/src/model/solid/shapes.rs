@@ -91,6 +91,11 @@ fn unturned_corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
                 .chain(vertices.map(|v| global(v) + shift))
                 .collect()
         }
+        Some(Geometry::Masonry(said)) => {
+            let corner = said.corner.as_ref().map_or(Vec3::ZERO, global) + shift;
+            vec![corner, corner + Vec3::new(said.length.si(), 0.0, 0.0)]
+        }
+        Some(Geometry::Vault(said)) => [&said.from, &said.to].map(|p| global(p) + shift).into(),
         Some(Geometry::Pour(p)) => {
             let corners = p.region.iter();
             corners.map(|c| Vec3::from(c.xyz()) + shift).collect()
@@ -141,6 +146,12 @@ impl Builder<'_> {
                     continue;
                 }
                 Some(Geometry::Pour(said)) => self.pour(block, said, shift),
+                Some(Geometry::Masonry(said)) => {
+                    let made = self.masonry(block, said, shift);
+                    self.enter_made(block, made, shift);
+                    continue;
+                }
+                Some(Geometry::Vault(said)) => self.vault(block, said, shift),
                 Some(Geometry::Parts(said)) => {
                     self.parts(block, said, shift).map(|shape| vec![shape])
                 }

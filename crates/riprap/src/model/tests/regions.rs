@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::setup::Setup;
+use riprap_geom::Vec3;
 
 /// Four by four bricks of a metre; the upper row of another material.
 const BRICKS: &str = r#"
@@ -50,6 +51,18 @@ fn every_shape_holds_the_blocks_whose_centroid_lies_in_it() {
         (
             "prism = { points = [[\"0 m\", \"0 m\"], [\"4 m\", \"0 m\"], [\"0 m\", \"4 m\"]], to = \"1 m\" }",
             6,
+        ),
+        (
+            "excavation = { from = [\"2 m\", \"0 m\", \"0 m\"], to = [\"2 m\", \"4 m\", \"0 m\"], horseshoe = { width = \"2 m\", height = \"2 m\" } }",
+            16,
+        ),
+        (
+            "excavation = { from = [\"2 m\", \"2 m\", \"3 m\"], to = [\"2 m\", \"2 m\", \"0 m\"], polygon = [[\"0 m\", \"0 m\"], [\"2 m\", \"0 m\"], [\"2 m\", \"1 m\"], [\"0 m\", \"1 m\"]] }",
+            6,
+        ),
+        (
+            "near_face = { points = [[\"0 m\", \"0 m\", \"0 m\"], [\"2 m\", \"0 m\", \"0 m\"], [\"2 m\", \"4 m\", \"0 m\"], [\"0 m\", \"4 m\", \"0 m\"]], distance = \"0.6 m\" }",
+            8,
         ),
         ("size = { above = \"1.5 m\" }", 4),
         ("size = { above = \"0.9 m\", below = \"1.5 m\" }", 48),
@@ -166,4 +179,115 @@ fn the_model_must_lie_within_the_bounds_that_blocks_leave() {
     let none = "beyond = { at = [\"0 m\", \"9 m\"], normal = [0, 0] }";
     assert!(bad(&text(none)).contains("is zero"));
     assert!(bad(&text("")).contains("outside"));
+}
+
+/// A block of 8 m cut by the surface of a drift and by two joints that dip east.
+fn drift(group: &str, along: &str) -> String {
+    format!(
+        "[interfaces.intact]\nnormal_stiffness = \"1 GPa/m\"\nfriction_angle = \"50 deg\"\n\
+         [[blocks]]\nname = \"rock\"\nmaterial = \"rock\"\n\
+         brick = {{ size = [\"8 m\", \"8 m\", \"8 m\"], corner = [\"10 m\", \"0 m\", \"0 m\"] }}\n\
+         [blocks.cut]\njoint_sets = [{{ dip = \"0 deg\", dip_direction = \"90 deg\", spacing = \"20 m\", origin = [\"0 m\", \"0 m\", \"6 m\"] }}]\n\
+         along = {{ groups = [{along}], interface = \"intact\" }}\n[groups.it]\n{group}\n"
+    )
+}
+
+const LINE: &str = "from = [\"14 m\", \"0 m\", \"2 m\"], to = [\"14 m\", \"8 m\", \"2 m\"]";
+
+#[test]
+fn rock_is_cut_along_a_drift_into_rounds() {
+    let group = format!(
+        "excavation = {{ {LINE}, horseshoe = {{ width = \"4 m\", height = \"3 m\", sides = 4 }}, rounds = 2 }}"
+    );
+    let model = try_space(&drift(&group, "\"it\"")).unwrap_or_else(|error| panic!("{error}"));
+    let Setup::Spatial(setup) = &model.setup else { panic!("a scene in space") };
+    let volume = |name: &str| -> f64 {
+        let group = setup.groups.iter().find(|group| group.name == name).unwrap();
+        let blocks = group.blocks.iter().map(|b| &setup.blocks[*b as usize].shape);
+        blocks.map(crate::model::solid::volume).sum()
+    };
+    // Floor to spring line, and four triangles of the arch.
+    let area = 4.0 + 4.0 * 2.0 * libm::sin(std::f64::consts::FRAC_PI_4);
+    for (name, length) in [("it", 8.0), ("it.1", 4.0), ("it.2", 4.0)] {
+        assert!((volume(name) - area * length).abs() < 1e-9, "{name}: {}", volume(name));
+    }
+    assert!((volume("rock") - 512.0).abs() < 1e-9);
+    // The cuts are whole rock, the joint is not.
+    let row = |at: [f64; 3], normal: [f64; 3]| {
+        setup.row_at([0, 0], Vec3::from(at) - setup.origin, normal.into())
+    };
+    let intact = row([12.0, 4.0, 2.5], [1.0, 0.0, 0.0]);
+    assert_ne!(intact, row([12.0, 4.0, 6.0], [0.0, 0.0, 1.0]));
+    assert_eq!(intact, row([12.0, 7.0, 7.0], [-1.0, 0.0, 0.0]), "beyond the drift too");
+}
+
+#[test]
+fn a_joint_set_holds_the_blocks_along_its_joints() {
+    let set =
+        |number: u32| drift(&format!("joint_set = {{ of = \"rock\", number = {number} }}"), "");
+    // The joint at 6 m divides the block in two: `along` is empty.
+    assert_eq!(count(&set(1)), 2);
+    let wrong = try_space(&set(2)).unwrap_err().render();
+    assert!(wrong.contains("`rock` has 1 sets of joints"), "{wrong}");
+}
+
+#[test]
+fn faults_of_excavations_are_told() {
+    for (group, words) in [
+        (
+            format!("excavation = {{ {LINE}, polygon = [[\"0 m\", \"0 m\"], [\"1 m\", \"1 m\"], [\"1 m\", \"0 m\"], [\"0 m\", \"1 m\"]] }}"),
+            "the profile is no polygon",
+        ),
+        (
+            format!("excavation = {{ {LINE}, horseshoe = {{ width = \"4 m\", height = \"1 m\" }} }}"),
+            "at least half as high as wide",
+        ),
+        (
+            format!("excavation = {{ {LINE}, benches = {{ height = \"4 m\", face_angle = \"100 deg\", berm = \"1 m\", count = 1, floor = \"1 m\" }} }}"),
+            "a face cannot rise by",
+        ),
+        (format!("excavation = {{ {LINE} }}"), "circle"),
+        (
+            "sphere = { centre = [\"14 m\", \"4 m\", \"4 m\"], radius = \"1 m\" }".to_owned(),
+            "no surface to cut along",
+        ),
+        (
+            "near_face = { points = [[\"0 m\", \"0 m\", \"0 m\"], [\"1 m\", \"0 m\", \"0 m\"], [\"2 m\", \"0 m\", \"0 m\"]], distance = \"1 m\" }\nbox = { min = [\"10 m\", \"0 m\", \"0 m\"], max = [\"12 m\", \"8 m\", \"8 m\"] }"
+                .to_owned(),
+            "the face has no area",
+        ),
+    ] {
+        let told = try_space(&drift(&group, "\"it\"")).unwrap_err().render();
+        assert!(told.contains(words), "{group}: {told}");
+    }
+    let pattern = "[[bolts]]\nname = \"b\"\npattern = { group = \"drift\", length = \"2 m\", spacing = \"1 m\", rows = \"1 m\" }\n\
+        steel = { diameter = \"25 mm\" }\ngrout = { stiffness = \"1 GN/m2\" }\n[groups.drifts]\nexcavation = { from = [\"0 m\", \"0 m\", \"0 m\"], to = [\"0 m\", \"1 m\", \"0 m\"], circle = { radius = \"1 m\" } }\n";
+    let told = try_space(pattern).unwrap_err().render();
+    assert!(
+        told.contains("no group with an `excavation` `drift`") && told.contains("drifts"),
+        "{told}"
+    );
+}
+
+#[test]
+fn faults_of_walls_and_vaults_are_told() {
+    let made = |shape: &str| {
+        let block = format!(
+            "[[blocks]]\nname = \"w\"\nmaterial = \"rock\"\n{shape}\nshift = [\"20 m\", \"0 m\", \"0 m\"]\n"
+        );
+        try_space(&block).unwrap_err().render()
+    };
+    let wall = |opening: &str| {
+        made(&format!(
+            "masonry = {{ length = \"2 m\", brick = [\"0.4 m\", \"0.2 m\", \"0.2 m\"], courses = 5, openings = [{{ {opening} }}] }}"
+        ))
+    };
+    let rows = wall("left = \"0 m\", width = \"1 m\", height = \"0.5 m\"");
+    assert!(rows.contains("2.5") && rows.contains("0.4 m or 0.6"), "{rows}");
+    let beyond = wall("left = \"1.5 m\", width = \"1 m\", height = \"0.4 m\"");
+    assert!(beyond.contains("reaches beyond the wall"), "{beyond}");
+    let vault = made(
+        "vault = { from = [\"0 m\", \"0 m\", \"0 m\"], to = [\"0 m\", \"1 m\", \"1 m\"], radius = \"2 m\", thickness = \"0.2 m\", half_angle = \"60 deg\", voussoirs = 5 }",
+    );
+    assert!(vault.contains("is not level"), "{vault}");
 }

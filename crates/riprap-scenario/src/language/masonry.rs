@@ -1,0 +1,105 @@
+//! Masonry in space: walls with openings, and vaults.
+
+use riprap_keys::{Keys, Words};
+use serde::Deserialize;
+
+use super::blocks::MAX_BLOCKS;
+use super::points::Point3;
+use crate::quantity::{HalfAngle, NotNegativeLength, PositiveLength, Quantity};
+
+/// A wall of bricks along x, with its thickness along y; `rotate` turns it.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Masonry {
+    /// Lowest corner of the wall [x, y, z], m. Default the origin.
+    pub corner: Option<Point3>,
+    /// Length of the wall, m. The bricks at its ends are cut to it.
+    pub length: Quantity<PositiveLength>,
+    /// Length, thickness and height of a brick along x, y, z, m.
+    pub brick: [Quantity<PositiveLength>; 3],
+    /// Number of rows, at least 1.
+    #[key(min = 1, max = MAX_BLOCKS)]
+    pub courses: u64,
+    /// Number of bricks through the wall.
+    #[key(default = 1, min = 1, max = 100)]
+    pub leaves: Option<u64>,
+    /// How the rows stand on each other.
+    #[key(default)]
+    pub bond: Option<MasonryBond>,
+    /// Doors and windows.
+    #[serde(default)]
+    pub openings: Vec<WallOpening>,
+}
+
+/// How rows of a wall in space stand on each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
+pub enum MasonryBond {
+    #[default]
+    /// Every second row is shifted by half a brick.
+    Running,
+    /// Bricks stand exactly on each other.
+    Stack,
+    /// Rows of stretchers, whose leaves nothing joins, and rows of headers, which reach through the wall, take turns.
+    English,
+}
+
+/// A door or a window.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct WallOpening {
+    /// Distance of its left side from the corner of the wall, m.
+    pub left: Quantity<NotNegativeLength>,
+    /// Height of its sill above the foot of the wall, m: whole rows. Default 0 m, a door.
+    pub sill: Option<Quantity<NotNegativeLength>>,
+    /// Width, m.
+    pub width: Quantity<PositiveLength>,
+    /// Height, m: whole rows.
+    pub height: Quantity<PositiveLength>,
+    /// The beam above it, in the group `NAME_lintels` of a wall NAME. Default none.
+    pub lintel: Option<Lintel>,
+}
+
+/// A beam over an opening, as thick as the wall.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Lintel {
+    /// Height, m: whole rows.
+    pub height: Quantity<PositiveLength>,
+    /// Length of its support on either side, m.
+    pub bearing: Quantity<PositiveLength>,
+}
+
+/// A barrel vault, or an arch that is as long as one stone: stones around a level line.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Vault {
+    /// One end of the axis [x, y, z], m.
+    pub from: Point3,
+    /// Other end of the axis, m.
+    pub to: Point3,
+    /// Radius of the middle of the ring, m.
+    pub radius: Quantity<PositiveLength>,
+    /// Thickness of the ring, m; less than twice the radius.
+    pub thickness: Quantity<PositiveLength>,
+    /// Angle from the crown to a springing: 90 deg is a half circle.
+    pub half_angle: Quantity<HalfAngle>,
+    /// Number of stones around, at least 1.
+    #[key(min = 1, max = 100_000)]
+    pub voussoirs: u32,
+    /// Number of stones along the axis.
+    #[key(default = 1, min = 1, max = 100_000)]
+    pub rings: Option<u32>,
+    /// How the rows along the axis lie beside each other.
+    #[key(default)]
+    pub bond: Option<VaultBond>,
+}
+
+/// How rows of a vault lie beside each other.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Words)]
+pub enum VaultBond {
+    #[default]
+    /// As rings that nothing joins.
+    Rings,
+    /// Every second row is shifted by half a stone.
+    Running,
+}

@@ -1,0 +1,256 @@
+//! Walls with openings, and vaults.
+
+use riprap_geom::shapes::{Arch, arch};
+use riprap_geom::{Vec2, Vec3};
+
+use super::global;
+use super::mesh::Made;
+use crate::model::builder::Builder;
+use crate::scenario::language::{self, Block, MasonryBond, Vault, VaultBond, WallOpening, span_of};
+use crate::scenario::read::with_unit;
+use crate::scenario::{Quantity, Span};
+use crate::spatial::setup::{Shape, Solid};
+
+/// A height is whole rows if it is so to this share of a row.
+const WHOLE: f64 = 1e-6;
+/// Bricks are not cut shorter than this share; their neighbours are longer instead.
+const SHORTEST: f64 = 0.3;
+
+/// Most stones of one table.
+const MOST: f64 = 1e6;
+
+/// What interrupts the rows of a wall: an opening or a lintel.
+struct Gap {
+    /// Rows, the first and the one behind the last.
+    rows: [u64; 2],
+    /// From where to where along the wall, m.
+    along: [f64; 2],
+}
+
+/// Pieces of a row between its ends and what interrupts it: `first` is the length of the first brick, `brick` that of the others, m.
+fn pieces(length: f64, first: f64, brick: f64, mut gaps: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    gaps.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    gaps.push([length, length]);
+    let least = SHORTEST * brick;
+    let (mut all, mut from) = (Vec::new(), 0.0);
+    for [gap, behind] in gaps {
+        let mut start = from;
+        // The last joint that may still come before the gap.
+        let most = ((length - first) / brick).ceil().max(0.0) as u64;
+        for k in 0..=most {
+            let joint = first + k as f64 * brick;
+            if joint > start + least && joint < gap - least {
+                all.push([start, joint]);
+                start = joint;
+            }
+        }
+        if gap - start > WHOLE * brick {
+            all.push([start, gap]);
+        }
+        from = behind;
+    }
+    all
+}
+
+impl Builder<'_> {
+    /// Bricks and lintels of a wall, in local coordinates; `None` after an error.
+    pub(super) fn masonry(
+        &mut self,
+        block: &Block,
+        said: &language::Masonry,
+        shift: Vec3,
+    ) -> Option<Made> {
+        let corner = said.corner.as_ref().map_or(Vec3::ZERO, global) + shift;
+        let [long, thick, high] = said.brick.each_ref().map(Quantity::si);
+        let length = said.length.si();
+        let mut read = self.reading(format!("blocks.{}.masonry", block.name), said);
+        let (leaves, bond) = (read.leaves(), read.bond());
+        let count = (length / long + 1.0) * said.courses as f64 * leaves as f64;
+        if count > MOST {
+            let message = format!("the wall `{}` would have about {count:.0} bricks", block.name);
+            let help = "use larger bricks, or a smaller wall";
+            self.error_at("geometry.count", &block.name, message, help);
+            return None;
+        }
+        if !self.has_memory(block, count, &said.length.span) {
+            return None;
+        }
+        let depth = thick * leaves as f64;
+        let brick = |[x0, x1]: [f64; 2], [y0, y1]: [f64; 2], [r0, r1]: [u64; 2]| {
+            let low = corner + Vec3::new(x0, y0, r0 as f64 * high);
+            let top = corner + Vec3::new(x1, y1, r1 as f64 * high);
+            Shape::Brick { centre: 0.5 * (low + top), half: 0.5 * (top - low) }
+        };
+        let mut gaps = Vec::new();
+        let mut lintels = Vec::new();
+        for opening in &said.openings {
+            let of = self.opening_of_wall(said, opening, [length, high])?;
+            if let Some(lintel) = of.get(1) {
+                lintels.push(brick(lintel.along, [0.0, depth], lintel.rows));
+            }
+            gaps.extend(of);
+        }
+        let mut shapes = Vec::new();
+        for row in 0..said.courses {
+            let odd = row % 2 == 1;
+            let here = gaps.iter().filter(|gap| (gap.rows[0]..gap.rows[1]).contains(&row));
+            let here: Vec<[f64; 2]> = here.map(|gap| gap.along).collect();
+            let headers = odd && bond == MasonryBond::English;
+            let (first, step) = match bond {
+                // Joints over the middle of stretchers and headers: a closer at the ends.
+                _ if headers => (0.5 * thick, thick),
+                MasonryBond::Running if odd => (0.5 * long, long),
+                MasonryBond::Running | MasonryBond::Stack | MasonryBond::English => (long, long),
+            };
+            for piece in pieces(length, first, step, here) {
+                if headers {
+                    shapes.push(brick(piece, [0.0, depth], [row, row + 1]));
+                    continue;
+                }
+                for leaf in 0..leaves {
+                    let across = [leaf as f64 * thick, (leaf + 1) as f64 * thick];
+                    shapes.push(brick(piece, across, [row, row + 1]));
+                }
+            }
+        }
+        let bricks = shapes.len() as u32;
+        let beams = (bricks..bricks + lintels.len() as u32).collect();
+        shapes.extend(lintels);
+        let mut made = Made::of(shapes);
+        if !said.openings.is_empty() {
+            made.groups.push((format!("{}_lintels", block.name), beams));
+        }
+        Some(made)
+    }
+
+    /// An opening, and the lintel over it; `None` after an error.
+    fn opening_of_wall(
+        &mut self,
+        wall: &language::Masonry,
+        said: &WallOpening,
+        [length, high]: [f64; 2],
+    ) -> Option<Vec<Gap>> {
+        let mut rows = |height: f64, span: &Span| {
+            let count = height / high;
+            let whole = count.round();
+            if (count - whole).abs() <= WHOLE {
+                return Some(whole as u64);
+            }
+            let message = format!("{} are {count:.6} rows", with_unit(height, "m"));
+            let fits = [count.floor(), count.floor() + 1.0].map(|n| with_unit(n * high, "m"));
+            let help = format!("give a height of whole rows: {} or {}", fits[0], fits[1]);
+            self.error_at("wall.rows", span.clone(), message, help);
+            None
+        };
+        let sill = match &said.sill {
+            Some(sill) => rows(sill.si(), &sill.span)?,
+            None => 0,
+        };
+        let top = sill + rows(said.height.si(), &said.height.span)?;
+        let (left, right) = (said.left.si(), said.left.si() + said.width.si());
+        let mut all = vec![Gap { rows: [sill, top], along: [left, right] }];
+        if let Some(lintel) = &said.lintel {
+            let over = top + rows(lintel.height.si(), &lintel.height.span)?;
+            let bearing = lintel.bearing.si();
+            all.push(Gap { rows: [top, over], along: [left - bearing, right + bearing] });
+        }
+        let slack = WHOLE * length;
+        let inside = |gap: &Gap| {
+            gap.along[0] >= -slack && gap.along[1] <= length + slack && gap.rows[1] <= wall.courses
+        };
+        if !all.iter().all(inside) {
+            let message = "an opening, or its lintel, reaches beyond the wall".to_owned();
+            let size = with_unit(wall.courses as f64 * high, "m");
+            let help = format!("the wall is {} long and {size} high", with_unit(length, "m"));
+            self.error_at("wall.opening", said.left.span.clone(), message, help);
+            return None;
+        }
+        Some(all)
+    }
+
+    /// The stones of a vault, in local coordinates; `None` after an error.
+    pub(super) fn vault(&mut self, block: &Block, said: &Vault, shift: Vec3) -> Option<Vec<Shape>> {
+        let (from, to) = (global(&said.from) + shift, global(&said.to) + shift);
+        let along = to - from;
+        let across = along.cross(Vec3::Z);
+        let length = along.length();
+        // Also false where the ends are one point.
+        let level = across.length() > 0.0 && along.z.abs() <= WHOLE * length;
+        if !level {
+            let message = format!("the axis of the vault `{}` is not level", block.name);
+            let help =
+                "give `from` and `to` the same z, and different places; `rotate` turns a vault";
+            self.error_at("geometry.vault", span_of(&said.to), message, help);
+            return None;
+        }
+        let mut read = self.reading(format!("blocks.{}.vault", block.name), said);
+        let (rings, bond) = (read.rings(), read.bond());
+        let count = f64::from(said.voussoirs) * f64::from(rings);
+        if count > MOST {
+            let message = format!("the vault `{}` would have {count:.0} stones", block.name);
+            self.error_at("geometry.count", &block.name, message, "use fewer stones");
+            return None;
+        }
+        if !self.has_memory(block, count, &block.name.span) {
+            return None;
+        }
+        let outlines = arch(&Arch {
+            centre: Vec2::ZERO,
+            radius: said.radius.si(),
+            thickness: said.thickness.si(),
+            half_angle: said.half_angle.si(),
+            voussoirs: said.voussoirs as usize,
+        });
+        let outlines = match outlines {
+            Ok(outlines) => outlines,
+            Err(error) => {
+                let message = format!("block `{}`: {error}", block.name);
+                let help = "check radius, thickness and their units";
+                self.error_at("value.range", &block.name, message, help);
+                return None;
+            }
+        };
+        let [across, along] = [across.normalize(), along / length];
+        let place = |p: Vec2, distance: f64| from + p.x * across + p.y * Vec3::Z + distance * along;
+        let stone = length / f64::from(rings);
+        let mut shapes = Vec::new();
+        for (row, outline) in outlines.iter().enumerate() {
+            let half = row % 2 == 1 && bond == VaultBond::Running;
+            let first = if half { 0.5 * stone } else { stone };
+            for [start, end] in pieces(length, first, stone, Vec::new()) {
+                shapes.push(prism(outline, |p| [place(p, start), place(p, end)]));
+            }
+        }
+        Some(shapes)
+    }
+}
+
+/// A prism over an outline that is anticlockwise as seen along it; `ends` are the places of a corner at its two ends, m.
+fn prism(outline: &[Vec2], ends: impl Fn(Vec2) -> [Vec3; 2]) -> Shape {
+    let n = outline.len() as u32;
+    let corners: Vec<[Vec3; 2]> = outline.iter().map(|p| ends(*p)).collect();
+    let vertices = corners.iter().map(|c| c[0]).chain(corners.iter().map(|c| c[1])).collect();
+    let mut faces = vec![(0..n).collect(), (n..2 * n).rev().collect()];
+    for k in 0..n {
+        let next = (k + 1) % n;
+        faces.push(vec![k, k + n, next + n, next]);
+    }
+    Shape::Polyhedron(Box::new(Solid { vertices, faces }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_cut_to_their_ends_and_openings() {
+        let plain = pieces(1.0, 0.4, 0.4, Vec::new());
+        // The rest of 0.2 is half a brick.
+        assert_eq!(plain, [[0.0, 0.4], [0.4, 0.8], [0.8, 1.0]]);
+        // A rest of a quarter goes to its neighbour.
+        assert_eq!(pieces(0.9, 0.4, 0.4, Vec::new()), [[0.0, 0.4], [0.4, 0.9]]);
+        let shifted = pieces(1.2, 0.2, 0.4, vec![[0.5, 0.9]]);
+        assert_eq!(shifted, [[0.0, 0.2], [0.2, 0.5], [0.9, 1.2]]);
+        assert_eq!(pieces(1.0, 0.4, 0.4, vec![[0.0, 1.0]]), Vec::<[f64; 2]>::new());
+    }
+}
