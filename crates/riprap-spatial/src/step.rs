@@ -5,6 +5,7 @@
 //! make, [`advance`] applies them and moves the blocks.
 
 mod condition_work;
+mod halving;
 
 use crate::joint::patch;
 use crate::setup::rotation::rotation;
@@ -32,6 +33,7 @@ use crate::state::scratch::Lost;
 pub use crate::state::scratch::{NonFinite, Scratch};
 use crate::state::sums;
 use crate::state::world::World;
+pub use halving::error;
 
 /// Damping of a phase besides that of the contacts.
 pub use crate::dynamics::damping::Damping;

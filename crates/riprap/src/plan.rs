@@ -100,6 +100,8 @@ pub struct Phase {
     pub integration: Integration,
     /// Time step rule.
     pub time_step: TimeStep,
+    /// Largest difference of an implicit step from two of half its length, m.
+    pub step_error: Option<f64>,
     /// Damping besides that of the contacts.
     pub damping: Damping,
     /// Blocks taken out at the start of the phase.
@@ -191,6 +193,7 @@ impl Phase {
             until: Until { time: Some(time), ..Until::default() },
             integration: Integration::Explicit,
             time_step: TimeStep::Auto { safety: SAFETY },
+            step_error: None,
             damping: Damping::default(),
             remove: Vec::new(),
             removal_ramp: None,

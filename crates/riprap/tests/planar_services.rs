@@ -24,6 +24,7 @@ fn plan(time_step: TimeStep) -> Plan {
             release: vec![],
             install: vec![],
             gravity: None,
+            step_error: None,
             gravity_ramp: None,
             removal_ramp: None,
             leavers: None,

@@ -33,6 +33,11 @@ pub struct Phase {
     pub integration: Option<Integration>,
     /// Time step, s. Default automatic: `safety` times the stable one; 1 ms in an implicit phase, less where blocks approach each other fast.
     pub time_step: Option<Quantity<TimeStep>>,
+    /// Largest error of an implicit step, m: steps are halved until each block lies within it of where two steps of half the length bring it, its turn counted at its
+    /// farthest corner. Default none: steps are as long as `time_step`.
+    #[key(space = "spatial")]
+    #[key(only_with("integration = implicit & !kind = static"))]
+    pub step_error: Option<Quantity<PositiveLength>>,
     /// Share of the stable time step that is used. Contacts that are found in space have a share of their own, which
     /// goes down with this one below 0.5 and does not grow above.
     #[key(planar = "0.2", spatial = "0.5")]

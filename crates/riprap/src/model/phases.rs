@@ -94,6 +94,7 @@ impl Builder<'_> {
             },
             integration,
             time_step,
+            step_error: said.step_error.as_ref().map(Quantity::si),
             damping,
             remove,
             removal_ramp: self.removal_ramp(said),

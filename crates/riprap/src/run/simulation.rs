@@ -16,6 +16,7 @@ mod leavers;
 mod noted;
 mod shorter;
 mod steer;
+mod step_error;
 mod stop;
 #[cfg(all(test, feature = "scenario"))]
 mod tests;
@@ -339,6 +340,7 @@ impl Simulation {
 
     /// Finds the forces for the coming step, which is halved where an implicit one does not converge.
     fn evaluate_step(&mut self, phase: &Rules) -> Result<(), RunError> {
+        self.keep_within_error(phase);
         for _ in 0..HALVINGS {
             match self.engine.evaluate(&self.damping(phase), self.dt) {
                 Ok(()) => return Ok(()),
@@ -535,6 +537,7 @@ impl Simulation {
             let why = self.engine.limited_by(phase.time_step);
             self.note_shorter(phase.time_step, limit, why);
         }
+        dt = self.after_short_steps(phase, dt);
         if let Some(span) = phase.until.time {
             let left = self.cursor.start_time + span - self.time();
             // A little longer rather than a tiny last step.
@@ -565,6 +568,8 @@ struct Rules {
     relax: Option<Relaxing>,
     /// Whether implicit steps seek an equilibrium.
     settles: bool,
+    /// Largest error of an implicit step, m.
+    step_error: Option<f64>,
 }
 
 /// The longer of two times that may be given.
@@ -582,6 +587,7 @@ impl Rules {
             ramp: longest(phase.gravity_ramp, phase.removal_ramp),
             relax: phase.deform.and_then(|d| d.relax),
             settles: implicit && phase.kind == PhaseKind::Static,
+            step_error: phase.step_error.filter(|_| implicit && phase.kind != PhaseKind::Static),
         }
     }
 }

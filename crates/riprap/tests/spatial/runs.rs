@@ -51,6 +51,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         release: Vec::new(),
         install: Vec::new(),
         gravity: None,
+        step_error: None,
         gravity_ramp: None,
         removal_ramp: None,
         leavers: None,

@@ -50,6 +50,7 @@ fn falling() -> Job {
         until: Until { time: Some(0.2), ..Until::default() },
         integration: Integration::Explicit,
         time_step: TimeStep::Given { dt: 1e-4 },
+        step_error: None,
         damping: Damping::default(),
         remove: Vec::new(),
         fix: Vec::new(),
