@@ -3,6 +3,7 @@
 //! Doc comments here are the `--help` texts. They are read aloud before they are committed.
 
 mod blocks;
+mod muckpile;
 mod plot;
 mod runout;
 mod shell;
@@ -10,6 +11,7 @@ mod strength;
 mod view;
 
 pub use blocks::{ProbeContact, Removable};
+pub use muckpile::Muckpile;
 pub use plot::Plot;
 pub use runout::Runout;
 pub use shell::{Completions, Man};
@@ -83,6 +85,7 @@ pub enum Verb {
     Trust(Trust),
     Removable(Removable),
     Runout(Runout),
+    Muckpile(Muckpile),
     Strength(Strength),
     Compare(Compare),
     ProbeContact(ProbeContact),

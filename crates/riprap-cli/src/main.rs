@@ -49,6 +49,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::Trust(args) => commands::trust::run(&args, style),
         Verb::Removable(args) => commands::removable::run(&args, style),
         Verb::Runout(args) => commands::runout::run(&args),
+        Verb::Muckpile(args) => commands::muckpile::run(&args),
         Verb::Strength(args) => commands::strength::run(&args),
         Verb::Compare(args) => commands::trials::compare(&args),
         Verb::ProbeContact(args) => commands::probe::run(&args, style),

@@ -4,11 +4,13 @@
 //! the samples, so that a fit is the same on every machine.
 
 mod exponentials;
+mod passing;
 mod power;
 mod sieve;
 mod spectrum;
 
 pub use exponentials::{TwoExponential, two_exponential};
+pub use passing::Passing;
 pub use power::{PowerLaw, power_law};
 pub use sieve::{RosinRammler, Swebrec, rosin_rammler_fit, swebrec_fit};
 pub use spectrum::{Spectrum, amplitude_spectrum};

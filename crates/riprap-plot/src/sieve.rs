@@ -2,7 +2,7 @@
 
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::{PlotError, column, digits, suffix, table_csv, write};
-use crate::fits::{RosinRammler, Swebrec, rosin_rammler_fit, swebrec_fit};
+use crate::fits::{Passing, RosinRammler, Swebrec, rosin_rammler_fit, swebrec_fit};
 use riprap_record::manifest::Manifest;
 use riprap_record::names::Names;
 use riprap_record::table::{Series, Table};
@@ -15,74 +15,6 @@ const PICTURE: &str = "fragment sizes";
 const SIEVES: usize = 30;
 /// Points of a drawn fit.
 const POINTS: usize = 200;
-
-/// Fragments by size.
-struct Sizes {
-    /// Ascending, m.
-    size: Vec<f64>,
-    /// Share of the volume in fragments up to that size.
-    passing: Vec<f64>,
-}
-
-impl Sizes {
-    /// From volumes (areas in the plane): the size is the edge of the cube (square) of the same volume (area).
-    fn of(amounts: &[f64], flat: bool) -> Self {
-        let mut amounts: Vec<f64> = amounts.iter().copied().filter(|v| *v > 0.0).collect();
-        amounts.sort_by(f64::total_cmp);
-        let all: f64 = amounts.iter().sum();
-        let mut sum = 0.0;
-        let (mut size, mut passing): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
-        for v in amounts {
-            sum += v;
-            let x = if flat { v.sqrt() } else { libm::cbrt(v) };
-            // Fragments of one size pass together.
-            if size.last().is_some_and(|s| x <= s * (1.0 + 1e-9)) {
-                if let Some(last) = passing.last_mut() {
-                    *last = sum / all;
-                }
-            } else {
-                size.push(x);
-                passing.push(sum / all);
-            }
-        }
-        Sizes { size, passing }
-    }
-
-    /// Share of the volume in fragments up to a size.
-    fn at(&self, x: f64) -> f64 {
-        let k = self.size.partition_point(|s| *s <= x);
-        k.checked_sub(1).map_or(0.0, |k| self.passing[k])
-    }
-
-    /// The size that a share passes: linear in the logarithm of the size between fragments. A share below that of the
-    /// smallest fragments is their size.
-    fn quantile(&self, share: f64) -> f64 {
-        let k = self.passing.partition_point(|p| *p < share);
-        let Some(k) = (k < self.size.len()).then_some(k) else {
-            return self.size.last().copied().unwrap_or(f64::NAN);
-        };
-        let Some(below) = k.checked_sub(1) else {
-            return self.size[0];
-        };
-        let (p0, p1) = (self.passing[below], self.passing[k]);
-        let part = (share - p0) / (p1 - p0);
-        self.size[below] * libm::pow(self.size[k] / self.size[below], part)
-    }
-
-    /// Sieves from the smallest to the largest size.
-    fn sieves(&self, count: usize) -> Vec<f64> {
-        let (Some(&low), Some(&high)) = (self.size.first(), self.size.last()) else {
-            return Vec::new();
-        };
-        let step = libm::log(high / low) / (count - 1) as f64;
-        let mut all: Vec<f64> = (0..count).map(|k| low * libm::exp(step * k as f64)).collect();
-        // Not a hair below the largest.
-        if let Some(last) = all.last_mut() {
-            *last = high;
-        }
-        all
-    }
-}
 
 /// Draws the fragment-size curve of `fragments.csv`, with x50 and x80 and fitted Rosin-Rammler and Swebrec curves.
 ///
@@ -118,7 +50,9 @@ pub fn fragments(
     };
     let all = amounts.iter().enumerate();
     let amounts: Vec<f64> = all.filter(|(k, _)| counts(*k)).map(|(_, v)| *v).collect();
-    let sizes = Sizes::of(&amounts, flat);
+    // The edge of the cube of the same volume, the side of the square of the same area.
+    let edge = |v: f64| if flat { v.sqrt() } else { libm::cbrt(v) };
+    let sizes = Passing::of(amounts.iter().map(|v| (edge(*v), *v)));
     if sizes.size.is_empty() {
         let of = group.map_or_else(String::new, |group| format!(" with a block of {group:?}"));
         let what = format!("{} lists no free fragments{of}", path.display());
@@ -178,7 +112,7 @@ fn with_blocks_of(folder: &Path, group: &str) -> Result<BTreeSet<u32>, PlotError
 }
 
 /// One row: sizes as counted, and the fits where there are any.
-fn numbers(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Vec<Series> {
+fn numbers(sizes: &Passing, fits: Option<&(RosinRammler, Swebrec)>) -> Vec<Series> {
     let one = |name: &str, unit: &str, v: f64| column(name, unit, vec![v]);
     let mut out = vec![
         one("x20", "m", sizes.quantile(0.2)),
@@ -202,9 +136,9 @@ fn numbers(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Vec<Series>
     out
 }
 
-fn panel(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
+fn panel(sizes: &Passing, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
     let percent = |p: &f64| 100.0 * p;
-    // From size to size as [`Sizes::quantile`] goes: x50 and x80 lie on the curve. The smallest pass all at once.
+    // From size to size as [`Passing::quantile`] goes: x50 and x80 lie on the curve. The smallest pass all at once.
     let (mut x, mut y) = (vec![sizes.size[0]], vec![0.0]);
     x.extend(&sizes.size);
     y.extend(sizes.passing.iter().map(percent));
@@ -253,23 +187,5 @@ fn panel(sizes: &Sizes, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
         x: Some(Abscissa { name: "fragment size".to_owned(), unit: "m".to_owned(), log: true }),
         notes,
         ..Panel::default()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn cumulative_shares() {
-        let s = Sizes::of(&[8.0, 1.0, 1.0, 0.0, f64::NAN], false);
-        assert_eq!(s.size, [1.0, 2.0]);
-        assert_eq!(s.passing, [0.2, 1.0]);
-        assert_eq!((s.at(0.9), s.at(1.5), s.at(2.0)), (0.0, 0.2, 1.0));
-        assert_eq!(s.quantile(0.1), 1.0);
-        // Three eighths of the way from 0.2 to 1.
-        assert!((s.quantile(0.5) - 2f64.powf(0.375)).abs() < 1e-12);
-        assert_eq!(s.quantile(1.0), 2.0);
-        assert_eq!(Sizes::of(&[4.0], true).size, [2.0]);
     }
 }

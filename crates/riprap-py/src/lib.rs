@@ -33,7 +33,7 @@ mod _riprap {
     #[pymodule_export]
     use crate::plots::plot;
     #[pymodule_export]
-    use crate::results::{removable, runout, strength};
+    use crate::results::{muckpile, removable, runout, strength};
     #[pymodule_export]
     use crate::runs::{resume, run};
     #[pymodule_export]

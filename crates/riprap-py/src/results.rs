@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use riprap::exec::Exec;
+use riprap::run::muckpile::{Rules as Blast, muckpile as pile_of};
 use riprap::run::removable::{RemovableError, Rules, removable as blocks_of};
 use riprap::run::runout::{Line, Rules as Asked, runout as way_of};
 use riprap::run::strength::{Confining, Rules as Tests, Test, strength as strength_of};
@@ -45,6 +46,37 @@ pub fn runout(
     let lines: Result<Vec<Line>, String> = lines.iter().map(|line| Line::read(line)).collect();
     let rules = Asked { of, lines: lines.map_err(PyValueError::new_err)? };
     let found = py.detach(|| way_of(&folders, &rules));
+    let answer = found.map_err(|wrong| PyValueError::new_err(wrong.to_string()))?;
+    Ok((json(&answer)?, answer.words()))
+}
+
+/// How a blast is read; names as in `riprap.muckpile`.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Reading {
+    moved: Option<String>,
+    along: Option<String>,
+    cell: Option<String>,
+    rock_factor: Option<f64>,
+    powder_factor: Option<String>,
+    charge: Option<String>,
+    strength: f64,
+    uniformity: Option<f64>,
+}
+
+/// What the blast of a run has made, as JSON, and in words.
+#[pyfunction]
+pub fn muckpile(py: Python<'_>, folder: PathBuf, reading: Reading) -> PyResult<(String, String)> {
+    let rules = Blast::read(
+        [reading.moved.as_deref(), reading.cell.as_deref()],
+        reading.along.as_deref(),
+        reading.rock_factor,
+        [reading.powder_factor.as_deref(), reading.charge.as_deref()],
+        reading.strength,
+        reading.uniformity,
+    );
+    let rules = rules.map_err(PyValueError::new_err)?;
+    let found = py.detach(|| pile_of(&folder, &rules));
     let answer = found.map_err(|wrong| PyValueError::new_err(wrong.to_string()))?;
     Ok((json(&answer)?, answer.words()))
 }

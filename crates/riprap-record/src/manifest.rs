@@ -191,6 +191,29 @@ impl Source {
     }
 }
 
+/// Where the gas of charges is that may enter cracks, and its energy.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Gas {
+    /// Mass of the charges that have gone off, kg.
+    pub mass: f64,
+    /// The part of it in cracks, kg.
+    pub in_cracks: f64,
+    /// The part of it that has left into the air, kg.
+    pub vented: f64,
+    /// Energy released, J.
+    pub released: f64,
+    /// Energy that the gas still has, J.
+    pub internal: f64,
+    /// Work on the rock, J.
+    pub work: f64,
+    /// The part of it by the sides of cracks, J.
+    pub work_in_cracks: f64,
+    /// Lost by friction of the flow and by its integration, J.
+    pub friction: f64,
+    /// Taken along by vented gas, given to the air and to stemming, J.
+    pub carried_off: f64,
+}
+
 /// Contents of `manifest.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -248,6 +271,8 @@ pub struct Manifest {
     pub sources: Vec<Source>,
     /// Work of boundaries, supports and loads since the start.
     pub works: Vec<Work>,
+    /// The gas that may enter cracks; `None` where there is none.
+    pub gas: Option<Gas>,
     /// Acceleration of gravity, m/s²: a picture stands on its feet by it. Zero in folders of earlier versions.
     pub gravity: [f64; 3],
     /// Names of the materials, in the order of the numbers that frames carry.
@@ -286,6 +311,7 @@ impl Default for Manifest {
             fields: Vec::new(),
             sources: Vec::new(),
             works: Vec::new(),
+            gas: None,
             gravity: [0.0; 3],
             materials: Vec::new(),
             preview: false,

@@ -3,6 +3,7 @@
 pub mod check;
 pub mod doctor;
 pub mod language;
+pub mod muckpile;
 pub mod new;
 pub mod paraview;
 pub mod plot;

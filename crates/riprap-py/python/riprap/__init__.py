@@ -18,7 +18,7 @@ from ._folder import RunFolder
 from ._monte_carlo import MonteCarlo, monte_carlo
 from ._plot import Picture, plot
 from ._riprap import Progress, explain, si, version
-from ._results import Removable, RemovableBlock, Runout, Strength, removable, runout, strength
+from ._results import Muckpile, Removable, RemovableBlock, Runout, Strength, muckpile, removable, runout, strength
 from ._run import resume, run
 from ._safety import Safety, safety
 from ._scenario import Report, Scenario
@@ -49,6 +49,7 @@ __all__ = [
     "Found",
     "Frame",
     "MonteCarlo",
+    "Muckpile",
     "OutputError",
     "Picture",
     "PlotError",
@@ -77,6 +78,7 @@ __all__ = [
     "fields",
     "find",
     "monte_carlo",
+    "muckpile",
     "plot",
     "removable",
     "resume",

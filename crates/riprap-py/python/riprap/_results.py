@@ -151,6 +151,69 @@ def runout(
 
 
 @dataclass(frozen=True)
+class Muckpile:
+    """What a blast has made, SI. A part that the run does not have is ``None``."""
+
+    time: float
+    """Time of the last frame."""
+    throw: dict[str, Any] | None
+    """blocks, volume, mass, shift, along, half and most (way of half and nine tenths of the volume), farthest, largest_far, moving, left."""
+    pile: dict[str, Any] | None
+    """area, volume, swell, height, profile (at, surface, highest, ground, width)."""
+    crater: dict[str, float] | None
+    """radius, depth, area, volume."""
+    behind: dict[str, float] | None
+    """back_break, loose, damaged: distances behind the last row."""
+    fragments: dict[str, Any] | None
+    """count, x50, x80, n, largest, curve."""
+    kuz_ram: dict[str, float] | None
+    """x50, x80 and what they are of."""
+    gas: dict[str, float] | None
+    """Mass and energy of gas that may enter cracks."""
+    energy: dict[str, Any] | None
+    """put_in, and the parts ``from`` and ``to`` with name, energy, share, depends_on."""
+    words: str
+
+
+def muckpile(
+    run: "RunFolder | str | PathLike[str]",
+    *,
+    moved: str | None = None,
+    along: "tuple[float, float] | None" = None,
+    cell: str | None = None,
+    rock_factor: float | None = None,
+    powder_factor: str | None = None,
+    charge: str | None = None,
+    strength: float = 100.0,
+    uniformity: float | None = None,
+) -> Muckpile:
+    """Gives what the blast of a run in space has made: pile, throw, fragments, crater, gas, energy.
+
+    Args:
+        run: a run folder.
+        moved: way from which on a block counts as thrown; by default half the edge of the cube of its volume.
+        along: direction of the throw in the plan; by default the mean one.
+        cell: cell of the grid over the plan.
+        rock_factor: A of Kuz-Ram, whose curve is wanted then.
+        powder_factor: for Kuz-Ram, ``"0.5 kg/m3"``; by default that of the run.
+        charge: of a hole, for Kuz-Ram, ``"40 kg"``; by default the mean one of the run.
+        strength: by weight relative to ANFO, %.
+        uniformity: n of Kuz-Ram.
+
+    Raises:
+        ValueError: a folder without a run, a run in the plane, a number that cannot be.
+    """
+    (folder,) = _folders((run,))
+    given = {"moved": moved, "cell": cell, "rock_factor": rock_factor, "powder_factor": powder_factor}
+    given |= {"charge": charge, "strength": strength, "uniformity": uniformity}
+    given["along"] = None if along is None else f"{along[0]!r},{along[1]!r}"
+    told, words = _riprap.muckpile(folder, given)
+    answer = json.loads(told)
+    del answer["run"]
+    return Muckpile(words=words, **answer)
+
+
+@dataclass(frozen=True)
 class Strength:
     """Results of laboratory tests, SI; angles in deg."""
 

@@ -581,6 +581,7 @@ fn close(manifest: &mut Manifest, simulation: &Simulation, ending: &Ending) {
         }
     }
     manifest.works = view.works();
+    manifest.gas = view.gas();
     manifest.dt = view.last_dt();
     manifest.steps = view.step();
     manifest.time = view.time();

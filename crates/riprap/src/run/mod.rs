@@ -25,11 +25,12 @@ pub mod forecast;
 pub mod given_step;
 pub mod job;
 pub mod meeting;
+#[cfg(feature = "scenario")]
+pub mod muckpile;
 pub mod origin;
 mod overruled;
 pub mod probe;
 pub mod recorder;
-#[cfg(feature = "scenario")]
 pub mod removable;
 mod rough;
 #[cfg(feature = "scenario")]

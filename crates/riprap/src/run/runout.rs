@@ -9,11 +9,11 @@
 //!   from the first place to the last below the horizon (the energy line of Heim 1932).
 //! * Heights are of the centroid above the ground straight below it; energies are those of translation, with densities of the scene.
 
-mod ground;
+pub(in crate::run) mod ground;
 mod record;
 #[cfg(test)]
 mod tests;
-mod track;
+pub(in crate::run) mod track;
 
 use std::path::{Path, PathBuf};
 

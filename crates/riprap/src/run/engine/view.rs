@@ -11,7 +11,7 @@ use crate::record::frame::bars;
 use crate::record::frame::fragments::Fragments;
 use crate::record::frame::states;
 use crate::record::frame::{Content, Frame, Surfaces};
-use crate::record::manifest::{Source, Work};
+use crate::record::manifest::{Gas, Source, Work};
 use crate::record::names::Names;
 use crate::spatial::Deepest;
 use crate::{planar, spatial};
@@ -108,6 +108,25 @@ impl<'a> View<'a> {
             Self::Planar(v) => v.world.setup.blocks[block as usize].name.clone(),
             Self::Spatial(v) => v.name(block as usize),
         }
+    }
+
+    /// The gas of charges that may enter cracks; `None` without such gas.
+    #[must_use]
+    pub fn gas(&self) -> Option<Gas> {
+        let v = self.spatial()?;
+        let gas = v.world.gas.as_ref()?;
+        let books = v.gas_books();
+        Some(Gas {
+            mass: books.mass,
+            in_cracks: gas.in_cracks(),
+            vented: books.vented,
+            released: books.released,
+            internal: v.gas_internal(),
+            work: books.work,
+            work_in_cracks: books.in_cracks,
+            friction: books.friction + books.numerical,
+            carried_off: books.carried + books.air + books.stemming,
+        })
     }
 
     /// Boundaries, supports and loads with the work that they have done since the start.

@@ -7,7 +7,7 @@ const FILL: f64 = 2.0;
 
 /// Faces of what is held, with bins over the plan in which they are looked up.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Ground {
+pub(in crate::run) struct Ground {
     triangles: Vec<[Vec3; 3]>,
     low: [f64; 2],
     width: [f64; 2],
@@ -17,7 +17,7 @@ pub(super) struct Ground {
 
 impl Ground {
     /// Ground of these triangles; vertical ones carry nothing.
-    pub(super) fn new(triangles: Vec<[Vec3; 3]>) -> Self {
+    pub(in crate::run) fn new(triangles: Vec<[Vec3; 3]>) -> Self {
         let flat = |p: &Vec3| [p.x, p.y];
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for p in triangles.iter().flatten() {
@@ -54,7 +54,7 @@ impl Ground {
     }
 
     /// Height of a place above the highest ground straight below it, m; `None` where there is none.
-    pub(super) fn below(&self, at: Vec3) -> Option<f64> {
+    pub(in crate::run) fn below(&self, at: Vec3) -> Option<f64> {
         if self.bins.is_empty() {
             return None;
         }

@@ -47,7 +47,7 @@ pub(super) struct Run {
 }
 
 /// Run folders in a folder: itself, or those in it, in the order of their names.
-pub(super) fn runs_in(folder: &Path) -> Result<Vec<PathBuf>, RunoutError> {
+pub(in crate::run) fn runs_in(folder: &Path) -> Result<Vec<PathBuf>, RunoutError> {
     let is_run = |folder: &Path| folder.join("run.pvd").is_file();
     if is_run(folder) {
         return Ok(vec![folder.to_owned()]);
@@ -174,19 +174,19 @@ fn way(a: State, b: State, share: f64) -> (Vec3, Vec3) {
 }
 
 /// Numbers of the blocks of a frame.
-fn numbers(frame: &Frame) -> impl Iterator<Item = u32> + '_ {
+pub(in crate::run) fn numbers(frame: &Frame) -> impl Iterator<Item = u32> + '_ {
     let column = frame.column("block");
     (0..frame.blocks())
         .map(move |i| column.and_then(|c| c.data.get(i)).map_or(i as u32, |b| *b as u32))
 }
 
 /// Whether block `i` of a frame is held.
-fn held(frame: &Frame, i: usize) -> bool {
+pub(in crate::run) fn held(frame: &Frame, i: usize) -> bool {
     frame.column("held").and_then(|c| c.data.get(i)).is_some_and(|h| *h != 0.0)
 }
 
 /// Centroid (m) and volume (m³) of block `i` of a frame, in the plane with the height as z and an area.
-fn mass_centre(frame: &Frame, i: usize) -> (Vec3, f64) {
+pub(in crate::run) fn mass_centre(frame: &Frame, i: usize) -> (Vec3, f64) {
     let points = frame.outline(i);
     match &frame.solids {
         Some(solids) => {
@@ -279,7 +279,7 @@ fn ground(frame: &Frame) -> Vec<[Vec3; 3]> {
 }
 
 /// Densities of the materials of a run, by number; unknown where its scene cannot be read any more.
-fn densities(folder: &Path, manifest: &Manifest) -> Vec<Option<f64>> {
+pub(in crate::run) fn densities(folder: &Path, manifest: &Manifest) -> Vec<Option<f64>> {
     let scene = scenario::load(&folder.join("scenario.resolved.toml"), &[]).ok();
     let of = |name: &String| {
         scene.as_ref().and_then(|s| s.scenario.materials.get(name)).map(|m| m.density.si())
