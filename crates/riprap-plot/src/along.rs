@@ -4,7 +4,7 @@ use super::chart::{self, Curve, Mark, Panel};
 use super::drawing::{choose, middle, short};
 use super::frames::{Which, load_frame, moment};
 use super::solid::{self, Body};
-use super::{PlotError, column, suffix, table_csv, write};
+use super::{PlotError, Target, column, suffix, table_csv, write};
 use riprap_geom::Vec3;
 use riprap_record::frame::Frame;
 use riprap_record::manifest::Manifest;
@@ -37,12 +37,12 @@ struct Piece {
 /// # Errors
 /// Unknown fields (with the nearest name), frames that do not exist, places with too many or too few coordinates for the space of the
 /// run, a line without length or that meets no block, files that cannot be read or written.
-pub fn along(
+pub fn along<'t>(
     folder: &Path,
     frames: &[Which],
     field: &str,
     line: &Along,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let (mut curves, mut columns): (Vec<Curve>, Vec<Series>) = (Vec::new(), Vec::new());

@@ -33,8 +33,31 @@ pub(super) struct Words<'a> {
     pub(super) sources: Vec<[f64; 2]>,
 }
 
+/// What the colours cover: a range that was asked for, else that of the values or of their percentiles.
+fn colours(values: &[f64], options: BlockOptions) -> (ColourMap, Scale) {
+    if let Some([low, high]) = options.range {
+        let signed = low < 0.0 && high > 0.0;
+        let map = if signed { ColourMap::BlueRed } else { ColourMap::Light };
+        return (map, Scale { low, high, log: options.log });
+    }
+    match options.percentiles {
+        Some(shares) => suited(&within(values, shares), options.log),
+        None => suited(values, options.log),
+    }
+}
+
+/// The finite values between two percentiles, both included; all of them where none lies between.
+fn within(values: &[f64], shares: [f64; 2]) -> Vec<f64> {
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let last = sorted.len().saturating_sub(1);
+    let [from, to] = shares.map(|share| 0.01 * share * last as f64);
+    let (from, to) = (from.floor() as usize, to.ceil() as usize);
+    sorted.get(from..=to.min(last)).map_or_else(Vec::new, <[f64]>::to_vec)
+}
+
 /// Map and range that suit the values: signed ones symmetric about zero, amounts from zero if they come near it.
-fn colours(values: &[f64], log: bool) -> (ColourMap, Scale) {
+fn suited(values: &[f64], log: bool) -> (ColourMap, Scale) {
     if log {
         return (ColourMap::Light, Scale::log_covering(values.iter().copied()));
     }
@@ -151,11 +174,15 @@ pub(super) fn draw(
     };
     refuse(words, frames, options)?;
     let all: Vec<f64> = fields.iter().flat_map(|f| f.values.iter().copied()).collect();
-    let (map, scale) = colours(&all, options.log);
+    let (map, scale) = colours(&all, options);
     let Panels { window, columns, size: [w, h], step, head, right, height } =
         Panels::of(frames, options);
     let bar_height = height.max(140.0);
-    let note = notes(frames, options);
+    let mut note = notes(frames, options);
+    if let (None, Some(beyond)) = (words.kinds, beyond(&all, &scale, options)) {
+        let joint = if note.is_empty() { "" } else { "; " };
+        note = format!("{note}{joint}{beyond}");
+    }
     let foot = if note.is_empty() { 0.0 } else { 10.0 };
     let mut page = Page::new((right + 110.0).max(360.0), head + bar_height + 58.0 + foot);
     page.title([LEFT, 26.0], 10.0, words.title, words.suffix);
@@ -247,6 +274,19 @@ fn refuse(words: &Words, frames: &[Frame], options: BlockOptions) -> Result<(), 
         return Err(PlotError::Unsuitable { picture: "isolines", reason: reason.to_owned() });
     }
     Ok(())
+}
+
+/// What the colours leave out, where they do not cover all values.
+fn beyond(values: &[f64], scale: &Scale, options: BlockOptions) -> Option<String> {
+    options.range.map(|_| ()).or(options.percentiles.map(|_| ()))?;
+    let outside = values.iter().filter(|v| **v < scale.low || **v > scale.high).count();
+    let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let words = || {
+        let [low, high] = [low, high].map(|v| digits(v, 3));
+        format!("{outside} values beyond the colours: {low} to {high}")
+    };
+    (outside > 0).then(words)
 }
 
 /// What stands below the picture.
@@ -452,4 +492,26 @@ fn bar(
     let room = 2.0 * middle.min(page.height - middle) - 10.0;
     let text = fitted(&label(&field.name, &field.unit, scale), SIZE, room);
     page.upright([at[0] + BAR + widest + 28.0, at[1] + height / 2.0], SIZE, &text);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_cover_what_was_asked_for() {
+        let values: Vec<f64> = (0..=100).map(f64::from).chain([1e6, f64::NAN]).collect();
+        let with = |range, percentiles| {
+            let options = BlockOptions { range, percentiles, ..BlockOptions::default() };
+            let (map, scale) = colours(&values, options);
+            (map, [scale.low, scale.high], beyond(&values, &scale, options))
+        };
+        let (map, ends, note) = with(None, None);
+        assert!(map == ColourMap::Light && ends == [0.0, 1e6] && note.is_none());
+        let (_, ends, note) = with(None, Some([2.0, 98.0]));
+        assert_eq!(ends, [0.0, 99.0]);
+        assert_eq!(note.unwrap(), "2 values beyond the colours: 0 to 1.00e6");
+        let (map, ends, _) = with(Some([-5.0, 20.0]), None);
+        assert!(map == ColourMap::BlueRed && ends == [-5.0, 20.0]);
+    }
 }

@@ -90,7 +90,7 @@ mod tests {
         assert_eq!(note(&frames[1..]), None);
         let mut page = Page::new(100.0, 100.0);
         draw(&mut page, &frames[0], most(&frames), &|p| p);
-        let svg = page.svg();
+        let svg = page.svg(&crate::Look::default());
         assert!(svg.matches("<line").count() >= 4 && svg.contains("#d01c1c"));
     }
 }

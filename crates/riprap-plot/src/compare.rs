@@ -1,9 +1,9 @@
 //! Computed values over a reference.
 
 use super::chart::{self, Curve, Mark, Panel};
-use super::{PlotError, column, table_csv, write};
+use super::{PlotError, Target, column, table_csv, write};
 use riprap_record::table::Series;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A line for [`compare`].
 #[derive(Debug, Clone, PartialEq)]
@@ -60,11 +60,11 @@ pub struct Labels {
 /// assert_eq!(written.len(), 2);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn compare(
+pub fn compare<'t>(
     computed: &Line,
     reference: &Line,
     labels: &Labels,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     for line in [computed, reference] {
         if line.x.is_empty() || line.x.len() != line.y.len() {

@@ -115,7 +115,7 @@ mod tests {
         let longest = longest(std::slice::from_ref(frame));
         let pixel = |p: [f64; 2]| [100.0 * p[0], 100.0 * (1.0 - p[1])];
         draw(&mut page, frame, longest, &pixel, [400.0, 100.0]);
-        page.svg()
+        page.svg(&crate::Look::default())
     }
 
     #[test]

@@ -70,6 +70,10 @@ pub struct BlockOptions {
     pub contacts: bool,
     /// Colours over powers of ten.
     pub log: bool,
+    /// Values of the first and the last colour, in the unit of the field; `None` covers all values.
+    pub range: Option<[f64; 2]>,
+    /// Shares of the values, 0 to 100, at which the colours begin and end: `[2, 98]` leaves out what single blocks have.
+    pub percentiles: Option<[f64; 2]>,
     /// Arrows on the blocks.
     pub vectors: Option<Vectors>,
     /// What is shown: left, bottom, right and top in the axes of the picture, m; `None` is all of the model.
@@ -105,6 +109,24 @@ impl BlockOptions {
                     "give left, bottom, right and top: left less than right, bottom less than top",
                 );
             }
+        }
+        if let Some(range @ [low, high]) = self.range {
+            let given = || range.map(short).join(" to ");
+            if !low.is_finite() || !high.is_finite() || low >= high {
+                return wrong("range", given(), "give the lowest value and a higher one");
+            }
+            if self.log && low <= 0.0 {
+                return wrong("range", given(), "a logarithmic scale begins above 0");
+            }
+            if self.percentiles.is_some() {
+                return wrong("range", given(), "give either a range or percentiles");
+            }
+        }
+        if let Some(shares @ [low, high]) = self.percentiles
+            && !(0.0 <= low && low < high && high <= 100.0)
+        {
+            let given = shares.map(short).join(" to ");
+            return wrong("percentiles", given, "give two shares from 0 to 100, for example 2 98");
         }
         match self.exaggeration {
             Some(factor) if !factor.is_finite() || factor <= 0.0 => {
@@ -214,6 +236,19 @@ mod tests {
             ..BlockOptions::default()
         };
         assert_eq!(told(sound), Ok(()));
+        let coloured = |range, percentiles, log| {
+            told(BlockOptions { range, percentiles, log, ..sound }).unwrap_err()
+        };
+        for (text, words) in [
+            (coloured(Some([1.0, 0.0]), None, false), "range cannot be 1 to 0"),
+            (coloured(Some([0.0, f64::INFINITY]), None, false), "range"),
+            (coloured(Some([0.0, 1.0]), None, true), "begins above 0"),
+            (coloured(Some([0.0, 1.0]), Some([2.0, 98.0]), false), "either"),
+            (coloured(None, Some([98.0, 2.0]), false), "percentiles cannot be 98 to 2"),
+            (coloured(None, Some([f64::NAN, 2.0]), false), "percentiles"),
+        ] {
+            assert!(text.contains(words), "{text}");
+        }
         for (window, exaggeration, isolines, at, option) in [
             (Some([5.0, 0.0, 0.0, 3.0]), None, 0, None, "window"),
             (Some([0.0, 3.0, 5.0, 3.0]), None, 0, None, "window"),

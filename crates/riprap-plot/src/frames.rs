@@ -3,7 +3,7 @@
 use super::blocks::{self, Words};
 use super::drawing::{BlockOptions, Chosen, Vectors, choose, middle, short};
 use super::section::{self, need_space};
-use super::{PlotError, suffix, write};
+use super::{PlotError, Target, suffix, write};
 use riprap_record::field::number;
 use riprap_record::field::with_unit;
 use riprap_record::frame::{Frame, Surfaces, stress};
@@ -29,12 +29,12 @@ pub enum Which {
 ///
 /// # Errors
 /// As [`strip`].
-pub fn blocks(
+pub fn blocks<'t>(
     folder: &Path,
     frame: Which,
     field: &str,
     options: BlockOptions,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     strip(folder, &[frame], field, options, out)
 }
@@ -44,12 +44,12 @@ pub fn blocks(
 /// # Errors
 /// Unknown fields (with the nearest name), frames that do not exist, a cut that meets no block, files that cannot be
 /// read or written.
-pub fn strip(
+pub fn strip<'t>(
     folder: &Path,
     frames: &[Which],
     field: &str,
     options: BlockOptions,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     drawn(folder, load_frames(folder, frames)?, field, options, out)
 }
@@ -58,12 +58,12 @@ pub fn strip(
 ///
 /// # Errors
 /// A run in the plane, and as [`strip`].
-pub fn section(
+pub fn section<'t>(
     folder: &Path,
     frames: &[Which],
     field: &str,
     options: BlockOptions,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let loaded = load_frames(folder, frames)?;
     for frame in &loaded {
@@ -109,12 +109,12 @@ fn whole_tensor(frame: &Frame, field: &str) -> Result<(), PlotError> {
 }
 
 /// Draws loaded frames.
-pub(super) fn drawn(
+pub(super) fn drawn<'t>(
     folder: &Path,
     loaded: Vec<Frame>,
     field: &str,
     options: BlockOptions,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     options.checked()?;
     let manifest = Manifest::read(folder)?;

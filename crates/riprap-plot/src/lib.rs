@@ -1,6 +1,6 @@
-//! Figures of a run: SVG and PNG, each with the numbers behind it as CSV.
+//! Figures of a run: SVG, PNG and PDF, each with the numbers behind it as CSV.
 //!
-//! `out` decides what is written: `a.svg` the SVG, `a.png` the PNG, `a` both; the numbers go into `a_data.csv` in
+//! `out` decides what is written: `a.svg` the SVG, `a.png` the PNG, `a.pdf` the PDF, `a` SVG and PNG; the numbers go into `a_data.csv` in
 //! each case. Every function returns the files it wrote.
 
 // What no other crate can name does not look as if it could be.
@@ -26,6 +26,7 @@ mod lettering;
 mod lines;
 mod net;
 pub mod paraview;
+mod pdf;
 mod planes;
 mod ppv;
 mod rose;
@@ -65,6 +66,34 @@ use riprap_record::table::{Series, TableError};
 use riprap_record::vtu::ReadError;
 use riprap_record::{OutputError, write_whole};
 use std::path::{Path, PathBuf};
+
+/// How a picture is written, besides its format.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Look {
+    /// What stands over it in place of the title of the scene.
+    pub title: Option<String>,
+    /// Its width on paper, m. Default: a pixel of the SVG is 1/96 inch.
+    pub width: Option<f64>,
+    /// Pixels of the PNG per inch. Default 192.
+    pub dpi: Option<f64>,
+    /// Family of the letters of the SVG; those of PNG and PDF are outlines of DejaVu Sans.
+    pub font: Option<String>,
+}
+
+/// Where a picture goes, and how it looks: a path alone has the usual look.
+#[derive(Clone, Debug)]
+pub struct Target<'a> {
+    /// File to write; its extension is the format.
+    pub path: &'a Path,
+    /// How it looks.
+    pub look: Look,
+}
+
+impl<'a, P: AsRef<Path> + ?Sized> From<&'a P> for Target<'a> {
+    fn from(path: &'a P) -> Self {
+        Self { path: path.as_ref(), look: Look::default() }
+    }
+}
 
 /// What a [`PlotError`] is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,14 +185,14 @@ pub enum PlotError {
         /// Why not.
         reason: FitError,
     },
-    /// Neither SVG nor PNG.
-    #[error("{}: plots are written as .svg or .png (or both: give a name without extension)", path.display())]
+    /// Neither SVG nor PNG nor PDF.
+    #[error("{}: plots are written as .svg, .png or .pdf (SVG and PNG: give a name without extension)", path.display())]
     Ending {
         /// What was asked for.
         path: PathBuf,
     },
-    /// The SVG could not be turned into a PNG: a fault of ours.
-    #[error("could not draw the PNG: {reason}; use the extension .svg to get the SVG")]
+    /// The SVG could not be turned into a picture: a fault of ours.
+    #[error("could not draw the picture: {reason}; use the extension .svg to get the SVG")]
     Render {
         /// What the renderer said.
         reason: String,
@@ -264,23 +293,31 @@ fn column(name: &str, unit: &str, values: Vec<f64>) -> Series {
     Series { name: name.to_owned(), unit: unit.to_owned(), values }
 }
 
-fn write(page: &Page, csv: &str, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+fn write<'a>(
+    page: &Page,
+    csv: &str,
+    out: impl Into<Target<'a>>,
+) -> Result<Vec<PathBuf>, PlotError> {
+    let Target { path: out, look } = out.into();
     let ending = out.extension().map(|e| e.to_string_lossy().to_lowercase());
-    let (svg, png) = match ending.as_deref() {
-        None => (Some(out.with_extension("svg")), Some(out.with_extension("png"))),
-        Some("svg") => (Some(out.to_owned()), None),
-        Some("png") => (None, Some(out.to_owned())),
+    let formats: &[&str] = match ending.as_deref() {
+        None => &["svg", "png"],
+        Some("svg") => &["svg"],
+        Some("png") => &["png"],
+        Some("pdf") => &["pdf"],
         Some(_other) => {
             return Err(PlotError::Ending { path: out.to_owned() });
         }
     };
     let mut files = Vec::new();
-    if let Some(path) = svg {
-        write_whole(&path, page.svg().as_bytes())?;
-        files.push(path);
-    }
-    if let Some(path) = png {
-        write_whole(&path, &page.png()?)?;
+    for format in formats {
+        let path = if ending.is_some() { out.to_owned() } else { out.with_extension(format) };
+        let bytes = match *format {
+            "svg" => page.svg(&look).into_bytes(),
+            "png" => page.png(&look)?,
+            _ => page.pdf(&look)?,
+        };
+        write_whole(&path, &bytes)?;
         files.push(path);
     }
     // Not `a.csv`: a plot called `energy` inside a run folder would overwrite the run's own table.

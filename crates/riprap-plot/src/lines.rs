@@ -1,7 +1,7 @@
 //! Histories and energies over time, histories over each other.
 
 use super::chart::{self, Curve, Panel};
-use super::{PlotError, table_csv, write};
+use super::{PlotError, Target, table_csv, write};
 use riprap_record::manifest::Manifest;
 use riprap_record::table::{Series, Table};
 use std::path::{Path, PathBuf};
@@ -13,11 +13,11 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// Unknown columns (with the nearest name), files that cannot be read or written.
-pub fn histories(
+pub fn histories<'t>(
     folder: &Path,
     columns: &[String],
     against: Option<&str>,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let table = Table::read(&folder.join("histories.csv"))?;
@@ -60,7 +60,7 @@ pub fn histories(
     for panel in &mut panels {
         panel.height = height;
         if panel.curves.len() > 1 {
-            panel.name = quantity(&panel.curves);
+            panel.name = quantity(&panel.curves, &panel.unit);
         }
     }
     let page = chart::draw((&manifest.title, ""), (&axis.0, axis.1), &panels);
@@ -73,7 +73,7 @@ pub fn histories(
 ///
 /// # Errors
 /// Files that cannot be read or written.
-pub fn energy(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+pub fn energy<'t>(folder: &Path, out: impl Into<Target<'t>>) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let table = Table::read(&folder.join("energy.csv"))?;
     let (time, axis) = abscissa(&table)?;
@@ -129,11 +129,31 @@ pub(super) fn curve(series: &Series, time: &[f64]) -> Curve {
     }
 }
 
-/// The name of a panel of several curves: what their names share at the end, or nothing but the unit.
-fn quantity(curves: &[Curve]) -> String {
+/// The name of a panel of several curves: what their names share at the end, else what has that unit.
+fn quantity(curves: &[Curve], unit: &str) -> String {
     let tail = |c: &Curve| c.name.rsplit('.').next().unwrap_or_default().to_owned();
     let first = curves.first().map(tail).unwrap_or_default();
-    if curves.iter().all(|c| tail(c) == first) { first } else { "value".to_owned() }
+    if curves.iter().all(|c| tail(c) == first) {
+        return first;
+    }
+    let of_unit = match unit {
+        "m" => "length",
+        "m2" => "area",
+        "m3" => "volume",
+        "rad" => "angle",
+        "m/s" => "velocity",
+        "rad/s" => "spin",
+        "m/s2" => "acceleration",
+        "N" | "N/m" => "force",
+        "N m" | "N m/m" => "moment",
+        "Pa" => "stress",
+        "J" | "J/m" => "energy",
+        "kg" | "kg/m" => "mass",
+        "s" => "duration",
+        "m3/s" | "m2/s" => "flow",
+        _ => "value",
+    };
+    of_unit.to_owned()
 }
 
 pub(super) fn need_rows(table: &Table, chosen: &[&Series]) -> Result<(), PlotError> {
@@ -146,4 +166,20 @@ pub(super) fn need_rows(table: &Table, chosen: &[&Series]) -> Result<(), PlotErr
     };
     let what = format!("{} has no {what}", table.path.display());
     Err(PlotError::NothingToDraw { what })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curves_of_one_panel_have_one_name() {
+        let named = |names: &[&str], unit: &str| {
+            let curve = |name: &&str| Curve { name: (*name).to_owned(), ..Curve::default() };
+            quantity(&names.iter().map(curve).collect::<Vec<_>>(), unit)
+        };
+        assert_eq!(named(&["crest.velocity", "toe.velocity"], "m/s"), "velocity");
+        assert_eq!(named(&["crest", "toe"], "m"), "length");
+        assert_eq!(named(&["crest", "toe"], "furlong"), "value");
+    }
 }

@@ -4,7 +4,7 @@ use super::frames::{Which, crack_surfaces, load_frame, moment};
 use super::planes::{self, Crack};
 use super::section::need_space;
 use super::svg::{Anchor, Page};
-use super::{PlotError, column, digits, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, suffix, table_csv, write};
 use riprap_geom::Vec3;
 use riprap_keys::Words;
 use riprap_record::manifest::Manifest;
@@ -76,11 +76,11 @@ struct Dot {
 ///
 /// # Errors
 /// A run in the plane, a run of one block, files that cannot be read or written.
-pub fn stereonet(
+pub fn stereonet<'t>(
     folder: &Path,
     frame: Which,
     projection: Projection,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let first = load_frame(folder, Which::Index(1))?;

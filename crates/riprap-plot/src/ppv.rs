@@ -4,7 +4,7 @@ use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::drawing::{choose, short};
 use super::frames::{Which, load_frame};
 use super::section::need_space;
-use super::{PlotError, column, digits, solid, sources, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, solid, sources, suffix, table_csv, write};
 use crate::fits::{PowerLaw, power_law};
 use riprap_record::frame::Frame;
 use riprap_record::manifest::{Manifest, Source};
@@ -39,11 +39,11 @@ struct Sample {
 ///
 /// # Errors
 /// Runs in the plane, runs without sources that have a mass, frames without `peak_speed`, fewer than three blocks.
-pub fn ppv(
+pub fn ppv<'t>(
     folder: &Path,
     frame: Which,
     surface: bool,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let frame = load_frame(folder, frame)?;
@@ -81,9 +81,10 @@ pub fn ppv(
     let suffix = suffix(&manifest, &format!("peak velocities up to t = {} s", short(frame.time)));
     let page = chart::draw((&manifest.title, &suffix), ("", ""), &panels);
     let columns: Vec<_> = columns.iter().collect();
-    let mut files = write(&page, &table_csv(&columns), out)?;
-    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
-    let path = out.with_file_name(format!("{stem}_fit.csv"));
+    let out = out.into();
+    let mut files = write(&page, &table_csv(&columns), out.clone())?;
+    let stem = out.path.file_stem().unwrap_or_default().to_string_lossy();
+    let path = out.path.with_file_name(format!("{stem}_fit.csv"));
     write_whole(&path, fit_csv(&fits).as_bytes())?;
     files.push(path);
     Ok(files)

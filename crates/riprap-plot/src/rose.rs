@@ -4,7 +4,7 @@ use super::drawing::short;
 use super::frames::{Which, crack_surfaces, load_frame, moment};
 use super::planes;
 use super::svg::{Anchor, Page};
-use super::{PlotError, column, digits, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, suffix, table_csv, write};
 use riprap_record::manifest::Manifest;
 use riprap_record::names::Names;
 use std::collections::BTreeMap;
@@ -54,7 +54,11 @@ impl Rose {
 ///
 /// # Errors
 /// No joints and no cracks, files that cannot be read or written.
-pub fn rose(folder: &Path, frame: Which, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+pub fn rose<'t>(
+    folder: &Path,
+    frame: Which,
+    out: impl Into<Target<'t>>,
+) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let first = load_frame(folder, Which::Index(1))?;
     let last = load_frame(folder, frame)?;

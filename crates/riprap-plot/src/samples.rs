@@ -3,8 +3,8 @@
 use super::chart::{self, Abscissa, Curve, Panel};
 use super::svg::{Anchor, Page, fitted};
 use super::ticks::{Scale, label};
-use super::{PlotError, column, table_csv, write};
-use std::path::{Path, PathBuf};
+use super::{PlotError, Target, column, table_csv, write};
+use std::path::PathBuf;
 
 /// Values of one number in all samples.
 #[derive(Clone, Debug)]
@@ -21,7 +21,11 @@ pub struct Sampled {
 ///
 /// # Errors
 /// No values; files that cannot be written.
-pub fn histograms(title: &str, numbers: &[Sampled], out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+pub fn histograms<'t>(
+    title: &str,
+    numbers: &[Sampled],
+    out: impl Into<Target<'t>>,
+) -> Result<Vec<PathBuf>, PlotError> {
     let counted: Vec<(&Sampled, Bins)> =
         numbers.iter().filter_map(|of| Some((of, Bins::of(&of.values)?))).collect();
     if counted.is_empty() {
@@ -116,7 +120,11 @@ const FRAME: f64 = 76.0;
 ///
 /// # Errors
 /// No results; files that cannot be written.
-pub fn tornado(title: &str, results: &[Tornado], out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+pub fn tornado<'t>(
+    title: &str,
+    results: &[Tornado],
+    out: impl Into<Target<'t>>,
+) -> Result<Vec<PathBuf>, PlotError> {
     let legend = "mean of the samples with the lowest fifth (blue) and the highest fifth (orange) of each value";
     tornado_with(title, legend, results, out)
 }
@@ -125,11 +133,11 @@ pub fn tornado(title: &str, results: &[Tornado], out: &Path) -> Result<Vec<PathB
 ///
 /// # Errors
 /// No results; files that cannot be written.
-pub fn tornado_with(
+pub fn tornado_with<'t>(
     title: &str,
     legend: &str,
     results: &[Tornado],
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let finite = |[low, high]: &[f64; 2]| low.is_finite() && high.is_finite();
     let results: Vec<(&Tornado, Bars<'_>)> = results

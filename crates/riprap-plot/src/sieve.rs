@@ -1,7 +1,7 @@
 //! The fragment-size curve.
 
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
-use super::{PlotError, column, digits, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, suffix, table_csv, write};
 use crate::fits::{Passing, RosinRammler, Swebrec, rosin_rammler_fit, swebrec_fit};
 use riprap_record::manifest::Manifest;
 use riprap_record::names::Names;
@@ -26,10 +26,10 @@ const POINTS: usize = 200;
 ///
 /// # Errors
 /// A run without `fragments.csv`, a group that it does not have, a table without fragments, files that cannot be read or written.
-pub fn fragments(
+pub fn fragments<'t>(
     folder: &Path,
     group: Option<&str>,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let path = folder.join("fragments.csv");
@@ -79,9 +79,10 @@ pub fn fragments(
         columns.push(column("Rosin-Rammler", "-", at(&|x| rr.at(x))));
         columns.push(column("Swebrec", "-", at(&|x| sw.at(x))));
     }
-    let mut files = write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out)?;
-    let stem = out.file_stem().unwrap_or_default().to_string_lossy();
-    let path = out.with_file_name(format!("{stem}_fit.csv"));
+    let out = out.into();
+    let mut files = write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out.clone())?;
+    let stem = out.path.file_stem().unwrap_or_default().to_string_lossy();
+    let path = out.path.with_file_name(format!("{stem}_fit.csv"));
     let text = numbers(&sizes, fits.as_ref());
     write_whole(&path, table_csv(&text.iter().collect::<Vec<_>>()).as_bytes())?;
     files.push(path);

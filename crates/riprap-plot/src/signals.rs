@@ -2,7 +2,7 @@
 
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::lines::{curve, need_rows};
-use super::{PlotError, column, digits, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, suffix, table_csv, write};
 use crate::fits::{self, Spectrum, TwoExponential};
 use riprap_record::manifest::Manifest;
 use riprap_record::table::{Series, Table};
@@ -22,7 +22,7 @@ const FAINTEST: f64 = 1e-4;
 ///
 /// # Errors
 /// A run without such histories, files that cannot be read or written.
-pub fn cavity(folder: &Path, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+pub fn cavity<'t>(folder: &Path, out: impl Into<Target<'t>>) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let table = Table::read(&folder.join("histories.csv"))?;
     let time = table.column("time")?;
@@ -124,7 +124,11 @@ fn words(name: &str, fit: &TwoExponential, unit: &str) -> Vec<String> {
 ///
 /// # Errors
 /// Unknown histories (with the nearest name), too few samples.
-pub fn spectrum(folder: &Path, history: &str, out: &Path) -> Result<Vec<PathBuf>, PlotError> {
+pub fn spectrum<'t>(
+    folder: &Path,
+    history: &str,
+    out: impl Into<Target<'t>>,
+) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let table = Table::read(&folder.join("histories.csv"))?;
     let time = table.column("time")?;

@@ -4,7 +4,7 @@ use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::drawing::{Normal, choose, short};
 use super::frames::{Which, listed, load_frame};
 use super::section::need_space;
-use super::{PlotError, column, digits, solid, source, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, solid, source, suffix, table_csv, write};
 use riprap_geom::Vec3;
 use riprap_record::frame::Frame;
 use riprap_record::manifest::{Manifest, Source};
@@ -118,11 +118,11 @@ fn edge(rings: &[Ring], threshold: f64) -> Edge {
 ///
 /// # Errors
 /// Runs in the plane, without sources, without surface blocks; no threshold and no depth to take it from.
-pub fn crater(
+pub fn crater<'t>(
     folder: &Path,
     frame: Which,
     options: CraterOptions,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     if let Some(uplift) = options.uplift.filter(|u| !u.is_finite() || *u <= 0.0) {
         return Err(PlotError::Option {
@@ -252,12 +252,12 @@ fn crater_panel(
 ///
 /// # Errors
 /// Runs in the plane, without sources, without surface blocks; a horizontal section.
-pub fn heave(
+pub fn heave<'t>(
     folder: &Path,
     frames: &[Which],
     source_name: Option<&str>,
     normal: Normal,
-    out: &Path,
+    out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     let manifest = Manifest::read(folder)?;
     let source = source(&manifest, source_name, HEAVE)?;

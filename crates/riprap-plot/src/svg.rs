@@ -1,4 +1,4 @@
-//! A page of SVG, and its picture as PNG.
+//! A page of SVG, and its picture as PNG or PDF.
 //!
 //! Written by hand: outlines of blocks need filled polygons on equal axes with a colour bar, which the plotting
 //! crates looked at (kuva 0.6, plotters 0.3) do not draw, and once axes are there a line chart is a page more. One hand gives
@@ -6,11 +6,16 @@
 
 use std::fmt::Write as _;
 
-use super::PlotError;
-use super::lettering::Lettering;
+use resvg::{tiny_skia, usvg};
 
-/// Pixels of the PNG per unit of the SVG.
-const SHARPNESS: f32 = 2.0;
+use super::lettering::Lettering;
+use super::pdf::pdf;
+use super::{Look, PlotError};
+
+/// Pixels of an SVG in an inch.
+const PIXELS: f64 = 96.0;
+/// Length of an inch, m.
+const INCH: f64 = 0.0254;
 
 /// Advance widths of DejaVu Sans, characters 32 to 126, in thousandths of the size.
 #[rustfmt::skip]
@@ -76,10 +81,12 @@ pub(super) struct Page {
     lines: Vec<(String, Text)>,
     /// Markup after the last text.
     tail: String,
+    /// Which of the texts is the title, with the room for it.
+    titled: Option<(usize, f64)>,
 }
 
 /// A line of text: an SVG has it as text, a picture as outlines.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Text {
     at: [f64; 2],
     /// Whether it reads upwards.
@@ -124,7 +131,7 @@ macro_rules! put {
 
 impl Page {
     pub(super) fn new(width: f64, height: f64) -> Self {
-        Page { width, height, lines: Vec::new(), tail: String::new() }
+        Page { width, height, lines: Vec::new(), tail: String::new(), titled: None }
     }
 
     pub(super) fn rect(&mut self, x: f64, y: f64, w: f64, h: f64, style: &str) {
@@ -197,6 +204,7 @@ impl Page {
     pub(super) fn title(&mut self, at: [f64; 2], margin: f64, title: &str, suffix: &str) {
         let room = self.width - at[0] - margin - text_width(suffix, 15.0);
         let title = format!("{}{suffix}", fitted(title, 15.0, room));
+        self.titled = Some((self.lines.len(), self.width - at[0] - margin));
         self.text(at, 15.0, Anchor::Start, &title);
     }
 
@@ -225,44 +233,79 @@ impl Page {
     }
 
     /// The file.
-    pub(super) fn svg(&self) -> String {
-        self.written(Text::markup)
+    pub(super) fn svg(&self, look: &Look) -> String {
+        self.written(look, Text::markup)
     }
 
-    fn written(&self, text: impl Fn(&Text) -> String) -> String {
+    fn written(&self, look: &Look, text: impl Fn(&Text) -> String) -> String {
         let mut body = String::new();
-        for (before, line) in &self.lines {
+        for (k, (before, line)) in self.lines.iter().enumerate() {
             body.push_str(before);
-            body.push_str(&text(line));
+            match (&look.title, self.titled) {
+                (Some(title), Some((place, room))) if place == k => {
+                    let title = fitted(title, line.size, room);
+                    body.push_str(&text(&Text { text: title, ..line.clone() }));
+                }
+                _ => body.push_str(&text(line)),
+            }
         }
         body.push_str(&self.tail);
+        let (w, h) = (self.width.round(), self.height.round());
+        let [wide, high] = match look.width {
+            Some(width) => [width, width * h / w].map(|length| format!("{:.3}mm", 1e3 * length)),
+            None => [w, h].map(|length| length.to_string()),
+        };
+        let own =
+            look.font.as_ref().map(|font| format!("'{}', ", riprap_record::vtu::escape(font)));
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" viewBox=\"0 0 {w} {h}\" \
-             font-family=\"'DejaVu Sans', Verdana, Arial, sans-serif\" fill=\"#1a1a1a\">\n\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" viewBox=\"0 0 {w} {h}\" \
+             font-family=\"{}'DejaVu Sans', Verdana, Arial, sans-serif\" fill=\"#1a1a1a\">\n\
              <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n{body}</svg>\n",
-            w = self.width.round(),
-            h = self.height.round()
+            own.unwrap_or_default(),
         )
     }
 
-    /// The page as PNG, with the font that comes with riprap.
-    ///
-    /// # Errors
-    /// A page that resvg refuses, or one too large for memory: our fault, reported as text.
-    pub(super) fn png(&self) -> Result<Vec<u8>, PlotError> {
-        use resvg::{tiny_skia, usvg};
+    /// The page with texts as outlines of the font that comes with riprap, in pixels of the SVG.
+    fn tree(&self, look: &Look) -> Result<usvg::Tree, PlotError> {
         let failed = |reason: String| PlotError::Render { reason };
         let lettering = Lettering::new().map_err(failed)?;
-        let svg = self.written(|text| text.outlines(&lettering));
-        let tree = usvg::Tree::from_str(&svg, &usvg::Options::default())
-            .map_err(|e| failed(e.to_string()))?;
+        // Sizes on paper are for the renderer, not for the picture.
+        let plain = Look { width: None, ..look.clone() };
+        let svg = self.written(&plain, |text| text.outlines(&lettering));
+        usvg::Tree::from_str(&svg, &usvg::Options::default()).map_err(|e| failed(e.to_string()))
+    }
+
+    /// Width on paper, inches.
+    fn inches(&self, look: &Look) -> f64 {
+        look.width.map_or(self.width.round() / PIXELS, |width| width / INCH)
+    }
+
+    /// The page as PNG.
+    ///
+    /// # Errors
+    /// A page that resvg refuses, or one too large for memory.
+    pub(super) fn png(&self, look: &Look) -> Result<Vec<u8>, PlotError> {
+        let failed = |reason: String| PlotError::Render { reason };
+        let tree = self.tree(look)?;
         let size = tree.size();
-        let (w, h) = (size.width() * SHARPNESS, size.height() * SHARPNESS);
+        let wanted = self.inches(look) * look.dpi.unwrap_or(2.0 * PIXELS);
+        let zoom = wanted as f32 / size.width();
+        let (w, h) = (size.width() * zoom, size.height() * zoom);
         let mut pixels = tiny_skia::Pixmap::new(w.ceil() as u32, h.ceil() as u32)
             .ok_or_else(|| failed(format!("a picture of {w} x {h} pixels is too large")))?;
-        let zoom = tiny_skia::Transform::from_scale(SHARPNESS, SHARPNESS);
-        resvg::render(&tree, zoom, &mut pixels.as_mut());
+        let scaled = tiny_skia::Transform::from_scale(zoom, zoom);
+        resvg::render(&tree, scaled, &mut pixels.as_mut());
         pixels.encode_png().map_err(|e| failed(e.to_string()))
+    }
+
+    /// The page as PDF.
+    ///
+    /// # Errors
+    /// A page that resvg refuses: our fault, reported as text.
+    pub(super) fn pdf(&self, look: &Look) -> Result<Vec<u8>, PlotError> {
+        let own = self.titled.and_then(|(place, _)| self.lines.get(place)).map(|(_, t)| &t.text);
+        let title = look.title.as_ref().or(own).map_or("", String::as_str);
+        Ok(pdf(&self.tree(look)?, (72.0 * self.inches(look)) as f32, title))
     }
 }
 
@@ -275,12 +318,46 @@ mod tests {
         let dark = |text: &str| {
             let mut page = Page::new(200.0, 40.0);
             page.text([10.0, 25.0], 14.0, Anchor::Start, text);
-            let bytes = page.png().unwrap();
+            let bytes = page.png(&Look::default()).unwrap();
             let map = resvg::tiny_skia::Pixmap::decode_png(&bytes).unwrap();
             map.pixels().iter().filter(|p| p.red() < 128).count()
         };
         assert_eq!(dark(""), 0);
         assert!(dark("slip [m] <&> 10⁻³ φ °") > 300);
+    }
+
+    #[test]
+    fn a_look_changes_title_and_size_alone() {
+        let mut page = Page::new(192.0, 96.0);
+        page.title([10.0, 26.0], 10.0, "own", "");
+        page.rect(10.0, 40.0, 50.0, 20.0, "fill=\"#ff0000\" fill-opacity=\"0.5\"");
+        let look = Look {
+            title: Some("other".to_owned()),
+            width: Some(0.0508),
+            dpi: Some(300.0),
+            font: Some("Arial".to_owned()),
+        };
+        let svg = page.svg(&look);
+        assert!(svg.contains(">other<") && !svg.contains(">own<"), "{svg}");
+        assert!(
+            svg.contains("width=\"50.800mm\"") && svg.contains("'Arial', 'DejaVu Sans'"),
+            "{svg}"
+        );
+        let sizes = [look.clone(), Look::default()].map(|look| {
+            let map = tiny_skia::Pixmap::decode_png(&page.png(&look).unwrap()).unwrap();
+            [map.width(), map.height()]
+        });
+        assert_eq!(sizes, [[600, 300], [384, 192]]);
+        let sheet = String::from_utf8(page.pdf(&look).unwrap()).unwrap();
+        assert!(sheet.starts_with("%PDF-1.4") && sheet.ends_with("%%EOF\n"));
+        // Two inches, a red area of which half shows, letters as curves.
+        for part in ["/MediaBox [0 0 144.000 72.000]", "1.000 0.000 0.000 rg", "/ca 0.500", " c\n"]
+        {
+            assert!(sheet.contains(part), "{part}: {sheet}");
+        }
+        let table: usize =
+            sheet.rsplit("startxref\n").next().unwrap().lines().next().unwrap().parse().unwrap();
+        assert!(sheet[table..].starts_with("xref\n0 6\n"));
     }
 
     #[test]

@@ -205,7 +205,7 @@ fn arrows_of_flow_begin_at_joints() {
     let pixel = |p: [f64; 2]| [100.0 * p[0], 200.0 - 100.0 * p[1]];
     let size = [400.0, 200.0];
     arrows::draw(&mut page, &frame, Vectors::Flow, longest, &pixel, size);
-    let svg = page.svg();
+    let svg = page.svg(&crate::Look::default());
     assert_eq!(svg.matches("<polygon").count(), 2);
     // Upwards from the first joint.
     assert!(svg.contains("x1=\"100.00\" y1=\"100.00\" x2=\"100.00\""), "{svg}");
@@ -231,7 +231,7 @@ fn one_block_that_flies_off_does_not_shorten_the_other_arrows() {
     let pixel = |p: [f64; 2]| [20.0 * p[0], 200.0 - 20.0 * p[1]];
     arrows::draw(&mut page, &frames[0], Vectors::Velocity, longest, &pixel, [400.0, 200.0]);
     // Each block has its arrow, and none leaves the picture: the stray one is as long as the others.
-    let svg = page.svg();
+    let svg = page.svg(&crate::Look::default());
     assert_eq!(svg.matches("<polygon").count(), 200);
     let ends = svg.lines().filter(|l| l.starts_with("<line"));
     let size = |l: &str| -> f64 {

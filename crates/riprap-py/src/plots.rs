@@ -99,6 +99,7 @@ impl Options {
             exaggeration: self.exaggerate,
             normal,
             at: self.at,
+            ..BlockOptions::default()
         })
     }
 

@@ -25,7 +25,7 @@ Pictures:
   rose               strikes of joints and cracks; in the plane the angles of their traces
   fragments          fragment size distribution, x50 and x80, with Rosin-Rammler and Swebrec fits
   spectrum HISTORY   amplitude spectrum of a history
-  HISTORY            one history
+  HISTORY ...        one history or several
                      over time, or over another one with --against
 
 Examples:
@@ -33,6 +33,9 @@ Examples:
   riprap plot hill.run energy --png
   riprap plot hill.run slip -o slip.svg
   riprap plot core.run load --against shortening
+  riprap plot hill.run crest toe --pdf --size '160 mm' --title 'Crest and toe'
+  riprap plot hill.run blocks --percentiles 2 98
+  riprap plot hill.run blocks --by velocity.x --range '-1 m/s' '1 m/s'
   riprap plot hill.run blocks --by velocity --time '0.5 s'
   riprap plot blast.run section --by displacement.z --vectors velocity
   riprap plot hill.run blocks --by sigma1_compressive --stress
@@ -57,9 +60,9 @@ pub struct Plot {
     /// Picture (listed below), or the name of one history [default: all that apply to the run]
     #[arg(value_name = "WHAT")]
     pub what: Option<String>,
-    /// History whose spectrum is drawn
+    /// Further histories to draw, or the one whose spectrum is drawn
     #[arg(value_name = "HISTORY")]
-    pub history: Option<String>,
+    pub more: Vec<String>,
     /// History on the x axis instead of time: load over displacement, convergence over the advance of a face
     #[arg(long, value_name = "HISTORY", requires = "what")]
     pub against: Option<String>,
@@ -69,6 +72,27 @@ pub struct Plot {
     /// Write PNG instead of SVG
     #[arg(long)]
     pub png: bool,
+    /// Write PDF instead of SVG
+    #[arg(long, conflicts_with = "png")]
+    pub pdf: bool,
+    /// Title in place of that of the scene
+    #[arg(long, value_name = "TEXT")]
+    pub title: Option<String>,
+    /// Width on paper
+    #[arg(long, value_name = "LENGTH")]
+    pub size: Option<String>,
+    /// Pixels of PNG per inch [default: 192]
+    #[arg(long, value_name = "DPI", value_parser = factor)]
+    pub dpi: Option<f64>,
+    /// Font family of SVG; PNG and PDF have outlines of DejaVu Sans
+    #[arg(long, value_name = "FAMILY")]
+    pub font: Option<String>,
+    /// Values of the first and the last colour, with units or in SI
+    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], allow_hyphen_values = true)]
+    pub range: Option<Vec<String>>,
+    /// Percentiles of the values at which the colours begin and end
+    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], conflicts_with = "range")]
+    pub percentiles: Option<Vec<f64>>,
     /// Field that colours the blocks
     #[arg(long, alias = "field", value_name = "FIELD", default_value = "displacement")]
     pub by: String,

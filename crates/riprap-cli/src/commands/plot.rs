@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Parser;
 use riprap::plot::{
-    self, Along, BlockOptions, CraterOptions, Fault, Normal, PlotError, Projection, Which,
+    self, Along, BlockOptions, CraterOptions, Fault, Look, Normal, PlotError, Projection, Target,
+    Which,
 };
 use riprap::scenario::units::{self, Dim};
 
@@ -20,6 +21,9 @@ const OF_BLASTS: [&str; 4] = ["ppv", "crater", "heave", "cavity"];
 const OF_BLOCKS: [&str; 5] = ["energy", "blocks", "section", "line", "spectrum"];
 /// Pictures of any run that are part of everything where they show something.
 const OF_ANY: [&str; 3] = ["stereonet", "rose", "fragments"];
+
+/// All pictures but those of histories.
+const PICTURES: [&[&str]; 3] = [&OF_BLOCKS, &OF_BLASTS, &OF_ANY];
 
 pub fn run(args: &Plot) -> Result<(), Failure> {
     for path in draw(args)? {
@@ -53,9 +57,9 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
             .map_err(|e| Failure::Output(format!("could not create {}: {e}", plots.display())))?;
     }
     let asked = Asked::read(args)?;
-    let others = OF_BLOCKS.iter().chain(&OF_BLASTS).chain(&OF_ANY);
-    let mut others = others.filter(|name| args.what.as_deref() == Some(**name));
-    if let (Some(_), Some(what)) = (&args.against, others.next()) {
+    let mut others = PICTURES.iter().copied().flatten();
+    let what = others.find(|name| args.what.as_deref() == Some(**name));
+    if let (Some(_), Some(what)) = (&args.against, what) {
         return Err(Failure::Input(format!(
             "--against applies to histories, and `{what}` shows none; write riprap plot RUN HISTORY --against OTHER"
         )));
@@ -64,25 +68,30 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
         let what = args.what.as_deref().unwrap_or("these pictures");
         diagnostics::print_line("note", &format!("--{option} has no effect on `{what}`"));
     }
-    Ok(match (args.what.as_deref(), args.history.as_deref()) {
-        (Some("spectrum"), Some(history)) => {
+    Ok(match (args.what.as_deref(), &args.more[..]) {
+        (Some("spectrum"), [history]) => {
             let out = asked.out(&format!("spectrum_{}", file_name(history)));
-            plot::spectrum(folder, history, &out)?
+            plot::spectrum(folder, history, asked.target(&out))?
         }
-        (Some("spectrum"), None) => {
-            let text = "spectrum needs the name of a history: riprap plot RUN spectrum HISTORY";
+        (Some("spectrum"), _) => {
+            let text = "spectrum needs the name of one history: riprap plot RUN spectrum HISTORY";
             return Err(Failure::Input(text.to_owned()));
         }
-        (Some(what), Some(history)) => {
+        (Some(what), [history, ..]) if PICTURES.iter().any(|names| names.contains(&what)) => {
             let other = match what {
                 "blocks" | "section" | "line" => format!("name the field by --by {history}"),
-                _ => "only spectrum does".to_owned(),
+                _ => "only spectrum and histories do".to_owned(),
             };
             return Err(Failure::Input(format!(
                 "`{what}` takes no second name, but `{history}` was given; {other}"
             )));
         }
-        (Some(what), None) => asked.picture(what)?,
+        (Some("histories"), [_, ..]) => asked.histories(&args.more)?,
+        (Some(what), []) => asked.picture(what)?,
+        (Some(what), more) => {
+            let all: Vec<String> = std::iter::once(what.to_owned()).chain(more.to_vec()).collect();
+            asked.histories(&all)?
+        }
         (None, _) => everything(folder, &asked)?,
     })
 }
@@ -90,7 +99,7 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
 /// Options that were given and that the picture does not read. Values that are the default ones may not have been given.
 fn unsuited(args: &Plot) -> Vec<&'static str> {
     const FLAT: &[&str] = &["blocks", "section"];
-    let given: [(&str, bool, &[&str]); 17] = [
+    let given: [(&str, bool, &[&str]); 19] = [
         (
             "time",
             !args.time.is_empty(),
@@ -98,6 +107,8 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
         ),
         ("by", args.by != "displacement", &["blocks", "section", "line"]),
         ("log", args.log, FLAT),
+        ("range", args.range.is_some(), FLAT),
+        ("percentiles", args.percentiles.is_some(), FLAT),
         ("vectors", args.vectors.is_some(), FLAT),
         ("stress", args.stress, FLAT),
         ("isolines", args.isolines.is_some(), FLAT),
@@ -119,7 +130,31 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
         None => pictures != ["line"],
     };
     let unread = given.into_iter().filter(|(_, given, pictures)| *given && !reads(pictures));
-    unread.map(|(option, _, _)| option).collect()
+    let mut unread: Vec<&str> = unread.map(|(option, _, _)| option).collect();
+    // Of a file the extension says what it is.
+    let is = |wanted: &str, flag: bool| match args.output.as_ref().and_then(|out| out.extension()) {
+        Some(ending) => ending.eq_ignore_ascii_case(wanted),
+        None => flag || args.output.is_some(),
+    };
+    if args.dpi.is_some() && !is("png", args.png) {
+        unread.push("dpi");
+    }
+    if args.font.is_some() && !is("svg", !args.png && !args.pdf) {
+        unread.push("font");
+    }
+    unread
+}
+
+/// Values of a field, with a unit or in SI.
+fn range(given: Option<&[String]>) -> Result<Option<[f64; 2]>, Failure> {
+    let Some([low, high]) = given else { return Ok(None) };
+    let value = |text: &String| {
+        let plain = text.trim().parse::<f64>().ok();
+        plain.or_else(|| units::parse(text).ok().map(|(value, _)| value)).ok_or_else(|| {
+            Failure::Input(format!("{text:?} is no value; write for example --range '0 mm' '5 mm'"))
+        })
+    };
+    Ok(Some([value(low)?, value(high)?]))
 }
 
 /// All pictures that suit the run.
@@ -187,6 +222,7 @@ fn line(args: &Plot) -> Result<Option<Along>, Failure> {
 /// The arguments, read.
 struct Asked<'a> {
     args: &'a Plot,
+    look: Look,
     frames: Vec<Which>,
     options: BlockOptions,
     uplift: Option<f64>,
@@ -204,9 +240,23 @@ impl<'a> Asked<'a> {
             Some(text) => quantity(text, Dim::LENGTH, "length", example).map(Some),
             None => Ok(None),
         };
+        let width = length(&args.size, "--size '160 mm'")?;
+        if width.is_some_and(|width| !(0.001..=100.0).contains(&width)) {
+            return Err(Failure::Input(
+                "--size is the width on paper, from 1 mm to 100 m; write for example --size '160 mm'"
+                    .to_owned(),
+            ));
+        }
+        let (title, font) = (args.title.clone(), args.font.clone());
+        let look = Look { title, width, dpi: args.dpi, font };
         let options = BlockOptions {
             contacts: false,
             log: args.log,
+            range: range(args.range.as_deref())?,
+            percentiles: match args.percentiles.as_deref() {
+                Some([low, high]) => Some([*low, *high]),
+                Some(_) | None => None,
+            },
             vectors: args.vectors,
             stress: args.stress,
             cracks: args.cracks,
@@ -218,6 +268,7 @@ impl<'a> Asked<'a> {
         };
         Ok(Asked {
             args,
+            look,
             frames,
             options,
             uplift: length(&args.uplift, "--uplift '40 mm'")?,
@@ -226,9 +277,25 @@ impl<'a> Asked<'a> {
     }
 
     fn out(&self, name: &str) -> PathBuf {
-        let ending = if self.args.png { "png" } else { "svg" };
+        let ending = match (self.args.png, self.args.pdf) {
+            (true, _) => "png",
+            (_, true) => "pdf",
+            _ => "svg",
+        };
         let plots = self.args.run.join("plots");
         self.args.output.clone().unwrap_or_else(|| plots.join(format!("{name}.{ending}")))
+    }
+
+    fn target<'p>(&self, path: &'p Path) -> Target<'p> {
+        Target { path, look: self.look.clone() }
+    }
+
+    /// Several histories in one picture.
+    fn histories(&self, names: &[String]) -> Result<Vec<PathBuf>, Failure> {
+        let file: Vec<String> = names.iter().map(|name| file_name(name)).collect();
+        let out = self.over(&file.join("_"));
+        let against = self.args.against.as_deref();
+        Ok(plot::histories(&self.args.run, names, against, self.target(&out))?)
     }
 
     /// The file of histories, which may be drawn over another one.
@@ -269,47 +336,47 @@ impl<'a> Asked<'a> {
         let source = self.args.source.as_deref();
         let against = self.args.against.as_deref();
         match what {
-            "histories" => plot::histories(folder, &[], against, &self.over(what)),
-            "energy" => plot::energy(folder, &self.out(what)),
+            "histories" => plot::histories(folder, &[], against, self.target(&self.over(what))),
+            "energy" => plot::energy(folder, self.target(&self.out(what))),
             "blocks" => {
                 let out = self.out(&format!("blocks_{by}"));
-                plot::strip(folder, frames, by, self.options, &out)
+                plot::strip(folder, frames, by, self.options, self.target(&out))
             }
             "section" => {
                 let out = self.out(&format!("section_{by}"));
-                plot::section(folder, frames, by, self.options, &out)
+                plot::section(folder, frames, by, self.options, self.target(&out))
             }
             "line" => match &self.line {
                 Some(line) => {
                     let out = self.out(&format!("line_{by}"));
-                    plot::along(folder, frames, by, line, &out)
+                    plot::along(folder, frames, by, line, self.target(&out))
                 }
                 None => Ok(Vec::new()),
             },
-            "ppv" => plot::ppv(folder, frames[0], self.args.surface, &self.out(what)),
+            "ppv" => plot::ppv(folder, frames[0], self.args.surface, self.target(&self.out(what))),
             "crater" => {
                 let options = CraterOptions { uplift: self.uplift, source };
-                plot::crater(folder, frames[0], options, &self.out(what))
+                plot::crater(folder, frames[0], options, self.target(&self.out(what)))
             }
             "heave" => {
                 let normal = self.options.normal;
-                plot::heave(folder, &self.frames, source, normal, &self.out(what))
+                plot::heave(folder, &self.frames, source, normal, self.target(&self.out(what)))
             }
-            "cavity" => plot::cavity(folder, &self.out(what)),
+            "cavity" => plot::cavity(folder, self.target(&self.out(what))),
             "stereonet" => {
                 let projection = self.args.projection;
-                plot::stereonet(folder, frames[0], projection, &self.out(what))
+                plot::stereonet(folder, frames[0], projection, self.target(&self.out(what)))
             }
             "fragments" => {
                 let of = self.args.of.as_deref();
                 let name =
                     of.map_or_else(|| what.to_owned(), |of| format!("{what}_{}", file_name(of)));
-                plot::fragments(folder, of, &self.out(&name))
+                plot::fragments(folder, of, self.target(&self.out(&name)))
             }
-            "rose" => plot::rose(folder, frames[0], &self.out(what)),
+            "rose" => plot::rose(folder, frames[0], self.target(&self.out(what))),
             name => {
                 let out = self.over(&file_name(name));
-                plot::histories(folder, &[name.to_owned()], against, &out)
+                plot::histories(folder, &[name.to_owned()], against, self.target(&out))
             }
         }
     }
@@ -364,5 +431,8 @@ mod tests {
         assert!(told("heave --normal x --source a --time 1s").is_empty());
         assert!(told("--time 1s --log --surface --png").is_empty());
         assert_eq!(told("--from 0m,0m --to 1m,0m"), ["from"]);
+        assert_eq!(told("energy --range 0 1 --dpi 300 --font Arial"), ["range", "dpi"]);
+        assert_eq!(told("blocks --percentiles 2 98 --png --dpi 300 --font Arial"), ["font"]);
+        assert_eq!(told("blocks -o a.pdf --size 16cm --title b --dpi 300"), ["dpi"]);
     }
 }
