@@ -91,6 +91,7 @@ pub fn report(
     pictures(&mut out, "Set-up", &setup);
     words::materials(&mut out, &scene_table);
     groups(&mut out, &run.names());
+    words::phases(&mut out, &scene_table);
     for warning in &manifest.warnings {
         let _ = writeln!(out, "<p class=\"warning\">{}</p>", escape(warning));
     }

@@ -161,6 +161,9 @@ pub(super) fn energy(out: &mut String, run: &Run) {
     if terms.is_empty() {
         return;
     }
+    // Rows of what the run does not have hide the others.
+    let (terms, nil): (Vec<_>, Vec<_>) =
+        terms.into_iter().partition(|(c, ..)| c.values.iter().any(|v| *v != 0.0));
     out.push_str("<h2>Energy ledger</h2>\n<table class=\"grid\"><tr><th>term</th><th>at the start</th><th>at the end</th><th>unit</th></tr>\n");
     let largest = terms.iter().flat_map(|(_, a, b)| [a.abs(), b.abs()]);
     let largest = largest.filter(|v| v.is_finite()).fold(0.0, f64::max);
@@ -176,7 +179,12 @@ pub(super) fn energy(out: &mut String, run: &Run) {
             escape(&column.unit)
         );
     }
-    out.push_str("</table>\n<p><small>The residual is zero except for the errors of time integration and rounding.</small></p>\n");
+    out.push_str("</table>\n<p><small>The residual is zero except for the errors of time integration and rounding.");
+    if !nil.is_empty() {
+        let names: Vec<String> = nil.iter().map(|(c, ..)| escape(&c.name)).collect();
+        let _ = write!(out, " Zero throughout: {}.", names.join(", "));
+    }
+    out.push_str("</small></p>\n");
 }
 
 /// Work of boundaries, supports and loads.

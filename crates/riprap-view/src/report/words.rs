@@ -1,4 +1,4 @@
-//! Materials and interfaces of the scene in words.
+//! Materials, interfaces and phases of the scene in words.
 
 use std::fmt::Write as _;
 
@@ -49,6 +49,62 @@ pub(super) fn materials(out: &mut String, scene: &Table) {
         }
         out.push_str("</table>\n");
     }
+}
+
+/// Keys of a phase that say how it is calculated and when it ends; what is left is what it changes.
+const CALCULATION: [&str; 9] = [
+    "name",
+    "kind",
+    "until",
+    "damping",
+    "time_step",
+    "integration",
+    "load_steps",
+    "iterations",
+    "relaxation",
+];
+
+/// The phases, with what each changes when it begins.
+pub(super) fn phases(out: &mut String, scene: &Table) {
+    let all = scene.get("phases").and_then(Value::as_array);
+    let all: Vec<&Table> = all.into_iter().flatten().filter_map(Value::as_table).collect();
+    if all.is_empty() {
+        return;
+    }
+    let bolts = scene.get("bolts").and_then(Value::as_array);
+    let bolts: Vec<&Table> = bolts.into_iter().flatten().filter_map(Value::as_table).collect();
+    out.push_str("<h2>Phases</h2>\n<table class=\"grid\"><tr><th>phase</th><th>kind</th><th>changes at its start</th><th>until</th></tr>\n");
+    for (number, phase) in all.iter().enumerate() {
+        let said = |key: &str| phase.get(key).map(properties).unwrap_or_default();
+        let name = said("name");
+        let others = phase.iter().filter(|(key, _)| !CALCULATION.contains(&key.as_str()));
+        let mut changes: Vec<String> = others.map(|(key, value)| change(key, value)).collect();
+        let here = |bolt: &&&Table| match bolt.get("phase") {
+            Some(phase) => text(phase) == name,
+            None => number == 0,
+        };
+        let installed = bolts.iter().filter(here).filter_map(|bolt| bolt.get("name"));
+        changes.extend(installed.map(|bolt| format!("bolts {} installed", text(bolt))));
+        let _ = writeln!(
+            out,
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>",
+            escape(&name),
+            escape(&said("kind")),
+            escape(&changes.join("; ")),
+            escape(&said("until"))
+        );
+    }
+    out.push_str("</table>\n");
+}
+
+/// One change of a phase: `remove heading`, `interfaces default (friction angle 27 deg)`.
+fn change(key: &str, value: &Value) -> String {
+    let words = match value {
+        Value::Boolean(true) => return spoken(key),
+        Value::Table(_) => properties(value),
+        other => text(other),
+    };
+    format!("{} {words}", spoken(key))
 }
 
 /// Which materials an interface lies between.
@@ -109,6 +165,20 @@ mod tests {
             "joint (elastic, tension 1 MPa), friction angle 30 deg, softening (no brittle, slip 0.5)"
                 .to_owned()
         );
+        let scene: Table = toml::from_str(
+            "[[phases]]\nname = \"settle\"\nkind = \"static\"\nuntil = { unbalanced = 1e-5 }\n\
+             [[phases]]\nname = \"dig\"\nremove = [\"a\", \"b\"]\ninterfaces.default.friction_angle = \"27 deg\"\n\
+             [[bolts]]\nname = \"roof\"\nphase = \"dig\"\n",
+        )
+        .unwrap();
+        let mut out = String::new();
+        phases(&mut out, &scene);
+        for part in [
+            "<td>settle</td><td>static</td><td></td><td>unbalanced 0.00001</td>",
+            "interfaces default (friction angle 27 deg); remove a, b; bolts roof installed</td>",
+        ] {
+            assert!(out.contains(part), "{part}: {out}");
+        }
         assert_eq!(between("default", &Value::Integer(1)), "all other pairs");
         assert_eq!(text(&Value::String("2600 kg/m3".to_owned())), "2600 kg/m³");
         assert_eq!(spoken("young"), "Young's modulus");
