@@ -17,6 +17,10 @@ fn main() {
     println!("cargo::rustc-env=RIPRAP_COMMIT={commit}");
     let target = std::env::var("TARGET").unwrap_or_default();
     println!("cargo::rustc-env=RIPRAP_TARGET={target}");
+    let scenes = manifest.join("../../scenes");
+    if let Err(error) = std::fs::write(out.join("shipped.rs"), shipped(&scenes)) {
+        println!("cargo::error=could not write the scenes: {error}");
+    }
     let mut table = String::from("pub const TEMPLATES: &[Template] = &[\n");
     for (folder, space) in [("planar", "plane"), ("spatial", "space")] {
         let scenes = manifest.join("../../scenes").join(folder);
@@ -28,6 +32,27 @@ fn main() {
     if let Err(error) = std::fs::write(out.join("templates.rs"), table) {
         println!("cargo::error=could not write the templates: {error}");
     }
+}
+
+/// All files of scenes, by their paths.
+fn shipped(scenes: &Path) -> String {
+    let mut files = Vec::new();
+    for ending in
+        ["toml", "csv", "asc", "stl", "obj", "msh", "tess", "dat", "fab", "dxf", "AT2", "at2"]
+    {
+        files_under(scenes, ending, &mut files);
+    }
+    files.sort();
+    let mut table = String::from(
+        "/// Path under `scenes/` and contents.\npub const SHIPPED: &[(&str, &[u8])] = &[\n",
+    );
+    for path in files {
+        let Ok(short) = path.strip_prefix(scenes) else { continue };
+        let short = short.to_string_lossy().replace('\\', "/");
+        let _ = writeln!(table, "({short:?}, include_bytes!({path:?})),");
+    }
+    table.push_str("];\n");
+    table
 }
 
 /// Which words stand how often on which page and in which scene, for `riprap explain WORD`.

@@ -63,6 +63,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::Schema(args) => commands::language::schema(&args),
         Verb::Hash(args) => commands::language::hash(&args, style),
         Verb::Doctor(_) => commands::doctor::run(),
+        Verb::SelfTest(_) => commands::self_test::run(),
         Verb::Completions(args) => {
             commands::shell::completions(&args);
             Ok(())

@@ -20,6 +20,9 @@ pub struct Template {
 
 include!(concat!(env!("OUT_DIR"), "/templates.rs"));
 
+// Every file under `scenes/`, by its path from there: `SHIPPED`.
+include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
+
 /// The template called `name`.
 pub fn find(name: &str) -> Option<&'static Template> {
     TEMPLATES.iter().find(|t| t.name == name)

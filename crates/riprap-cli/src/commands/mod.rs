@@ -15,6 +15,7 @@ pub mod run;
 pub mod runout;
 pub mod safety;
 pub mod scratch;
+pub mod self_test;
 pub mod shell;
 pub mod strength;
 pub mod sweep;

@@ -2,6 +2,7 @@
 
 use riprap::run::study::{Executor, verify};
 
+use super::self_test::Shipped;
 use crate::args::Verify;
 use crate::commands::{check_line, cores};
 use crate::failure::Failure;
@@ -19,10 +20,19 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
         }
         scenes.extend(found);
     }
+    let shipped = match &args.shipped[..] {
+        [] => None,
+        names => Some(Shipped::named(names)?),
+    };
+    scenes.extend(shipped.iter().flat_map(|shipped| shipped.scenes.iter().cloned()));
     let interrupt = Interrupt::listen()?;
     let threads = args.jobs.map_or_else(cores, usize::from);
     let executor = Executor { threads, stop: &|| interrupt.asked() };
     let tally = verify::verify(&scenes, args.strict, &executor, |result| {
+        let result = match &shipped {
+            Some(shipped) => shipped.told(result),
+            None => result,
+        };
         if args.json {
             // A result is numbers and texts: it always has a JSON form.
             screen::line(&serde_json::to_string(&result).unwrap_or_default());

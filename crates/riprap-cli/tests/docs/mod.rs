@@ -3,6 +3,7 @@
 //! With `RIPRAP_WRITE_DOCS=1` generated pages and pictures are written instead of compared.
 
 mod console;
+mod crates;
 mod generated;
 mod links;
 mod quotes;
