@@ -90,7 +90,7 @@ impl Opening {
             [across, across.cross(along), along]
         } else {
             // A shaft: north is up.
-            [along.cross(Vec3::Y).normalize() * -1.0, Vec3::Y, along]
+            [along.cross(Vec3::Y).normalize(), Vec3::Y, along]
         };
         let mut faces = None;
         let mut profile = if let Some(said) = &said.circle {

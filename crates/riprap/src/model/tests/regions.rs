@@ -57,7 +57,7 @@ fn every_shape_holds_the_blocks_whose_centroid_lies_in_it() {
             16,
         ),
         (
-            "excavation = { from = [\"2 m\", \"2 m\", \"3 m\"], to = [\"2 m\", \"2 m\", \"0 m\"], polygon = [[\"0 m\", \"0 m\"], [\"2 m\", \"0 m\"], [\"2 m\", \"1 m\"], [\"0 m\", \"1 m\"]] }",
+            "excavation = { from = [\"1 m\", \"2 m\", \"3 m\"], to = [\"1 m\", \"2 m\", \"0 m\"], polygon = [[\"1 m\", \"0 m\"], [\"3 m\", \"0 m\"], [\"3 m\", \"1 m\"], [\"1 m\", \"1 m\"]] }",
             6,
         ),
         (
