@@ -519,7 +519,7 @@ mod tests {
     fn joints_of_half_persistence_have_half_the_area() {
         let mut sets = [set(0.0, 0.0, 0.05), set(90.0, 0.0, 0.05), set(90.0, 90.0, 0.05)];
         let area = |sets: &[PlaneSet], seed| {
-            let joints = planes(sets, CUBE.0, CUBE.1, 1).unwrap();
+            let joints = planes(sets, CUBE.0, CUBE.1, 1).unwrap().concat();
             let divided = divide(cube(), &joints, 0.0, seed).unwrap();
             assert!((volume(&divided) - 1.0).abs() < 1e-11);
             (divided.area, divided.solids.len())
