@@ -14,6 +14,7 @@ use crate::args::Cases;
 use crate::commands::run::target;
 use crate::commands::trials::make_folder;
 use crate::commands::{default_folder, threads};
+use crate::diagnostics::print_line;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::numbers::grouped;
@@ -196,6 +197,14 @@ fn report(args: &Cases, scene: &Scene, done: &Done, summary: impl Fn()) -> Resul
             scene.cases.len(),
             done.folder.display()
         ));
+    }
+    if let Some(row) = rows.iter().find(|row| !row.warnings.is_empty()) {
+        let (count, all) = (rows.iter().filter(|row| !row.warnings.is_empty()).count(), rows.len());
+        let (case, first) = (&row.case, &row.warnings[0]);
+        print_line(
+            "warning",
+            &format!("{count} of {all} cases ran with warnings; {case}: {first}"),
+        );
     }
     if let Some(row) = rows.iter().find(|row| row.unwritten) {
         return Err(Failure::Output(row.ended.clone()));

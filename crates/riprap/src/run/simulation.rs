@@ -15,6 +15,7 @@ mod error;
 mod leavers;
 mod noted;
 mod shorter;
+mod spent;
 mod steer;
 mod step_error;
 mod stop;
@@ -27,6 +28,7 @@ pub use cursor::{
     Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stage, Thrown, Unconverged,
 };
 pub use error::RunError;
+pub use spent::Spent;
 
 use self::control::Servos;
 use self::shorter::Shorter;
@@ -388,6 +390,9 @@ impl Simulation {
         let before = before.and_then(|k| self.plan.phases.get(k)).cloned();
         self.end_motion(before, &phase)?;
         self.choose_integration(&phase)?;
+        if self.settles(&phase) {
+            self.cursor.spent = Spent::of(self);
+        }
         self.apply(phase)
     }
 

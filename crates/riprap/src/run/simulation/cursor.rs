@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Spent;
 use crate::ledger::Unexplained;
 use crate::plan::Plan;
 use crate::run::engine::steer::{SteerError, Steered};
@@ -52,6 +53,8 @@ pub struct Cursor {
     pub closing_dt: f64,
     /// Blocks that have left the model and have not been recorded yet.
     pub departed: Vec<Departed>,
+    /// What forces had done when the present phase began, if it is an implicit static one.
+    pub spent: Spent,
 }
 
 /// What a block is pressed into.
@@ -171,6 +174,8 @@ pub struct PhaseEnd {
     pub thrown: Option<Thrown>,
     /// What dashpots of viscous faces carry over all forces, and the condition whose faces carry most.
     pub sinking: Option<(f64, String)>,
+    /// Share of the work of weight and loads that friction has taken, where blocks have slid in the long steps of an implicit static phase.
+    pub rubbed: Option<f64>,
 }
 
 /// A block that has gone far while blocks that lay in each other gave back energy.
@@ -249,6 +254,19 @@ impl PhaseEnd {
         let (name, way) = self.moving.as_ref().filter(|(_, way)| *way > MOVES)?;
         Some(format!(
             "block `{name}` moves: in another phase of this length it would travel {way:.1e} times its own size"
+        ))
+    }
+
+    /// That forces may be locked in, in words.
+    #[must_use]
+    pub fn locked_in(&self) -> Option<String> {
+        let share = self.rubbed?;
+        Some(format!(
+            "blocks slid in the implicit static phase `{}`: friction took {:.0} % of the work of weight and loads. Long steps can drive blocks into each \
+             other, where friction locks in forces that weight alone would not hold, and the equilibrium depends on the step; repeat the phase with \
+             `integration = \"explicit\"`, or a dynamic phase after it, and compare",
+            self.phase,
+            100.0 * share
         ))
     }
 

@@ -1,6 +1,6 @@
 //! What a run says of its phases when they are over, and of itself at its end.
 
-use super::{PhaseEnd, Simulation, Thrown, Unconverged};
+use super::{PhaseEnd, Simulation, Spent, Thrown, Unconverged};
 use crate::ledger::{Balance, Unexplained};
 use crate::plan::PhaseKind;
 use crate::run::engine::View;
@@ -61,9 +61,17 @@ impl Simulation {
             moving,
             thrown,
             sinking: self.sinking(),
+            rubbed: self.rubbed(),
         };
         self.cursor.ends.push(end.clone());
         Some(end)
+    }
+
+    /// Share that friction has taken of what drives an implicit static phase, if it may have locked in forces.
+    fn rubbed(&self) -> Option<f64> {
+        let settles = self.phase().is_some_and(|phase| self.settles(phase));
+        let spent = settles.then(|| Spent::of(self).since(self.cursor.spent))?;
+        spent.strays().then(|| spent.rubbed())
     }
 
     /// What should be known of the run besides its results, in words: conditions that have lost faces to others, what cannot meet, phases that did not come to rest, an energy
@@ -73,8 +81,8 @@ impl Simulation {
     pub fn warnings(&self) -> Vec<String> {
         let cursor = &self.cursor;
         let unconverged = cursor.unconverged.iter().map(ToString::to_string);
-        let ends =
-            (cursor.ends.iter()).flat_map(|end| end.warning().into_iter().chain(end.thrown()));
+        let ends = (cursor.ends.iter())
+            .flat_map(|end| end.warning().into_iter().chain(end.thrown()).chain(end.locked_in()));
         let residual = Unexplained::ALL.into_iter().zip(&cursor.unexplained);
         let residual = residual.filter(|(what, largest)| largest.share.abs() > self.noted(*what));
         let residual = residual.map(|(what, largest)| largest.told(what));

@@ -10,6 +10,7 @@ use crate::run::checks::Status;
 use crate::run::drive::{Control, Ending, Look};
 use crate::run::job::{Outcome, watch_only};
 use crate::run::scene::Scene;
+use crate::run::simulation::PhaseEnd;
 use crate::scenario::Case;
 
 /// One trial of a search.
@@ -25,7 +26,7 @@ pub struct Trial {
     pub measured_words: String,
     /// Whether the scene failed.
     pub failed: bool,
-    /// How the run ended when it was not at its end.
+    /// How the run ended when it was not at its end, or what is wrong with the end of one of its phases.
     pub note: String,
 }
 
@@ -104,13 +105,15 @@ pub fn bisect(
             }
             Control::stop_if((task.cancelled)())
         };
-        let Outcome { ending, mut checks, .. } = watch_only(job, task.threads, &mut here)?;
-        let note = match ending {
-            Ending::Finished => String::new(),
+        let Outcome { ending, mut checks, ends, .. } = watch_only(job, task.threads, &mut here)?;
+        let (stopped, note) = match ending {
+            Ending::Finished => {
+                (false, ends.iter().find_map(PhaseEnd::warning).unwrap_or_default())
+            }
             Ending::Stopped => return Err(StudyError::Stopped),
-            Ending::Unstable(why) => why.to_string(),
+            Ending::Unstable(why) => (true, why.to_string()),
         };
-        let failed = !note.is_empty() || checks.iter().any(|check| check.status != Status::Passed);
+        let failed = stopped || checks.iter().any(|check| check.status != Status::Passed);
         let check = checks.pop();
         let trial = Trial {
             value: task.value,

@@ -256,12 +256,14 @@ fn factor(job: Job, rules: &Rules, task: &Task<'_, Trial>) -> Result<Trial, Stud
     let executor = Executor { threads: task.threads.max(1), stop: task.cancelled };
     let answer = safety::search(&job.setup, &job.plan, rules, &executor, &mut |_| {})?;
     let result = match (answer.stable_at, answer.fails_at) {
+        // Somewhere in a range that no trial has narrowed.
+        _ if answer.undecided => None,
         (Some(stable), Some(fails)) => Some(0.5 * (stable + fails)),
         // Beyond what is tried strength does not decide: it lies above or below whatever is wanted.
         (Some(stable), None) => Some(stable),
         (None, Some(fails)) => Some(fails),
         (None, None) => None,
     };
-    let note = if result.is_some() { "" } else { "no factor of safety was found" };
-    Ok(Trial { value: task.value, result, note: note.to_owned() })
+    let note = if result.is_some() { String::new() } else { answer.words() };
+    Ok(Trial { value: task.value, result, note })
 }

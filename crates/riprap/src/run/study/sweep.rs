@@ -74,6 +74,8 @@ pub struct Row {
     pub ended: String,
     /// Whether it reached its end.
     pub finished: bool,
+    /// What its run warned of.
+    pub warnings: Vec<String>,
     /// Whether it was run before, by this program and with the same input, and is kept as it is.
     pub kept: bool,
     /// Whether results could not be written.
@@ -151,10 +153,11 @@ fn one(
         Err(wrong) => return Row { ended: wrong.render(), ..row },
     };
     let before = before(&folder, &prepared.manifest);
+    let known = prepared.manifest.clone();
     let mut look = |_: &mut Look<'_>| executor.control();
     let outcome = match (existing, before) {
         (Existing::Refuse, Before::Finished { steps, checks }) => {
-            return row.finished(&folder, steps, checks);
+            return row.finished(&folder, steps, checks, &prepared.manifest);
         }
         (Existing::Refuse, Before::CutShort) => match job::resume(&folder, 1, &mut look) {
             // Nothing to go on from: it begins again.
@@ -175,6 +178,9 @@ fn one(
                 Ending::Unstable(why) => why.to_string(),
             };
             (row.steps, row.checks, row.last) = (manifest.steps, checks, last_values(&folder));
+            if row.finished {
+                row.warns(&manifest, &known);
+            }
         }
     }
     row
@@ -192,9 +198,30 @@ impl Row {
     }
 
     /// The row of a case that has finished before.
-    fn finished(self, folder: &Path, steps: u64, checks: Vec<CheckResult>) -> Self {
+    fn finished(
+        self,
+        folder: &Path,
+        steps: u64,
+        checks: Vec<CheckResult>,
+        known: &Manifest,
+    ) -> Self {
         let (ended, last) = ("finished".to_owned(), last_values(folder));
-        Row { ended, finished: true, kept: true, steps, last, checks, ..self }
+        let mut row = Row { ended, finished: true, kept: true, steps, last, checks, ..self };
+        if let Ok(there) = Manifest::read(folder) {
+            row.warns(&there, known);
+        }
+        row
+    }
+
+    /// Keeps what the run warned of besides its input.
+    fn warns(&mut self, there: &Manifest, known: &Manifest) {
+        let own = there.warnings.iter().filter(|warning| !known.warnings.contains(warning));
+        self.warnings = own.cloned().collect();
+        match self.warnings.len() {
+            0 => {}
+            1 => self.ended.push_str(" with a warning"),
+            n => self.ended.push_str(&format!(" with {n} warnings")),
+        }
     }
 }
 
@@ -205,8 +232,11 @@ impl Row {
 pub fn merged(scene: &Scene, folder: &Path) -> Result<Vec<Row>, Diagnostics> {
     let row = |case: &Case| {
         let (row, folder) = (Row::of(scene, case, ""), folder.join(&case.name));
-        let ended = match before(&folder, &scene.prepare(case)?.manifest) {
-            Before::Finished { steps, checks } => return Ok(row.finished(&folder, steps, checks)),
+        let wanted = scene.prepare(case)?.manifest;
+        let ended = match before(&folder, &wanted) {
+            Before::Finished { steps, checks } => {
+                return Ok(row.finished(&folder, steps, checks, &wanted));
+            }
             Before::CutShort => "not finished",
             Before::Nothing => "not run",
             Before::Other => "a run of another input or program",
@@ -509,6 +539,7 @@ mod tests {
             changes: vec![(key.to_owned(), "\"5 deg\"".to_owned())],
             ended: "finished".to_owned(),
             finished: true,
+            warnings: Vec::new(),
             kept: false,
             unwritten: false,
             steps: 7,

@@ -54,6 +54,12 @@ impl Answer {
                 [Some(stable), Some(failing)] => {
                     format!("{key}: stable at {stable}, fails at {failing}")
                 }
+                [Some(stable), None] if self.undecided => {
+                    format!("{key}: stable at {stable}, and no other trial was conclusive")
+                }
+                [None, Some(failing)] if self.undecided => {
+                    format!("{key}: fails at {failing}, and no other trial was conclusive")
+                }
                 [Some(_), None] => format!("{key}: no failure in this range"),
                 [None, Some(_)] => format!("{key}: not stable anywhere in this range"),
                 [None, None] => format!("{key}: unknown, no trial was conclusive"),
@@ -61,6 +67,12 @@ impl Answer {
         }
         match ends {
             [Some(low), Some(high)] => format!("factor of safety: {low} .. {high}"),
+            [Some(low), None] if self.undecided => {
+                format!("factor of safety: above {low}; no trial at a larger one was conclusive")
+            }
+            [None, Some(high)] if self.undecided => {
+                format!("factor of safety: below {high}; no trial at a smaller one was conclusive")
+            }
             [Some(low), None] => format!(
                 "factor of safety: above {low}: the model is stable with almost no strength in these interfaces"
             ),

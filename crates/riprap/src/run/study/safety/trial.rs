@@ -3,14 +3,14 @@
 use std::time::Instant;
 
 use super::rules::{Rules, Trial};
-use super::verdict::{self, Look, Mechanism, Spent, Watch, seeks};
+use super::verdict::{self, Look, Mechanism, Watch, seeks};
 use crate::exec::Exec;
 use crate::plan::{
     Damping, Deforming, Integration, Phase, PhaseKind, Plan, Reduction, STATIC_STEP, TimeStep,
 };
 use crate::run::engine::State as EngineState;
 use crate::run::job::JobError;
-use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot};
+use crate::run::simulation::{Cursor, Reached, RunError, Simulation, Snapshot, Spent};
 use crate::run::study::StudyError;
 use crate::run::study::bracket::{State, Task};
 use crate::setup::Setup;
@@ -80,7 +80,7 @@ impl Maker<'_> {
     }
 
     /// Makes a trial by the rules, and by relaxation where Newton's method does not decide it: it has come to no end, or blocks have slid in its long steps before
-    /// they stood, and may be wedged between others.
+    /// they stood, and may be wedged between others. Such a trial decides nothing where only Newton's method is asked for.
     fn either(
         &self,
         in_space: bool,
@@ -97,7 +97,16 @@ impl Maker<'_> {
             State::Failing => true,
             State::Undecided => false,
         };
-        if decided || !(leaves_open && done.sought) { Ok(done) } else { trial(&relaxing) }
+        let mut done =
+            if decided || !(leaves_open && done.sought) { done } else { trial(&relaxing)? };
+        if done.strays && done.trial.state == State::Stable {
+            done.trial.state = State::Undecided;
+            done.trial.note = "blocks slid in the long steps of an implicit static phase, and friction may hold more than the weight asks for; use \
+                 `integration = \"explicit\"`"
+                .to_owned();
+            done.state = None;
+        }
+        Ok(done)
     }
 
     /// Runs the phases of a scene by the rules, and one more.

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::plan::PhaseKind;
 use crate::run::engine::Movement;
-use crate::run::simulation::Simulation;
+use crate::run::simulation::{Simulation, Spent};
 use crate::run::study::bracket::State;
 
 /// Share of the size of the middle one of the blocks that counts as moved where nothing else is said.
@@ -13,9 +13,8 @@ const MOVED: f64 = 1e-3;
 /// Growth of the mean kinetic energy from one quarter of a trial to the next that tells of a mechanism: a steady pull gives 2.7 and
 /// 1.9, what swings and calms down less than 1.
 const GROWTH: f64 = 1.3;
-/// Share of the displacement that counts as moved, and of the work of weight and loads that friction has taken, beyond which Newton's method may have driven a
-/// wedge: friction then locks in more than the weight asks for.
-const STRAYED: [f64; 2] = [0.05, 0.02];
+/// Share of the displacement that counts as moved beyond which blocks may have been driven into each other ([`Spent::strays`]).
+const STRAYED: f64 = 0.05;
 /// Looks before anything is said, and steps of Newton's method that a mechanism goes on for.
 const FEWEST: usize = 12;
 /// Way of a block in such a step, over half its shortest edge, from which on blocks move as far as steps allow.
@@ -59,31 +58,6 @@ impl Look {
             seeking: seeks(simulation)
                 .then(|| [simulation.engine().settling_way(), view.unbalanced()]),
             movements: view.movements(),
-        }
-    }
-}
-
-/// What forces have done, J.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Spent {
-    friction: f64,
-    gravity: f64,
-    loads: f64,
-}
-
-impl Spent {
-    /// So far, at the present, prepared state.
-    pub(super) fn of(simulation: &Simulation) -> Self {
-        let works = simulation.view().balance().works;
-        Self { friction: works.friction, gravity: works.gravity, loads: works.loads }
-    }
-
-    /// After an earlier state.
-    pub(super) fn since(self, from: Self) -> Self {
-        Self {
-            friction: self.friction - from.friction,
-            gravity: self.gravity - from.gravity,
-            loads: self.loads - from.loads,
         }
     }
 }
@@ -169,9 +143,8 @@ impl Watch {
 
     /// Whether blocks have slid by more than their springs give, so that long steps may have wedged them between others; `spent` since it began.
     pub(super) fn has_strayed(&self, spent: Spent) -> bool {
-        let [far, rubbed] = STRAYED;
-        let moved = self.farthest().is_some_and(|(moved, _)| moved > far * self.limit(None));
-        moved && spent.friction > rubbed * (spent.gravity.abs() + spent.loads.abs())
+        let moved = self.farthest().is_some_and(|(moved, _)| moved > STRAYED * self.limit(None));
+        moved && spent.strays()
     }
 
     /// Whether it moves on and on.
