@@ -22,6 +22,7 @@ mod ranks;
 mod safety;
 mod spatial;
 mod spatial_steady;
+mod tilted;
 mod water;
 
 use riprap_testkit::Counting;

@@ -6,6 +6,7 @@ mod leave;
 mod notes;
 mod reading;
 pub mod steer;
+mod step_error;
 mod view;
 
 use serde::{Deserialize, Serialize};
@@ -334,14 +335,6 @@ impl Engine {
                 .map_err(|e| e.block),
             Self::Spatial(e) => spatial::step::evaluate(&mut e.world, &mut e.scratch, damping, dt)
                 .map_err(|e| e.block),
-        }
-    }
-
-    /// How far from each other the blocks lie that one step of `dt` (s) moves and two of half of it, m; infinite where a step has no solution. The state stays.
-    pub fn step_error(&mut self, damping: &Damping, dt: f64) -> f64 {
-        match self {
-            Self::Planar(_) => 0.0,
-            Self::Spatial(e) => spatial::step::error(&e.world, &mut e.scratch, damping, dt),
         }
     }
 

@@ -340,24 +340,6 @@ impl Simulation {
         divided.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })
     }
 
-    /// Finds the forces for the coming step, which is halved where an implicit one does not converge.
-    fn evaluate_step(&mut self, phase: &Rules) -> Result<(), RunError> {
-        self.keep_within_error(phase);
-        for _ in 0..HALVINGS {
-            match self.engine.evaluate(&self.damping(phase), self.dt) {
-                Ok(()) => return Ok(()),
-                Err(_) if self.engine.not_solved().is_some_and(|failed| failed.rounds > 0) => {
-                    self.dt *= 0.5;
-                    self.cursor.shortened += 1;
-                    let why = "contacts that did not come to balance in a longer implicit step";
-                    self.note_shorter(phase.time_step, self.dt, why);
-                }
-                Err(block) => return Err(self.no_force(block)),
-            }
-        }
-        self.evaluate(&self.damping(phase), self.dt)
-    }
-
     /// Whether a phase, which is the present one or has just ended, seeks its equilibrium by implicit steps.
     fn settles(&self, phase: &Phase) -> bool {
         phase.kind == PhaseKind::Static && self.engine.is_implicit()
@@ -557,9 +539,6 @@ impl Simulation {
 /// Contacts whose longest step has fallen below this share of the coming one count at once, not from the next step on: those of
 /// the first instant, and of blocks that a change of the model has set free.
 const SUDDEN: f64 = 0.5;
-
-/// How often an implicit step that does not converge is halved before the run stops.
-const HALVINGS: usize = 6;
 
 /// What the loop needs of a phase at each step.
 #[derive(Clone, Copy, Debug)]
