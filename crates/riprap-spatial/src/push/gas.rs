@@ -1,5 +1,7 @@
 //! Gas of charges that enters cracks, pushes their sides and vents ([`crate::flow`]).
 //!
+//! A crack whose sides have moved farther from each other than the smaller block is large encloses nothing any more: what flows into it is in the air.
+//!
 //! The network (`network`) is that of the joints between living blocks as they were built. A joint conducts once two of its four points have failed;
 //! its aperture is what it is when its sides touch plus the opening in its middle. At each evaluation apertures and volumes follow from the present positions, the gas
 //! flows for the time that has passed, and its pressures push both sides until the next one. The sides of a crack are pushed at their own places by opposite forces,
@@ -18,7 +20,7 @@ use crate::setup::{CavityPressure, Cracks, Source, Venting};
 use crate::state::anchor::{Anchor, Freedoms};
 use crate::state::cavity::Cavity;
 use crate::state::event::EditKind;
-use crate::state::gas::{Crack, CrackGas};
+use crate::state::gas::{Crack, CrackGas, GasBooks};
 use crate::state::patches::flag;
 use crate::state::push::Account;
 use crate::state::scratch::Scratch;
@@ -206,16 +208,20 @@ fn open(world: &World, gas: &mut CrackGas) -> bool {
 fn follow(world: &World, gas: &mut CrackGas) {
     let CrackGas { cracks, masses, rules, fluid, books, .. } = gas;
     let freedoms = world.all_freedoms();
-    for (crack, &mass) in cracks.iter_mut().zip(masses.iter()).filter(|(c, _)| c.open) {
+    for (crack, mass) in cracks.iter_mut().zip(masses.iter_mut()).filter(|(c, _)| c.open) {
+        if crack.gone {
+            crack.drain(mass, fluid, rules, books);
+            continue;
+        }
         let (jump, opening) = place(world, &freedoms, crack);
         let before = crack.volume;
         // What presses its sides together takes nothing from the aperture that they have then.
         let aperture = rules.aperture + opening.max(0.0);
         crack.volume = crack.area * aperture;
         crack.aperture = aperture.min(rules.widest);
-        if mass > 0.0 {
+        if *mass > 0.0 {
             let old = crack.pressure;
-            crack.follow(fluid, mass);
+            crack.follow(fluid, *mass);
             let air = 0.5 * (old.min(rules.air) + crack.pressure.min(rules.air));
             books.air += air * (crack.volume - before);
         }
@@ -227,10 +233,28 @@ fn follow(world: &World, gas: &mut CrackGas) {
         books.work += work;
         books.in_cracks += work;
         crack.moved = moved;
+        let size = crack.blocks.map(|b| world.solid_of(b as usize).radius);
+        if jump.length() > size[0].min(size[1]) {
+            crack.gone = true;
+            crack.drain(mass, fluid, rules, books);
+        }
     }
 }
 
 impl Crack {
+    /// Lets out what is in a crack whose sides no longer face each other. Its aperture stays the widest, so that what reaches it goes the same way.
+    fn drain(&mut self, mass: &mut f64, fluid: &Fluid, rules: &Cracks, books: &mut GasBooks) {
+        if *mass > 0.0 {
+            books.vented += *mass;
+            books.carried += *mass * fluid.energy(*mass / self.volume);
+            *mass = 0.0;
+        }
+        self.aperture = rules.widest;
+        self.volume = self.area * rules.widest;
+        self.pressure = 0.0;
+        self.known = [0.0; 3];
+    }
+
     /// Takes the pressure to the present density: by a parabola as long as it is near the one at which it was found last.
     fn follow(&mut self, fluid: &Fluid, mass: f64) {
         let density = mass / self.volume;
@@ -308,7 +332,8 @@ fn pace(gas: &mut CrackGas, volumes: &[f64], desk: &Desk) {
     let in_cavities = masses.iter().zip(volumes).skip(cracks.len());
     let mut most = in_cavities.map(|(m, v)| fluid.pressure(m / v)).fold(0.0, f64::max);
     let mut change = 0.0_f64;
-    for (crack, mass) in cracks.iter_mut().zip(masses.iter()).filter(|(_, m)| **m > 0.0) {
+    let filled = cracks.iter_mut().zip(masses.iter()).filter(|(c, m)| **m > 0.0 && !c.gone);
+    for (crack, mass) in filled {
         let before = crack.pressure;
         crack.find(fluid, *mass);
         most = most.max(crack.pressure);
@@ -412,7 +437,9 @@ pub(crate) fn step_limit(world: &World) -> f64 {
 /// Largest step that the gas in cracks allows now, s.
 fn limit(world: &World, gas: &CrackGas) -> f64 {
     let mut stiffness = vec![0.0; world.alive.len()];
-    for (crack, _) in gas.cracks.iter().zip(&gas.masses).filter(|(c, m)| c.open && **m > 0.0) {
+    for (crack, _) in
+        gas.cracks.iter().zip(&gas.masses).filter(|(c, m)| c.open && !c.gone && **m > 0.0)
+    {
         let spring = crack.known[2] * crack.area * crack.area / crack.volume;
         for block in crack.blocks {
             let b = block as usize;

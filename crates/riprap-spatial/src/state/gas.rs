@@ -58,6 +58,8 @@ pub struct Crack {
     pub area: f64,
     /// Whether gas may enter.
     pub open: bool,
+    /// Whether its sides have gone so far from each other that it encloses nothing any more.
+    pub gone: bool,
     /// Displacement of its second side against the first, m, at the last evaluation.
     pub jump: Vec3,
     /// How far that has moved since the evaluation before it, m; nothing once its work is booked.

@@ -121,6 +121,7 @@ impl Crack {
             normal,
             area,
             open: false,
+            gone: false,
             jump: Vec3::ZERO,
             moved: Vec3::ZERO,
             volume: 0.0,
@@ -188,6 +189,7 @@ fn hand_on(world: &World, old: &CrackGas, new: &mut CrackGas) {
         let share = crack.area / areas[k];
         new.masses[cell] = share * old.masses[k];
         crack.open = from.open;
+        crack.gone = from.gone;
         crack.volume = share * from.volume;
         crack.aperture = from.aperture;
         crack.pressure = from.pressure;
