@@ -8,13 +8,12 @@ use crate::accounts::Holder;
 
 impl World {
     /// Living blocks on which support number `k` acts: the last support of a block alone acts on it, unless a phase releases it.
-    #[must_use]
-    pub fn held_by(&self, k: usize) -> Vec<usize> {
+    pub fn held_by(&self, k: usize) -> impl Iterator<Item = usize> + '_ {
         let (own, later) = self.setup.supports[k..].split_at(1);
         let blocks = own.iter().flat_map(|s| &s.blocks);
-        let acts = blocks.filter(|b| !later.iter().any(|s| s.blocks.contains(b)));
+        let acts = blocks.filter(move |b| !later.iter().any(|s| s.blocks.contains(b)));
         let numbers = acts.map(|b| *b as usize);
-        numbers.filter(|b| self.alive[*b] && self.motion[*b].is_some()).collect()
+        numbers.filter(|b| self.alive[*b] && self.motion[*b].is_some())
     }
 }
 

@@ -301,7 +301,7 @@ impl Rules {
         };
         above("the way from which on blocks are thrown", self.moved)?;
         above("the cell of the grid", self.cell)?;
-        let direction = self.along.map(|[x, y]| x.hypot(y));
+        let direction = self.along.map(|[x, y]| (x * x + y * y).sqrt());
         above("the length of the direction of the throw", direction)?;
         let Some(pattern) = self.kuz_ram else { return Ok(()) };
         above("the rock factor", Some(pattern.rock_factor))?;
@@ -388,7 +388,7 @@ fn left(folder: &Path) -> (usize, f64) {
 }
 
 fn flat(v: Vec3) -> f64 {
-    v.x.hypot(v.y)
+    (v.x * v.x + v.y * v.y).sqrt()
 }
 
 /// How far blocks were thrown; `None` where none was.
@@ -398,7 +398,7 @@ fn throw(pieces: &[Piece], charges: &[Vec3], rules: &Rules, left: (usize, f64)) 
     let moment: Vec3 = thrown.iter().map(|p| p.volume * (p.place - p.start)).sum();
     let shift = moment / volume;
     let [x, y] = rules.along.unwrap_or([shift.x, shift.y]);
-    let length = x.hypot(y);
+    let length = (x * x + y * y).sqrt();
     let along = if length > 0.0 { [x / length, y / length] } else { [1.0, 0.0] };
     let way = |piece: &Piece| flat(piece.place - piece.start);
     let moving = thrown.iter().filter(|piece| piece.speed > MOVING).count();

@@ -29,6 +29,7 @@ pub use cursor::{
 };
 pub use error::RunError;
 pub use spent::Spent;
+pub(crate) use spent::middle_size;
 
 use self::control::Servos;
 use self::shorter::Shorter;

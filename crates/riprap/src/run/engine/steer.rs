@@ -194,7 +194,7 @@ fn planar(world: &mut planar::world::World, name: &str, to: Steered) -> Result<(
     let Some((k, velocity)) = change(&world.setup.accounts, loads, name, to)? else {
         return Ok(());
     };
-    let mut moved = world.held_by(k);
+    let mut moved: Vec<usize> = world.held_by(k).collect();
     moved.sort_unstable();
     let of_blocks = world.motion.iter_mut().enumerate();
     let of_blocks = of_blocks
@@ -351,8 +351,8 @@ impl Engine {
                     loads.any(|load| load.blocks.iter().any(|b| world.alive[*b as usize]))
                 }
                 Holder::Support(k) => {
-                    let mut held = world.held_by(usize::from(k)).into_iter();
-                    held.any(|b| world.motion[b].as_deref().is_some_and(|m| m.is_driven()))
+                    let held: Vec<usize> = world.held_by(usize::from(k)).collect();
+                    held.iter().any(|b| world.motion[*b].iter().any(|motion| motion.is_driven()))
                 }
                 Holder::Nodes(_) | Holder::Boundary(_) => false,
             }

@@ -104,7 +104,8 @@ impl Simulation {
             .filter_map(|(control, reading)| {
                 let off = self.off(control, reading);
                 // At the edge of its band a servo moves with all of its velocity, as it may.
-                (!(off.abs() <= 1.0 + 1e-9)).then(|| {
+                let kept = off.abs() <= 1.0 + 1e-9;
+                (!kept).then(|| {
                     let (field, target) = (&control.gauge.field, control.target);
                     let value = reading.value(&self.view());
                     let now = if value.is_finite() {

@@ -1,9 +1,10 @@
 //! What a run says of its phases when they are over, and of itself at its end.
 
+use super::spent::{SLID, middle_size};
 use super::{PhaseEnd, Simulation, Spent, Thrown, Unconverged};
 use crate::ledger::{Balance, Unexplained};
 use crate::plan::PhaseKind;
-use crate::run::engine::View;
+use crate::run::engine::{Movement, View};
 use crate::run::{meeting, overruled, rough};
 
 /// Share of the largest energy exchanged from which on what edits have added is reported.
@@ -71,7 +72,11 @@ impl Simulation {
     fn rubbed(&self) -> Option<f64> {
         let settles = self.phase().is_some_and(|phase| self.settles(phase));
         let spent = settles.then(|| Spent::of(self).since(self.cursor.spent))?;
-        spent.strays().then(|| spent.rubbed())
+        let movements = self.view().movements();
+        let far = SLID * middle_size(&movements);
+        let square = |m: &Movement| m.shift.iter().map(|x| x * x).sum::<f64>();
+        let slid = movements.iter().any(|m| square(m) > far * far);
+        (slid && spent.strays()).then(|| spent.rubbed())
     }
 
     /// What should be known of the run besides its results, in words: conditions that have lost faces to others, what cannot meet, phases that did not come to rest, an energy

@@ -136,3 +136,35 @@ impl Answer {
         text
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::shown::Shown;
+
+    #[test]
+    fn an_answer_claims_no_more_than_was_tried() {
+        let answer = |stable_at, fails_at, undecided, quantity: bool| Answer {
+            quantity: quantity.then(|| "depth".to_owned()),
+            unit: String::new(),
+            shown: Shown::si(""),
+            width: 0.01,
+            stable_at,
+            fails_at,
+            undecided,
+            trials: Vec::new(),
+            moving: Vec::new(),
+            mechanism: None,
+        };
+        let words =
+            |stable, fails, undecided, quantity| answer(stable, fails, undecided, quantity).words();
+        assert!(words(Some(64.0), None, false, false).contains("almost no strength"));
+        assert!(
+            words(Some(1.0), None, true, false).contains("no trial at a larger one was conclusive")
+        );
+        assert!(words(None, Some(0.1), false, false).contains("at every strength tried"));
+        assert!(words(None, Some(1.0), true, false).contains("no trial at a smaller one"));
+        assert!(words(Some(1.0), None, false, true).contains("no failure in this range"));
+        assert!(words(Some(1.0), None, true, true).contains("no other trial was conclusive"));
+    }
+}

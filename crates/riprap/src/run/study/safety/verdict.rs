@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::plan::PhaseKind;
 use crate::run::engine::Movement;
-use crate::run::simulation::{Simulation, Spent};
+use crate::run::simulation::{Simulation, Spent, middle_size};
 use crate::run::study::bracket::State;
 
 /// Share of the size of the middle one of the blocks that counts as moved where nothing else is said.
@@ -124,11 +124,7 @@ impl Watch {
 
     /// Displacement from which on a block counts as moved, m: as in the rules, or with a share that of the size of the middle one of the blocks.
     fn limit(&self, share: Option<f64>) -> f64 {
-        let of_size = |share: f64| {
-            let mut sizes: Vec<f64> = self.movements.iter().map(|m| m.size).collect();
-            sizes.sort_by(f64::total_cmp);
-            sizes.get(sizes.len() / 2).map_or(0.0, |size| share * size)
-        };
+        let of_size = |share: f64| share * middle_size(&self.movements);
         match (share, self.moved) {
             (None, Some(moved)) => moved,
             (Some(share), _) => of_size(share),
