@@ -121,7 +121,7 @@ fn errors_say_what_there_is() {
     let e = text(blocks(&folder, Which::Last, "stress_normal", o, &out));
     assert!(e.contains("no field `stress_normal`"), "{e}");
     assert!(text(blocks(&folder, Which::Index(6), "rotation", o, &out)).contains("frames 1 to 5"));
-    assert!(text(energy(&folder, &dir.path().join("x.pdf"))).contains(".svg or .png"));
+    assert!(text(energy(&folder, &dir.path().join("x.eps"))).contains(".svg, .png or .pdf"));
     assert!(text(energy(dir.path(), &out)).contains("is this a run folder?"));
     assert!(text(energy(&folder, &dir.path().join("no/x.svg"))).contains("could not write"));
     assert!(!out.exists());

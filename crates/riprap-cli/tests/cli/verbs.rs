@@ -366,7 +366,7 @@ fn plots_are_drawn() {
         (&["crater"], "in the plane"),
         (&["heave"], "no sources"),
         (&["cavity"], ".pressure"),
-        (&["spectrum"], "name of a history"),
+        (&["spectrum"], "the name of one history"),
         (&["spectrum", "hieght"], "did you mean `height`"),
         (&["energy", "height"], "only spectrum does"),
         (&["section", "--at", "3 s"], "is not a valid length"),

@@ -374,7 +374,7 @@ impl Simulation {
         self.end_motion(before, &phase)?;
         self.choose_integration(&phase)?;
         if self.settles(&phase) {
-            self.cursor.spent = Spent::of(self);
+            self.cursor.spent = Spent::of(&self.view().balance().works);
         }
         self.apply(phase)
     }

@@ -71,7 +71,8 @@ impl Simulation {
     /// Share that friction has taken of what drives an implicit static phase, if it may have locked in forces.
     fn rubbed(&self) -> Option<f64> {
         let settles = self.phase().is_some_and(|phase| self.settles(phase));
-        let spent = settles.then(|| Spent::of(self).since(self.cursor.spent))?;
+        let spent =
+            settles.then(|| Spent::of(&self.view().balance().works).since(self.cursor.spent))?;
         let movements = self.view().movements();
         let far = SLID * middle_size(&movements);
         let square = |m: &Movement| m.shift.iter().map(|x| x * x).sum::<f64>();

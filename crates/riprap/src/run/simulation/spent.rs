@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Simulation;
+use crate::ledger::Works;
 use crate::run::engine::Movement;
 
 /// Share of the work of weight, loads and supports that friction has taken beyond which Newton's method may have driven a wedge: blocks have slid in its long steps,
@@ -30,10 +30,9 @@ pub struct Spent {
 }
 
 impl Spent {
-    /// So far, at the present, prepared state.
+    /// Of all works so far.
     #[must_use]
-    pub fn of(simulation: &Simulation) -> Self {
-        let works = simulation.view().balance().works;
+    pub fn of(works: &Works) -> Self {
         Self {
             friction: works.friction,
             gravity: works.gravity,
@@ -70,6 +69,7 @@ impl Spent {
 #[cfg(all(test, feature = "scenario"))]
 mod tests {
     use super::*;
+    use crate::run::simulation::Simulation;
 
     /// A key between two blocks on a floor, which it drives apart below 17.09 deg: `tan(20 deg + phi)` is the thrust of its flanks, and half its weight and theirs on the
     /// floor holds them.

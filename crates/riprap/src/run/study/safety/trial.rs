@@ -99,7 +99,8 @@ impl Maker<'_> {
         };
         let mut done =
             if decided || !(leaves_open && done.sought) { done } else { trial(&relaxing)? };
-        if done.strays && done.trial.state == State::Stable {
+        let by_newton = done.trial.integration == Integration::Implicit;
+        if by_newton && done.strays && done.trial.state == State::Stable {
             done.trial.state = State::Undecided;
             done.trial.note = "blocks slid in the long steps of an implicit static phase, and friction may hold more than the weight asks for; use \
                  `integration = \"explicit\"`"
@@ -196,7 +197,7 @@ impl Maker<'_> {
             match simulation.advance(steps) {
                 Ok(Reached::Asked) => {
                     self.task.goes_on()?;
-                    from.get_or_insert_with(|| Spent::of(&simulation));
+                    from.get_or_insert_with(|| Spent::of(&simulation.view().balance().works));
                     watch.look(Look::of(&simulation, begin));
                     if watch.is_failing() {
                         break State::Failing;
@@ -216,7 +217,7 @@ impl Maker<'_> {
         let note = ended.map_or_else(String::new, |why| why.to_string());
         let mut done = self.told(&simulation, &watch, state, begin, note);
         done.sought |= sought;
-        let spent = from.map(|from| Spent::of(&simulation).since(from));
+        let spent = from.map(|from| Spent::of(&simulation.view().balance().works).since(from));
         done.strays = sought && spent.is_some_and(|spent| watch.has_strayed(spent));
         Ok(done)
     }
@@ -254,7 +255,8 @@ impl Maker<'_> {
             // as well, which are not watched for failure.
             let mut all = Watch::new(self.rules.moved);
             all.look(Look::of(simulation, 0));
-            before.strays |= seeks(simulation) && all.has_strayed(Spent::of(simulation));
+            before.strays |=
+                seeks(simulation) && all.has_strayed(Spent::of(&simulation.view().balance().works));
             if let Some((moved, block)) = all.farthest()
                 && moved > before.farthest.0
             {
