@@ -368,7 +368,7 @@ fn plots_are_drawn() {
         (&["cavity"], ".pressure"),
         (&["spectrum"], "the name of one history"),
         (&["spectrum", "hieght"], "did you mean `height`"),
-        (&["energy", "height"], "only spectrum does"),
+        (&["energy", "height"], "only spectrum and histories do"),
         (&["section", "--at", "3 s"], "is not a valid length"),
         (&["crater", "--uplift", "high"], "is not a valid length"),
         (&["ppv", "--time", "0 s", "--time", "1 s"], "one frame"),
