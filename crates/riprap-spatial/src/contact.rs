@@ -2,7 +2,7 @@
 //!
 //! The kernel knows two bodies at two poses; here are all of the model. Blocks of the largest lattice whose joints are whole
 //! cannot come together: they are passive, and two passive blocks never make a pair. All others are active: separate bodies, and
-//! blocks with a joint that has failed at any of its points. Pairs that a patch joins are left to it, and two blocks whose
+//! blocks with a joint that has failed at any of its points or has slid along. Pairs that a patch joins are left to it, and two blocks whose
 //! motion is prescribed never act on each other. Terrain acts on every rigid block that can move: these pairs need no search, and stand
 //! behind those of the search in one list.
 //!
@@ -238,13 +238,13 @@ fn others_are_whole(world: &World, desk: &mut RoleScratch) -> bool {
     whole != were_whole
 }
 
-/// Whether all joints of a block are whole, for each of them.
+/// Whether all joints of a block are whole and in place, for each of them.
 fn find_whole(world: &World, whole: &mut Vec<bool>) {
     whole.clear();
     whole.resize(world.alive.len(), true);
     let patches = &world.patches;
     for (ends, flags) in patches.ends.iter().zip(&patches.flags) {
-        if flags & flag::BROKEN != 0 {
+        if flags & (flag::BROKEN | flag::DISPLACED) != 0 {
             for b in ends {
                 whole[*b as usize] = false;
             }

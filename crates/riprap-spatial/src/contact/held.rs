@@ -2,12 +2,13 @@
 //!
 //! In a lattice most pairs of blocks that are near each other share an edge or a corner only. While blocks that both of them
 //! are joined to hold them, small kinematics hold between them too: they overlap by a small share of their size, in a rim, and what they
-//! would exert there is nothing beside what their faces do. Such pairs are not looked at. Joints hold as long as they are there,
-//! broken or not: what slides, turns or opens beyond its bounds gives way ([`mod@super::release`]), and a pair is looked at from the instant
-//! on at which no chain of joints is left. It starts without force then ([`super::rebuild`]).
+//! would exert there is nothing beside what their faces do. Such pairs are not looked at. Joints hold, broken or not, until they have slid
+//! or opened by a thousandth of their side ([`mod@super::release`]), and a pair is looked at from the instant on at which no chain of
+//! joints that hold is left. It starts without force then ([`super::rebuild`]).
 
 use crate::contact::facing::facing;
 use crate::kernel::{Image, PairKey, Pose, Shape};
+use crate::state::patches::flag;
 use crate::state::world::World;
 
 /// Areas of faces on each other below this, over the largest one of the pair, are those of an edge.
@@ -18,6 +19,13 @@ type Partner = (u32, Image);
 
 /// Which blocks patches join.
 pub(super) struct Joints {
+    all: Partners,
+    /// Those whose patches hold them in place; `None` where all do.
+    in_place: Option<Partners>,
+}
+
+/// The partners of each block.
+struct Partners {
     /// Where the partners of each block start in `partners`.
     first: Vec<u32>,
     /// Ascending for each block.
@@ -36,10 +44,10 @@ pub(super) fn pair_of_patch(world: &World, p: usize) -> (PairKey, bool) {
     PairKey::sorted(ends, Image::nearest(first - second, periods))
 }
 
-impl Joints {
-    /// Those that are there now.
-    pub(super) fn new(world: &World) -> Self {
-        let pairs = (0..world.patches.len()).map(|p| pair_of_patch(world, p).0);
+impl Partners {
+    /// Those that the patches of `chosen` join.
+    fn new(world: &World, chosen: impl Iterator<Item = usize>) -> Self {
+        let pairs = chosen.map(|p| pair_of_patch(world, p).0);
         let both = pairs.flat_map(|PairKey { ends: [i, j], image }| {
             [(i, (j, image)), (j, (i, image.to(Image::SELF)))]
         });
@@ -66,12 +74,6 @@ impl Joints {
         self.of(b).iter().map(move |(k, from)| (*k, image.plus(*from)))
     }
 
-    /// Whether a patch joins the two.
-    pub(super) fn joins(&self, key: &PairKey) -> bool {
-        let [i, j] = key.ends;
-        self.of(i).binary_search(&(j, key.image)).is_ok()
-    }
-
     /// Whether the two are joined by way of one block, as about an edge, or of two, as about a corner.
     fn chained(&self, key: &PairKey) -> bool {
         let [i, j] = key.ends;
@@ -79,11 +81,30 @@ impl Joints {
         share(self.of(i).iter().copied(), of_second())
             || self.of(i).iter().any(|k| share(self.of_image(*k), of_second()))
     }
+}
+
+impl Joints {
+    /// Those that are there now.
+    pub(super) fn new(world: &World) -> Self {
+        let all = || 0..world.patches.len();
+        let in_place = |p: &usize| world.patches.flags[*p] & flag::DISPLACED == 0;
+        let some = (!all().all(|p| in_place(&p))).then(|| all().filter(in_place));
+        Self {
+            all: Partners::new(world, all()),
+            in_place: some.map(|some| Partners::new(world, some)),
+        }
+    }
+
+    /// Whether a patch joins the two.
+    pub(super) fn joins(&self, key: &PairKey) -> bool {
+        let [i, j] = key.ends;
+        self.all.of(i).binary_search(&(j, key.image)).is_ok()
+    }
 
     /// Whether joints hold a pair that shares an edge or a corner at most: blocks that face each other across a gap can close it while
     /// their joints hold.
     pub(super) fn hold(&self, world: &World, shapes: &[Shape], key: &PairKey) -> bool {
-        if !self.chained(key) {
+        if !self.in_place.as_ref().unwrap_or(&self.all).chained(key) {
             return false;
         }
         // Faces at the start do not change: what was held has none that face each other, however its joints have changed since.
@@ -144,6 +165,21 @@ mod tests {
         run.until(1e-3);
         assert_eq!(run.world.found.held, [[1, 4], [2, 3]].map(PairKey::plain));
         assert!(run.world.found.pairs.is_empty());
+    }
+
+    /// The fourth is shifted along the second and away from the third, while their joints stay.
+    #[test]
+    fn joints_that_have_slid_and_opened_hold_no_pair() {
+        for (share, held) in [(0.9, vec![[1, 4], [2, 3]]), (1.1, vec![[2, 3]])] {
+            let mut run = four();
+            run.world.bodies.displacement[0][4] = share * 1e-3 * 0.5;
+            run.until(1e-3);
+            assert_eq!(run.world.patches.len(), 4);
+            let keys: Vec<PairKey> = held.into_iter().map(PairKey::plain).collect();
+            assert_eq!(run.world.found.held, keys, "{share}");
+            let slid = run.world.patches.flags.iter().filter(|f| **f & flag::DISPLACED != 0);
+            assert_eq!(slid.count(), if share > 1.0 { 2 } else { 0 });
+        }
     }
 
     #[test]

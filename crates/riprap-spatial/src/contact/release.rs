@@ -35,6 +35,12 @@ use crate::state::world::World;
 const SLID: f64 = 0.05;
 /// Opening of all points over the smaller side.
 const OPEN: f64 = 0.01;
+/// Way of a point of a patch that has slid or opened, over the smaller side: from here on the patch no longer holds its blocks in place
+/// against others ([`super::held`]).
+///
+/// `Deviation:` of this program. What the edges of two such blocks sink into each other before they are looked at is at most this share of
+/// the side; a smaller one would have every rim of a blasted lattice inspected that has shaken loose.
+const DISPLACED: f64 = 1e-3;
 /// Rotation of both blocks against each other, rad.
 const TURNED: f64 = 0.02;
 /// The same where some points are open and others are pressed, rad.
@@ -59,30 +65,53 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
     }
     let (seen, known) = (&*world, &*scratch);
     // Each patch by itself: what fails here changes nothing of another.
-    let goes = |p: usize| {
-        let fails = is_folded(seen, p) || is_torn(seen, p);
-        (fails || (is_loose(seen, p) && is_past(seen, p))).then_some((p, fails))
+    let change = |p: usize| {
+        if is_folded(seen, p) || is_torn(seen, p) {
+            Some((p, Change::Fails))
+        } else if is_loose(seen, p) && is_past(seen, p) {
+            Some((p, Change::Released))
+        } else {
+            is_displaced(seen, p).then_some((p, Change::Displaced))
+        }
     };
     // Nearly always none does, and a step takes no memory then.
     let count = seen.patches.len();
     let first = known.exec.smallest(count, |mut chunk| {
-        let first = chunk.find(|p| goes(*p).is_some());
+        let first = chunk.find(|p| change(*p).is_some());
         first.map_or(f64::INFINITY, |p| p as f64)
     });
     if first.is_infinite() {
         return;
     }
-    let chunks = known.exec.chunked(count, |chunk| chunk.filter_map(goes).collect::<Vec<_>>());
+    let chunks = known.exec.chunked(count, |chunk| chunk.filter_map(change).collect::<Vec<_>>());
     let mut pairs = Vec::new();
-    for (p, fails) in chunks.into_iter().flatten() {
-        if fails {
-            fail(world, p);
+    for (p, change) in chunks.into_iter().flatten() {
+        match change {
+            Change::Displaced => {
+                world.patches.flags[p] |= flag::DISPLACED;
+                world.fresh = true;
+                continue;
+            }
+            Change::Fails => fail(world, p),
+            Change::Released => {}
         }
         pairs.push(pair_of_patch(world, p).0);
     }
     pairs.sort_unstable();
     pairs.dedup();
-    release_pairs(world, scratch, &pairs);
+    if !pairs.is_empty() {
+        release_pairs(world, scratch, &pairs);
+    }
+}
+
+/// What becomes of a patch at a look.
+#[derive(Clone, Copy)]
+enum Change {
+    /// It stays, and holds its blocks in place no longer.
+    Displaced,
+    Released,
+    /// Its last points fail, and it is released.
+    Fails,
 }
 
 /// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are. Those with stress in place stay: a contact
@@ -175,6 +204,24 @@ fn is_past(world: &World, p: usize) -> bool {
     }
     let turned = turned(&poses, list.ends[p]);
     turned > TURNED || (turned > HINGED && hinges(world, p))
+}
+
+/// Whether a point of a patch that slides, opens or has failed has gone so far that the patch holds its blocks in place no longer; once.
+fn is_displaced(world: &World, p: usize) -> bool {
+    let (list, flags) = (&world.patches, world.patches.flags[p]);
+    let gives = flags & (flag::BROKEN | flag::OPEN | flag::SLIDING) != 0;
+    if !gives || flags & flag::DISPLACED != 0 {
+        return false;
+    }
+    let class = &world.classes[list.class[p] as usize];
+    let poses = Poses { bodies: &world.bodies, turned: &world.turned };
+    let points = poses.points(class, list.ends[p], flags & flag::FINITE != 0);
+    let normal_offset = list.normal_offset.get(p).copied().unwrap_or_default();
+    let [b, c] = sides(world, p);
+    let way = DISPLACED * b.min(c);
+    points.at.iter().zip(normal_offset).any(|(at, normal_offset)| {
+        at[0] - normal_offset > way || at[1] * at[1] + at[2] * at[2] > way * way
+    })
 }
 
 /// Sides of a patch along b and c, m.

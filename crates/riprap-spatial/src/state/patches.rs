@@ -135,6 +135,8 @@ pub mod flag {
     pub const FINITE: u16 = 0x1000;
     /// `slip` or `normal_offset` are in use.
     pub const OFFSET: u16 = 0x2000;
+    /// A point has slid or opened so far that the patch no longer holds its blocks in place against others.
+    pub const DISPLACED: u16 = 0x4000;
 
     /// Bits of points that slid by `before`, and go on doing so by `after`: a law that is applied again at the same instant
     /// sees no motion, but closed points have not come to rest.

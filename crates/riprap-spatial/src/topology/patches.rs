@@ -53,7 +53,7 @@ pub(super) fn hand_on(world: &mut World, p: usize, k: usize) {
         wear: list.wear.get(k).copied().unwrap_or_default().map(|wear| from.map(|o| wear[o])),
         openings: openings.map(|openings| from.map(|o| openings[o])),
     };
-    let mut flags = list.flags[k] & flag::FINITE;
+    let mut flags = list.flags[k] & (flag::FINITE | flag::DISPLACED);
     for group in [flag::BROKEN, flag::OPEN, flag::SLIDING] {
         let set = (0..4).filter(|q| is(group, from[*q]));
         flags |= set.map(|q| flag::of(group, q)).sum::<u16>();
