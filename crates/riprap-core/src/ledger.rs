@@ -260,6 +260,14 @@ impl Balance {
             + self.bolts
     }
 
+    /// The energy of the state that a run begins with, where this is its first evaluation: joints that are stressed beyond their strength give
+    /// way in it before anything moves, and what they dissipate was stored until then.
+    #[must_use]
+    pub fn at_start(&self) -> f64 {
+        let w = &self.works;
+        self.total() + w.friction + w.damping + w.fracture + w.absorbed + w.bolts
+    }
+
     /// All energies times a factor: those of a slice of that thickness from those per metre.
     #[must_use]
     pub fn times(&self, factor: f64) -> Self {

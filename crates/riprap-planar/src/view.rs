@@ -312,7 +312,7 @@ impl View<'_> {
             normal(&scratch.candidates.convex) + normal(&scratch.candidates.general);
         // Laws without potential: their pairs store nothing that the place alone could tell.
         out.contact_normal += self.world.works.contact_path;
-        out.start = self.world.start_energy.unwrap_or_else(|| out.total());
+        out.start = self.world.start_energy.unwrap_or_else(|| out.at_start());
         out
     }
 }

@@ -390,7 +390,7 @@ impl View<'_> {
         out.contact_shear += shear;
         out.bolts = self.world.bolt_energy();
         // Before the first evaluation nothing has moved: the start is now.
-        out.start = self.world.start_energy.unwrap_or_else(|| out.total());
+        out.start = self.world.start_energy.unwrap_or_else(|| out.at_start());
         out
     }
 

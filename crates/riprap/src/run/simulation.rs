@@ -291,8 +291,8 @@ impl Simulation {
     /// ([`crate::ledger`]). The first one of a motion grows from nothing.
     fn book_step_change(&mut self) {
         if self.engine.start_energy().is_none() {
-            let total = self.view().balance().total();
-            *self.engine.start_energy() = Some(total);
+            let start = self.view().balance().at_start();
+            *self.engine.start_energy() = Some(start);
         }
         let (last, coming) = (self.view().last_dt(), self.dt);
         if last != coming {

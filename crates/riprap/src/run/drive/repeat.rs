@@ -132,7 +132,9 @@ fn of_residual(error: &RunError, what: &str, from: u64, values: [f64; 3]) -> Str
     };
     let [before, full, half] = values;
     let (full, half) = (full - before, half - before);
-    let verdict = if (half - full).abs() < SAME * full.abs() {
+    let verdict = if full.abs() < SAME * before.abs() {
+        "so the step is not the cause: it was there before"
+    } else if (half - full).abs() < SAME * full.abs() {
         "so the step is not the cause"
     } else if half.abs() < full.abs() {
         "so the step is too long: shorten it (`safety`, `time_step`)"
@@ -158,4 +160,29 @@ fn to(time: f64, trial: &mut Simulation, doubted: Unexplained) -> Result<Option<
         goes_on = reached == Reached::Asked && trial.time() < time;
     }
     Ok(Some(before))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{RunError, Unexplained, of_residual};
+
+    #[test]
+    fn what_was_there_before_is_not_blamed_on_the_step() {
+        let error = RunError::Residual {
+            what: Unexplained::Residual,
+            percent: 25.0,
+            allowed: 10.0,
+            energy: 10.4,
+            unit: "J",
+            fastest: String::new(),
+            ruled_out: String::new(),
+            step: 203,
+            time: 0.02,
+        };
+        let words = |values| of_residual(&error, "half the step", 0, values);
+        assert!(words([10.4, 10.4 + 7e-14, 10.4 - 4e-14]).contains("it was there before"));
+        // Grown in the stretch, and less with half the step.
+        assert!(words([0.1, 10.4, 2.6]).contains("too long"));
+        assert!(words([0.1, 10.4, 10.0]).ends_with("so the step is not the cause"));
+    }
 }
