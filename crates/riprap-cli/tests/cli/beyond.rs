@@ -249,6 +249,13 @@ fn bolts_that_bear_what_no_bar_bears_tie_nothing_or_have_too_many_pieces_are_tol
         check(&scene).expect(2).warns(&["bolt.pieces", "pieces", "piece ="]);
     }
     check(&hanging(&format!("{strong}\npiece = \"1 mm\""), phase)).expect(0);
+    let long = hanging(&format!("{strong}\npiece = \"1 km\""), phase);
+    check(&long).expect(2).warns(&["bolt.length", "the length of the pieces", "1 km"]);
+    let grouted = |length: &str| {
+        hanging(&strong.replace("GN/m2\"", &format!("GN/m2\", length = \"{length}\"")), phase)
+    };
+    check(&grouted("50 m")).expect(2).warns(&["bolt.length", "the grouted length", "50 m"]);
+    check(&grouted("0.3 m")).expect(0);
 }
 
 #[test]

@@ -47,15 +47,21 @@ impl Builder<'_> {
                 continue;
             };
             let (design, spacing) = self.design(k, said);
-            if !self.has_room_for_pieces(said, &lines, design.piece) {
+            let many = lines.len() > 1 || said.csv.is_some() || said.pattern.is_some();
+            let name = |number: usize| match many {
+                true => format!("{}.{number}", said.name),
+                false => said.name.text.clone(),
+            };
+            // Also of those that are refused, so that what names them is no second error.
+            self.directory.bolts.extend((1..=lines.len()).map(name));
+            if !self.has_room_for_pieces(said, &lines, design.piece)
+                || !self.lengths_fit(said, &lines, design.piece)
+            {
                 continue;
             }
-            let many = lines.len() > 1 || said.csv.is_some() || said.pattern.is_some();
             for (number, line) in (1..).zip(lines) {
-                let name =
-                    if many { format!("{}.{number}", said.name) } else { said.name.text.clone() };
+                let name = name(number);
                 self.bolt_in_rock(said, &name, &line, &design);
-                self.directory.bolts.push(name.clone());
                 let [head, toe] = [line.head, line.toe].map(|end| self.near(end));
                 match self.space {
                     InSpace::Planar => self.setup.bolts.push(planar::setup::Bolt {
@@ -93,6 +99,36 @@ impl Builder<'_> {
         let help = "give a longer `piece`: a tenth of the load transfer length of the grout (`sqrt(E A / k)`) is fine enough";
         self.error_at("bolt.pieces", at.clone(), message, help);
         false
+    }
+
+    /// Whether pieces and grouted length are no longer than the bolts: a slip of the pen in a unit would leave a bar without grout.
+    fn lengths_fit(&mut self, said: &language::Bolt, lines: &[Line], piece: f64) -> bool {
+        let length = |line: &Line| line.head.distance(line.toe);
+        let shortest = lines.iter().map(length).fold(f64::INFINITY, f64::min);
+        let longest = lines.iter().map(length).fold(0.0, f64::max);
+        let mut fits = true;
+        let mut wrong = |at: &Span, what: &str, given: f64, bolt: f64, help: &str| {
+            let message = format!(
+                "{what} of bolt `{}` is {}, the bolt {}",
+                said.name,
+                with_unit(given, "m"),
+                with_unit(bolt, "m")
+            );
+            self.error_at("bolt.length", at.clone(), message, help);
+            fits = false;
+        };
+        if let Some(said) = said.piece.as_ref().filter(|_| piece > shortest) {
+            let help =
+                "a tenth of the load transfer length of the grout (`sqrt(E A / k)`) is fine enough";
+            wrong(&said.span, "the length of the pieces", piece, shortest, help);
+        }
+        // What a table of other lengths calls all of it, to the last digit.
+        let all = |grouted: f64| grouted <= longest * (1.0 + 1e-9);
+        if let Some(said) = said.grout.length.as_ref().filter(|said| !all(said.si())) {
+            let help = "leave it out: a bolt is grouted along all of its length by default";
+            wrong(&said.span, "the grouted length", said.si(), longest, help);
+        }
+        fits
     }
 
     /// Numbers of the bolts that a phase installs.
