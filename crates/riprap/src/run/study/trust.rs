@@ -111,7 +111,7 @@ pub struct Result {
     pub as_run: f64,
     /// The value, extrapolated where an order was seen, SI.
     pub value: f64,
-    /// Its error, SI: the sum of the parts.
+    /// Its error, SI: the sum of the parts; not a number where nothing was varied.
     pub error: f64,
     /// What each cause adds, in the order of [`Cause::ALL`].
     pub parts: Vec<Part>,
@@ -127,10 +127,11 @@ pub struct Result {
 }
 
 impl Result {
-    /// Whether what the check expects lies inside the interval.
+    /// Whether what the check expects lies inside the interval; `None` where either is not known.
     #[must_use]
     pub fn holds(&self) -> Option<bool> {
-        self.expected.map(|truth| (truth - self.value).abs() <= self.error)
+        let expected = self.expected.filter(|_| self.error.is_finite());
+        expected.map(|truth| (truth - self.value).abs() <= self.error)
     }
 }
 

@@ -15,6 +15,8 @@ pub const SUMMARY: &str = "trust.json";
 
 /// Digits of an error.
 const ERROR_DIGITS: usize = 2;
+/// Digits of a value whose error is not known.
+const UNKNOWN_DIGITS: usize = 4;
 
 impl Result {
     /// A value in the unit of the scene, with the digits that the error leaves.
@@ -128,6 +130,10 @@ impl Result {
     pub fn words(&self) -> String {
         if !self.as_run.is_finite() {
             return format!("{}: {}", self.name, self.advice);
+        }
+        if !self.error.is_finite() {
+            let value = self.shown.text(self.as_run, UNKNOWN_DIGITS);
+            return format!("{}: {value}\n  {}", self.name, self.advice);
         }
         let mut text = format!("{}: {} +- {}", self.name, self.text(self.value), self.error_text());
         if let Some(spread) = self.chaotic {

@@ -89,13 +89,17 @@ pub(super) fn result(
         return result;
     }
     result.parts = Cause::ALL.into_iter().filter_map(|cause| part(trials, cause, k)).collect();
+    if result.parts.is_empty() {
+        result.advice = "nothing was varied: its error is not known".to_owned();
+        return result;
+    }
     if chaotic {
         let spread = Spread::of(trials, k);
         scatter(&mut result, &spread, trials, k);
         result.error = result.parts.iter().map(|part| part.error).sum();
         result.chaotic = Some(spread);
         result.advice = "chaotic: a step that is 0.1 % shorter changes it as much as half the step; give it as a distribution (more runs \
-                         narrow the mean, no key narrows the spread)"
+                         narrow the mean; with a smaller `safety` of its phases the spread may be narrower, which these runs do not show)"
             .to_owned();
         return result;
     }
