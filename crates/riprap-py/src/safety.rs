@@ -107,10 +107,8 @@ pub fn safety(
         let ran = with_look(py, None, |look| job::run(job, &target, existing, threads, look))?;
         ran.map_err(|wrong| errors::job_after(py, &wrong, &kept))?;
     }
-    let mut words = answer.words();
-    if let Some(mechanism) = answer.mechanism_words() {
-        words = format!("{words}\n{mechanism}");
-    }
+    let more = [answer.mechanism_words(), answer.far_words()];
+    let words = more.into_iter().flatten().fold(answer.words(), |all, one| format!("{all}\n{one}"));
     Ok((text, table, words))
 }
 

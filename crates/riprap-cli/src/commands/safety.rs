@@ -103,6 +103,9 @@ fn tell(answer: &Answer, folder: &Path, json: bool) -> Result<(), Failure> {
             "trials inside the range were undecided; increase --steps, or examine the run of the mechanism",
         );
     }
+    if let Some(text) = answer.far_words() {
+        print_line("warning", &text);
+    }
     Ok(())
 }
 

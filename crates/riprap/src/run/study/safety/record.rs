@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use super::rules::Answer;
+use super::rules::{Answer, Trial};
 use super::verdict::Mechanism;
 use crate::plan::shown::digits_for;
 use crate::record::{OutputError, write_whole};
 use crate::run::study::bracket::State;
+use crate::scenario::read::with_unit;
 
 /// Blocks of the mechanism that are named in words.
 const NAMED: usize = 5;
@@ -98,6 +99,19 @@ impl Answer {
         let more =
             if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
         Some(format!("mechanism: {count} {noun} {how}: {}{more}", names.join(", ")))
+    }
+
+    /// How far a block went before it stood, where that is more than what counts as moved.
+    #[must_use]
+    pub fn far_words(&self) -> Option<String> {
+        let at = |trial: &&Trial| trial.far && Some(trial.value) == self.stable_at;
+        let trial = self.trials.iter().rfind(at)?;
+        let (value, moved) = (self.text(trial.value), with_unit(trial.moved, "m"));
+        Some(format!(
+            "at {value} block `{}` came to rest only after {moved}, more than what counts as moved (`--moved`): it is stable at that \
+             displacement, not before",
+            trial.block
+        ))
     }
 
     /// Writes `safety.json` and `safety.csv` into `folder`.

@@ -71,6 +71,8 @@ pub struct Trial {
     pub seconds: f64,
     /// Why the physics stopped it, and what else is to be known.
     pub note: String,
+    /// Whether it came to rest although a block has moved by what counts as moved ([`Rules::moved`]).
+    pub far: bool,
     /// Number of the phase of the scene in which it failed already.
     #[serde(skip)]
     pub phase: Option<usize>,

@@ -314,6 +314,7 @@ impl Maker<'_> {
                 span: simulation.time() - simulation.cursor().start_time,
                 seconds: self.begun.elapsed().as_secs_f64(),
                 note,
+                far: state == State::Stable && watch.has_moved(None),
                 phase: None,
             },
             sought: seeks(simulation),
