@@ -104,7 +104,7 @@ pub struct Interface {
     /// Angle of dilation of joints that slide; in the plane of `bond`.
     #[key(default = "0 deg", read_by("joints", "sliding"))]
     pub dilation_angle: Option<Quantity<FrictionAngle>>,
-    /// Slip at which dilation ends, m; joints that slide back close again.
+    /// Slip at which dilation ends, m, needed where the angle is more than 0; joints that slide back close again.
     #[key(read_by("joints"))]
     #[key(only_with("dilation_angle"))]
     pub dilation_end: Option<Quantity<PositiveLength>>,
