@@ -73,9 +73,10 @@ pub fn evaluate(
     // or its force would be missing for a step.
     let [meet, deformable] = stage(scratch, "search", |scratch| {
         contact::release(world, scratch);
-        implicit::adopt_released(world);
         crate::contact::deformable::part(world, scratch);
         let meet = contact::refresh(world, scratch);
+        // After the search, which lets pairs that were not looked at begin without force.
+        implicit::adopt_released(world);
         [meet, crate::contact::deformable::refresh(world, scratch)]
     });
     stage(scratch, "cavities", |scratch| {

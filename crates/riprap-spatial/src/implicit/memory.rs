@@ -38,6 +38,11 @@ pub struct Kept {
     pub area: f64,
     /// Mean arm of friction against spinning, m.
     pub radius: f64,
+    /// Pressure of the overlap that stays hidden, Pa: of the depth that the blocks had while nothing pressed there, or pressed softer
+    /// ([`crate::kernel::offset`] says why). Never more than the deepest point would press.
+    pub hidden: f64,
+    /// Normal force that the contact has to begin with, N, where it takes over from a joint; `None` once it has.
+    pub due: Option<f64>,
 }
 
 /// What of the ledger belongs to implicit contacts.
@@ -66,37 +71,56 @@ impl Kept {
         (self.pair, self.key)
     }
 
-    /// Of a pair after its step; `None` where it does not press, or has rebounded.
+    /// Of a pair after its step; `None` where it hides nothing, and does not press or has rebounded.
     pub(crate) fn of(of: PairKey, pair: &Pair, shear: Vec3, torsion: f64) -> Option<Self> {
         let Pressure { force, centre, area, radius } = pair.pressure;
-        (force > 0.0 && !pair.strikes).then(|| Self {
-            pair: of,
-            key: pair.key,
-            shear,
-            torsion,
-            force,
-            arm: centre - pair.centres[0],
-            area,
-            radius,
-        })
+        let nothing = Self { hidden: pair.hidden, ..Self::nothing(of, pair.key) };
+        if force > 0.0 && !pair.strikes {
+            let arm = centre - pair.centres[0];
+            return Some(Self { shear, torsion, force, arm, area, radius, ..nothing });
+        }
+        (pair.hidden > 0.0).then_some(nothing)
     }
 
-    /// Of a patch of an explicit contact that presses with a normal force (N).
-    pub(crate) fn of_explicit(pair: PairKey, key: [u32; 2], memory: &Memory, force: f64) -> Self {
+    /// Of a patch that does not press.
+    fn nothing(pair: PairKey, key: [u32; 2]) -> Self {
         Self {
             pair,
             key,
+            shear: Vec3::ZERO,
+            torsion: 0.0,
+            force: 0.0,
+            arm: Vec3::ZERO,
+            area: 0.0,
+            radius: 0.0,
+            hidden: 0.0,
+            due: None,
+        }
+    }
+
+    /// Of two blocks that lie in each other without any force until now.
+    pub(crate) fn without_force(pair: PairKey) -> Self {
+        Self { due: Some(0.0), ..Self::nothing(pair, [0; 2]) }
+    }
+
+    /// Of a patch of an explicit contact, or of a joint that is released, that presses with a normal force (N).
+    pub(crate) fn of_explicit(pair: PairKey, key: [u32; 2], memory: &Memory, force: f64) -> Self {
+        Self {
             shear: memory.shear,
             torsion: memory.torsion,
             force,
             arm: memory.arms[0],
             area: memory.area,
             radius: if memory.area > 0.0 { (memory.polar / memory.area).sqrt() } else { 0.0 },
+            ..Self::nothing(pair, key)
         }
     }
 
     /// Puts it into the pair of the coming step.
-    pub(crate) fn recall(&self, pair: &mut Pair) {
+    pub(crate) fn recall(&self, pair: &mut Pair, spare: &mut Vec<[f64; 2]>) {
+        if self.hidden > 0.0 || self.due.is_some() {
+            pair.hide(self.hidden, self.due, spare);
+        }
         let pressure = Pressure {
             force: self.force,
             centre: self.arm + pair.centres[0],

@@ -31,6 +31,9 @@ const ARM: f64 = 0.93;
 /// Stiffness of an impact over that of a mass in the step: the rebound is as given but for the inverse of it.
 const RIGID: f64 = 1e4;
 
+/// Halvings in which a hidden pressure is found.
+const HALVINGS: usize = 50;
+
 /// One pair in a step.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Pair {
@@ -57,6 +60,8 @@ pub(crate) struct Pair {
     pub pressure: Pressure,
     /// Wet area of the step before, m².
     pub area_before: f64,
+    /// What its pieces have been relieved of, Pa: see [`crate::implicit::memory::Kept::hidden`].
+    pub hidden: f64,
     /// Whether it rebounds in this step.
     pub strikes: bool,
     /// The joint that ties the blocks, in place of the pieces of a contact.
@@ -123,6 +128,36 @@ impl Pair {
         self.torsion = torsion;
         self.pressure = pressure;
         self.area_before = pressure.area;
+    }
+
+    /// Takes a pressure off all of it, no more than its deepest point has: `hidden` (Pa), or so much that the normal force at rest is `due` (N) where
+    /// it would be larger.
+    pub(crate) fn hide(&mut self, hidden: f64, due: Option<f64>, spare: &mut Vec<[f64; 2]>) {
+        let most = |piece: &Piece| piece.most(&self.corners, piece.at_rest());
+        let deepest = self.pieces.iter().map(most).fold(0.0, f64::max);
+        let mut force = |hidden: f64| -> f64 {
+            let at_rest = Stepping { span: 0.0, dt: 0.0 };
+            let of = |piece: &Piece| {
+                let piece = piece.relieved(hidden);
+                piece.press(&self.corners, &Normal::default(), &at_rest, 1.0, spare).load[0]
+            };
+            self.pieces.iter().map(of).sum()
+        };
+        self.hidden = match due {
+            None => hidden.min(deepest),
+            Some(due) if force(0.0) <= due => 0.0,
+            // The force falls with what is hidden: halved to the last bit but a few.
+            Some(due) => {
+                let halve = |[low, high]: [f64; 2], _| {
+                    let middle = 0.5 * (low + high);
+                    if force(middle) > due { [middle, high] } else { [low, middle] }
+                };
+                (0..HALVINGS).fold([0.0, deepest], halve)[1]
+            }
+        };
+        for piece in &mut self.pieces {
+            *piece = piece.relieved(self.hidden);
+        }
     }
 
     /// Corrects the springs along it for the way that turning blocks have gone in the step before, beyond that at the velocities of its start:
@@ -211,8 +246,10 @@ impl Pair {
         for piece in &self.pieces {
             let pressed = piece.press(&self.corners, &part, step, 1.0, spare);
             piece.add_wrench(&pressed, &mut elastic);
-            let most = piece.most(&self.corners, &pressed.pressure) / self.law.normal_stiffness;
-            reply.depth = reply.depth.max(most);
+            let most = piece.most(&self.corners, &pressed.pressure);
+            if most > 0.0 {
+                reply.depth = reply.depth.max((most + self.hidden) / self.law.normal_stiffness);
+            }
         }
         reply.elastic = whole(&basis, elastic);
         if self.strikes {

@@ -208,6 +208,17 @@ impl Piece {
         self.frame
     }
 
+    /// Its pressure where nothing moves, Pa and Pa/m.
+    pub(crate) fn at_rest(&self) -> &[f64; 3] {
+        &self.pressure
+    }
+
+    /// The same with so much less pressure (Pa).
+    pub(crate) fn relieved(&self, by: f64) -> Self {
+        let [p, along, across] = self.pressure;
+        Self { pressure: [p - by, along, across], ..self.clone() }
+    }
+
     /// Its pressure and wet part at a twist; `soft` scales its stiffness, `corners` are those of the pair.
     pub(crate) fn press(
         &self,

@@ -121,7 +121,7 @@ impl Model {
                 pair.given = [a.motion, b.motion];
                 let numbers = PairKey::plain([i as u32, j as u32]);
                 if let Some(old) = self.kept.iter().find(|k| k.pair == numbers) {
-                    old.recall(&mut pair);
+                    old.recall(&mut pair, &mut Vec::new());
                 }
                 ends.push(numbers);
                 self.solver.pairs.push(pair);

@@ -20,10 +20,11 @@ mod tests;
 use riprap_geom::Vec3;
 
 use crate::contact;
-use crate::implicit::memory::{Books, Kept};
+use crate::implicit::memory::{Books, Implicit, Kept};
 use crate::implicit::patch::Stepping;
 use crate::implicit::solve::{Body, Solver, Unsolved};
 use crate::joint::patch::turned_inertia;
+use crate::kernel::offset::Offset;
 use crate::profile::Begun;
 use crate::rigid::kick::Acting;
 use crate::state::contact_scratch::Acting as Felt;
@@ -52,9 +53,24 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
     if implicit {
         contact::release_loose(world, scratch);
     }
-    world.implicit = implicit.then(Box::default);
+    let before = std::mem::replace(&mut world.implicit, implicit.then(Box::default));
     adopt(world, |_| true);
+    if let Some(before) = before {
+        keep_hidden(world, scratch, &before);
+    }
     world.fresh = true;
+}
+
+/// Lets explicit contacts go on hiding what implicit ones did, as a share of the energy of their pressure.
+fn keep_hidden(world: &mut World, scratch: &Scratch, before: &Implicit) {
+    for (pair, constants) in world.found.pairs.iter_mut().zip(&scratch.desk.constants) {
+        let hidden = before.of(pair.key(), [0; 2]).map_or(0.0, |kept| kept.hidden);
+        let all = constants.stiffness[0] * pair.depth;
+        if hidden > 0.0 && all > 0.0 {
+            let share = (hidden / all).min(1.0);
+            pair.offset = Some(Box::new(Offset::begin([share * share, 1.0])));
+        }
+    }
 }
 
 /// Takes over what joints have given to found contact since the last step.
@@ -72,18 +88,24 @@ fn adopt(world: &mut World, which: impl Fn(&FoundPair) -> bool) {
             let of = pair.key();
             // What a joint has pressed with it has not yet as a contact.
             let joint = pair.offset.as_ref().and_then(|offset| offset.joint);
+            let hides = |offset: &Offset| offset.joint.is_some() || offset.hidden > 0.0;
+            let hides = pair.offset.as_deref().is_some_and(hides);
             let pressed = pair.patches.iter().filter(|patch| patch.memory.area > 0.0);
             implicit.kept.extend(pressed.map(|patch| {
                 let force = joint.map_or_else(
                     || patch.force.dot(patch.memory.normal),
                     |carried| carried.normal.max(0.0),
                 );
-                Kept::of_explicit(of, patch.key, &patch.memory, force)
+                let due = hides.then_some(force.max(0.0));
+                Kept { due, ..Kept::of_explicit(of, patch.key, &patch.memory, force) }
             }));
+            if hides && pair.patches.is_empty() {
+                implicit.kept.push(Kept::without_force(of));
+            }
         }
         // Looked at in the first step, whatever the other kind knew.
         pair.gap = 0.0;
-        // The whole overlap presses, so that nothing of the load of a joint goes on beside it.
+        // From here on the overlap presses but for what is hidden of it, so that nothing of the load of a joint goes on beside it.
         works.contact_path += contact::left(pair);
         if let Some(offset) = pair.offset.take() {
             works.contact_path -= offset.stored;

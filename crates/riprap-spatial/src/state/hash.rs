@@ -196,6 +196,9 @@ fn implicit(hash: &mut StateHash, memory: &Implicit) {
         hash.numbers(&kept.shear.to_array());
         hash.numbers(&kept.arm.to_array());
         hash.numbers(&[kept.torsion, kept.force, kept.area, kept.radius]);
+        if kept.hidden > 0.0 || kept.due.is_some() {
+            hash.numbers(&[kept.hidden, kept.due.unwrap_or(-1.0)]);
+        }
     }
 }
 

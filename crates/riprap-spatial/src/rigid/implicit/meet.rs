@@ -183,7 +183,7 @@ impl Looking<'_> {
                 for patch in &mut found.patches[..count] {
                     let kept = self.memory.and_then(|memory| memory.of(pair.key(), patch.key));
                     if let Some(kept) = kept {
-                        kept.recall(patch);
+                        kept.recall(patch, &mut Vec::new());
                         self.follow(pair.ends, kept.arm, patch, on_ground);
                     }
                 }
