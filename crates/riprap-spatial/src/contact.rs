@@ -23,6 +23,7 @@ mod facing;
 mod felt;
 pub(crate) mod glued;
 mod held;
+pub(crate) mod levels;
 pub(crate) mod limit;
 mod narrow;
 mod relaw;
@@ -44,7 +45,7 @@ use crate::setup::InterfaceLaw;
 use crate::setup::error::BuildError;
 use crate::state::bodies::{Bodies, Turned};
 use crate::state::contact_scratch::{
-    Acting, ContactScratch, PairGroup, RoleScratch, Slot, Workspace,
+    Acting, Between, ContactScratch, PairGroup, RoleScratch, Slot, Workspace,
 };
 use crate::state::found::FoundPair;
 use crate::state::lineage::Origin;
@@ -543,6 +544,8 @@ fn incidence(world: &World, desk: &mut ContactScratch) {
     }
     desk.first_pair = counts;
     desk.acting = vec![Acting::default(); desk.blocks.len()];
+    let between = if world.found.levels.is_some() { desk.blocks.len() } else { 0 };
+    desk.between = vec![Between::default(); between];
 }
 
 /// Largest step that found contacts allow, s: stability of those that can touch, and no step in which two blocks could pass through

@@ -132,6 +132,7 @@ pub fn advance(world: &mut World, scratch: &mut Scratch, dt: f64) {
     stage(scratch, "integrate", |scratch| {
         integrate::integrate(world, scratch, dt);
     });
+    contact::levels::depart(world, &scratch.desk, dt);
     let mut passed = dt;
     if world.deform.is_some() {
         passed = stage(scratch, "move nodes", |scratch| deform::step::advance(world, scratch, dt));
@@ -164,6 +165,7 @@ pub fn end_motion(
     evaluate(world, scratch, damping, 0.0)?;
     let before = View { world, scratch }.balance().residual();
     integrate::integrate(world, scratch, 0.0);
+    contact::levels::depart(world, &scratch.desk, 0.0);
     if world.deform.is_some() {
         deform::step::advance(world, scratch, 0.0);
     }

@@ -102,6 +102,8 @@ pub struct Phase {
     pub time_step: TimeStep,
     /// Largest difference of an implicit step from two of half its length, m.
     pub step_error: Option<f64>,
+    /// Found contacts are evaluated once in up to 2 to this power explicit steps; 0: at each one.
+    pub levels: u8,
     /// Damping besides that of the contacts.
     pub damping: Damping,
     /// Blocks taken out at the start of the phase.
@@ -194,6 +196,7 @@ impl Phase {
             integration: Integration::Explicit,
             time_step: TimeStep::Auto { safety: SAFETY },
             step_error: None,
+            levels: 0,
             damping: Damping::default(),
             remove: Vec::new(),
             removal_ramp: None,

@@ -25,6 +25,7 @@ fn plan(time_step: TimeStep) -> Plan {
             install: vec![],
             gravity: None,
             step_error: None,
+            levels: 0,
             gravity_ramp: None,
             removal_ramp: None,
             leavers: None,

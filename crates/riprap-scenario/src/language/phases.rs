@@ -43,6 +43,12 @@ pub struct Phase {
     #[key(planar = "0.2", spatial = "0.5")]
     #[key(only_with("!time_step & !integration = implicit"))]
     pub safety: Option<Quantity<Share>>,
+    /// Found contacts of blocks that allow steps 2, 4, 8 ... times as long as the shortest are evaluated once in as many steps, up to 2 to the power of this number.
+    /// Joints, gas and all else are found at each step.
+    #[key(space = "spatial")]
+    #[key(default = 0, min = 0, max = 8)]
+    #[key(only_with("!integration = implicit & !integration = automatic & !kind = static"))]
+    pub levels: Option<u64>,
     /// Damping of the motion besides that of the contacts. Default none in a `dynamic` phase.
     pub damping: Option<Damping>,
     /// Largest energy residual, as a share of the largest energy that moved; beyond it the run is stopped.

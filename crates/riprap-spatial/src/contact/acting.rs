@@ -12,7 +12,7 @@ use riprap_geom::{Mat3, Vec3};
 use crate::broad::search::Candidates;
 use crate::contact::limit::{Known, Speeds};
 use crate::contact::narrow::{self, OnGround, Patch};
-use crate::contact::{left, limit, shared};
+use crate::contact::{left, levels, limit, shared};
 use crate::exec::{CHUNK, Exec};
 use crate::kernel::glued::{Glued, Placed};
 use crate::kernel::{
@@ -47,8 +47,11 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     world.works.edit_defect += sums.booked - sums.left;
     desk.deepest = sums.deepest;
     limit::find_negligible_impacts(world, desk, sums.impacts);
-    sum(desk, &scratch.exec);
-    let stable = limit::longest_step(world, desk, &scratch.exec, scratch.share.as_ref());
+    let stable = match world.found.levels.is_some() {
+        true => levels::plan(world, scratch),
+        false => limit::longest_step(world, desk, &scratch.exec, scratch.share.as_ref()),
+    };
+    sum(&mut scratch.desk, &scratch.exec);
     world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
 }
 
@@ -89,6 +92,7 @@ fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> Pa
         gravity: world.gravity.length(),
         dt: world.pending,
         last_dt: world.last_dt,
+        ends: scratch.coming_dt == 0.0,
     };
     let width = scratch.width;
     let ContactScratch { slots, groups, workspaces, sums, .. } = desk;
@@ -233,6 +237,8 @@ struct Evaluation<'a> {
     dt: f64,
     /// Length of the last step, s.
     last_dt: f64,
+    /// Whether the motion ends here, so that no pair waits.
+    ends: bool,
 }
 
 impl Evaluation<'_> {
@@ -275,13 +281,25 @@ impl Evaluation<'_> {
                 return;
             }
         }
+        let (mut motion, mut passed) = (pair.ends.map(|b| self.motion(b)), self.last_dt);
+        if let Some(clock) = &mut pair.clock {
+            if clock.left > 0 && !self.ends {
+                *slot = levels::waiting(pair, constants, nearing, group);
+                return;
+            }
+            // Another look at this instant finds it again.
+            clock.left = 0;
+            passed = self.world.time - clock.at;
+            let now = pair.ends.map(|b| self.bodies.poses[self.bodies.place[b as usize] as usize]);
+            levels::mean_motion(clock, now, passed, &mut motion);
+        }
         let mut acting = InPair {
             law: constants.law(self.known.rows),
             centres: [Vec3::ZERO; 2],
-            motion: pair.ends.map(|b| self.motion(b)),
+            motion,
             radius: 0.0,
-            dt: self.dt,
-            last_dt: self.last_dt,
+            dt: if self.dt > 0.0 && pair.clock.is_some() { passed } else { self.dt },
+            last_dt: passed,
             old: std::mem::take(&mut workspace.old),
             exerted: Exerted::default(),
             area: 0.0,
@@ -460,7 +478,8 @@ impl InPair<'_> {
                 sums.left += left(pair);
                 sums.booked += part(pair.offset.take(), &self.motion, before, self.dt);
                 let seated = pair.seated && gap <= SEATED * reach;
-                **pair = FoundPair { gap, seated, ..FoundPair::new(pair.key()) };
+                let clock = pair.clock.take();
+                **pair = FoundPair { gap, seated, clock, ..FoundPair::new(pair.key()) };
                 return Slot::default();
             }
             (Reached::Touching, _) => Pressed::Contact,
@@ -495,10 +514,15 @@ pub(crate) fn sum(desk: &mut ContactScratch, exec: &Exec) {
             let pairs = ends[0] as usize..ends[1] as usize;
             for &(k, second) in &incidence[pairs] {
                 let k = k as usize;
-                if let Some(by) = exerted(groups, &slots[k], k) {
+                let slot = &slots[k];
+                if let Some(by) = exerted(groups, slot, k).filter(|_| slot.weight == 1.0) {
                     acting.elastic.add(&by.elastic, second);
                     acting.spring.add(&by.spring, second);
                     acting.drag.add(&by.drag, second);
+                } else if let Some(by) = exerted(groups, slot, k).filter(|_| slot.weight != 0.0) {
+                    acting.elastic.add(&by.elastic.times(slot.weight), second);
+                    acting.spring.add(&by.spring.times(slot.weight), second);
+                    acting.drag.add(&by.drag.times(slot.weight), second);
                 }
             }
         }

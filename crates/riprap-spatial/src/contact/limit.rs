@@ -85,6 +85,78 @@ pub(super) fn longest_step(
     share.map_or(longest, |share| share.smallest(longest))
 }
 
+/// Longest step, s, and of each block the one that it allows, up to `cap` (s), to `limits`; infinite beyond.
+pub(super) fn of_blocks(
+    world: &World,
+    desk: &ContactScratch,
+    exec: &Exec,
+    cap: f64,
+    limits: &mut Vec<f64>,
+) -> f64 {
+    let limit =
+        StepLimit { world, desk, speeds: Speeds::of(world), gravity: world.gravity.length() };
+    limits.clear();
+    limits.resize(desk.blocks.len(), cap);
+    exec.chunks(limits, |first, chunk| {
+        let mut felt = ContactStiffness::default();
+        for (at, longest) in (first..).zip(chunk) {
+            *longest = limit.of_block(cap, at, &mut felt);
+        }
+    });
+    let longest = limits.iter().copied().fold(cap, f64::min);
+    for own in limits.iter_mut().filter(|own| **own >= cap) {
+        *own = f64::INFINITY;
+    }
+    longest.min(transit(world, desk, exec))
+}
+
+/// Step that the joints of each block allow, s: that of the block alone on twice their springs.
+pub(super) fn of_joints(world: &World, shapes: &[Shape]) -> Vec<f64> {
+    let mut joints: Vec<Vec<(u32, usize)>> = vec![Vec::new(); world.alive.len()];
+    for (p, ends) in (0..).zip(&world.patches.ends) {
+        for (side, b) in ends.iter().enumerate() {
+            joints[*b as usize].push((p, side));
+        }
+    }
+    let mut felt = ContactStiffness::default();
+    let of_block = |(b, joints): (usize, &Vec<(u32, usize)>)| {
+        if joints.is_empty() {
+            return f64::INFINITY;
+        }
+        let ease = InverseInertia::of(world, shapes, b);
+        felt.clear();
+        for (p, side) in joints {
+            let class = &world.classes[world.patches.class[*p as usize] as usize];
+            let [rb, rc] = class.half_spacing;
+            let spread = AreaMoments {
+                normal: class.frame[0],
+                arm: class.arms[*side],
+                area: class.area,
+                polar: rb * rb + rc * rc,
+                held: 0.0,
+            };
+            felt.add(&ease, &ContactLaw::default().with_stiffness(class.stiffness), &spread);
+        }
+        BOUNDED * step_of(felt.bound(&ease))
+    };
+    joints.iter().enumerate().map(of_block).collect()
+}
+
+/// Longest step in which a pair comes nearer by no more than its gap and a share of its size, s.
+pub(super) fn pair_transit(pair: &FoundPair, slot: &Slot, inradius: f64, gravity: f64) -> f64 {
+    time_for(pair.gap.max(0.0) + TRANSIT * inradius, slot.nearing, gravity)
+}
+
+/// Time for which a pair that parts may do without an evaluation, s: half of that until it has, so that its last impulses grow ever shorter. (What is given
+/// in advance beyond the parting would be energy from nothing in each impact.)
+pub(super) fn until_parting(world: &World, pair: &FoundPair) -> f64 {
+    let Some(patch) = pair.leading().filter(|patch| patch.memory.area > 0.0) else {
+        return 0.0;
+    };
+    let opening = -Speeds::of(world).across(pair.ends, &patch.memory);
+    if opening > 0.0 { 0.5 * patch.depth / opening } else { f64::INFINITY }
+}
+
 /// What the pairs of a block allow.
 struct StepLimit<'a> {
     world: &'a World,
@@ -458,11 +530,16 @@ impl<'a> Speeds<'a> {
 
     /// Speed at which two blocks come nearer to each other across their contact, m/s; 0 where they part.
     fn closing(&self, ends: [u32; 2], memory: &Memory) -> f64 {
+        self.across(ends, memory).max(0.0)
+    }
+
+    /// The same, below 0 where they part.
+    fn across(&self, ends: [u32; 2], memory: &Memory) -> f64 {
         let [a, b] = [0, 1].map(|side| {
             let of = ends[side] as usize;
             self.bodies.velocity(of) + self.bodies.spin(of).cross(memory.arms[side])
         });
-        (a - b).dot(memory.normal).max(0.0)
+        (a - b).dot(memory.normal)
     }
 
     /// Bound of the speed of the points of a block against its centroid, m/s.
@@ -494,8 +571,7 @@ fn transit(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
     // On terrain no block can pass through: it stops the run when it lies below the surface.
     exec.smallest(desk.candidates.pairs.len(), |pairs| {
         let times = pairs.map(|k| {
-            let way = world.found.pairs[k].gap.max(0.0) + TRANSIT * desk.constants[k].inradius;
-            time_for(way, desk.slots[k].nearing, g)
+            pair_transit(&world.found.pairs[k], &desk.slots[k], desk.constants[k].inradius, g)
         });
         times.fold(f64::INFINITY, f64::min)
     })

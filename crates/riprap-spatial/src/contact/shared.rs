@@ -54,7 +54,8 @@ pub(super) fn exchange(
 ) {
     let (rank, size) = (share.peers.rank(), share.peers.size());
     let own = part(share, rank, pairs.len());
-    let tell = |(pair, slot): (&FoundPair, &Slot)| match pair.gap > 0.0 {
+    // One that has just parted still winds up its clock.
+    let tell = |(pair, slot): (&FoundPair, &Slot)| match pair.gap > 0.0 && pair.clock.is_none() {
         true => Pair::Apart { gap: pair.gap, seated: pair.seated, nearing: slot.nearing },
         false => Pair::Near(pair.clone(), *slot),
     };

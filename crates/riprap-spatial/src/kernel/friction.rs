@@ -151,6 +151,20 @@ pub struct Wrench {
 }
 
 impl Wrench {
+    /// The same, `by` times as large.
+    #[must_use]
+    pub fn times(&self, by: f64) -> Self {
+        Self { force: by * self.force, moment_a: by * self.moment_a, moment_b: by * self.moment_b }
+    }
+
+    /// Power on the first and second body with these motions, W.
+    #[must_use]
+    pub fn power(&self, [a, b]: &[Motion; 2]) -> f64 {
+        self.force.dot(b.velocity - a.velocity)
+            + self.moment_a.dot(a.spin)
+            + self.moment_b.dot(b.spin)
+    }
+
     /// Both together.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {

@@ -12,6 +12,7 @@ use crate::laws::face_joint::Traction;
 use crate::laws::tetrahedron::Strain;
 use crate::ledger::Balance;
 use crate::push::boundary;
+use crate::rigid::kick::Change;
 use crate::state::deform::Body;
 use crate::state::found::FoundPair;
 use crate::state::hold::Hold;
@@ -52,7 +53,31 @@ impl View<'_> {
             return deformable.velocity();
         }
         let change = self.scratch.change(self.world, b);
-        self.world.bodies.velocity(b) + self.past() * change.velocity
+        let velocity = self.world.bodies.velocity(b) + self.past() * change.velocity;
+        match self.late(b) {
+            Some(late) => velocity + late.velocity,
+            None => velocity,
+        }
+    }
+
+    /// What contacts whose time has not come have still to change of the velocities of block `b` until now; `None` where all are evaluated at each step.
+    fn late(&self, b: usize) -> Option<Change> {
+        let late = self.scratch.desk.between(b)?.late;
+        let solid = self.world.solid_of(b);
+        let velocity = late.force / solid.mass;
+        let spin = self.world.moving(b).inverse(solid) * late.moment;
+        Some(self.world.ungiven(b, Change { velocity, spin, momentum: late.moment }))
+    }
+
+    /// Force and moment on block `b` without damping and supports, N and N m.
+    #[must_use]
+    pub(crate) fn net(&self, b: usize) -> [Vec3; 2] {
+        let net = &self.scratch.net;
+        let lag = self.scratch.desk.between(b).map(|between| between.lag);
+        match lag {
+            Some(lag) => [net.force(b) + lag.force, net.moment(b) + lag.moment],
+            None => [net.force(b), net.moment(b)],
+        }
     }
 
     /// Spin of block `b` at the present time, rad/s.
@@ -62,7 +87,11 @@ impl View<'_> {
             return deformable.spin(&self.world.solid_of(b).inverse);
         }
         let change = self.scratch.change(self.world, b);
-        self.world.turning(b).spin + self.past() * change.spin
+        let spin = self.world.turning(b).spin + self.past() * change.spin;
+        match self.late(b) {
+            Some(late) => spin + late.spin,
+            None => spin,
+        }
     }
 
     /// Displacement of the centroid since the start or the last reset, m.
@@ -155,7 +184,8 @@ impl View<'_> {
                 let solid = self.world.solid_of(b);
                 let place = if frozen[b] { self.world.reference[b] } else { self.position(b) };
                 let change = self.scratch.change(self.world, b);
-                let own = self.world.turning(b).momentum + self.past() * change.momentum;
+                let late = self.late(b).unwrap_or_default().momentum;
+                let own = self.world.turning(b).momentum + self.past() * change.momentum + late;
                 place.cross(solid.mass * self.velocity(b)) + own
             })
             .sum()
@@ -209,8 +239,8 @@ impl View<'_> {
             }
             let solid = world.solid_of(b);
             let [along, about] = world.freedoms(b);
-            let net = (along * self.scratch.net.force(b)).length()
-                + (about * self.scratch.net.moment(b)).length() / solid.radius;
+            let [force, moment] = self.net(b);
+            let net = (along * force).length() + (about * moment).length() / solid.radius;
             let applied = self.scratch.pushes.loads.blocks.get(b);
             let applied = applied.map_or(0.0, |l| l.force.length());
             [net, solid.mass * world.gravity.length() + applied]
@@ -274,7 +304,7 @@ impl View<'_> {
             .map(|b| {
                 let net = nets.get(&b).copied().unwrap_or_else(|| {
                     let [along, _] = world.freedoms(b);
-                    along * scratch.net.force(b)
+                    along * self.net(b)[0]
                 });
                 (net.length() / all[b], b as u32)
             })

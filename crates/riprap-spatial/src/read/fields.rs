@@ -247,8 +247,8 @@ riprap_core::fields! {
     "block.speed" "m/s" Block Scalar false "Magnitude of the velocity." |v, of| one(v.velocity(first(of)).length());
     "block.peak_speed" "m/s" Block Scalar false "Peak particle velocity: largest speed of the centroid so far." |v, of| one(v.peak_speed(first(of)));
     "block.spin" "rad/s" Block Vector3 false "Angular velocity." |v, of| v.spin(first(of));
-    "block.force" "N" Block Vector3 false "Sum of all forces on the block, damping and supports excluded." |v, of| v.scratch.net.force(first(of));
-    "block.moment" "N m" Block Vector3 false "Sum of all moments about the centroid." |v, of| v.scratch.net.moment(first(of));
+    "block.force" "N" Block Vector3 false "Sum of all forces on the block, damping and supports excluded." |v, of| v.net(first(of))[0];
+    "block.moment" "N m" Block Vector3 false "Sum of all moments about the centroid." |v, of| v.net(first(of))[1];
     "block.kinetic" "J" Block Scalar false "Kinetic energy." |v, of| one(v.kinetic(first(of)));
     "block.volume" "m3" Block Scalar false "Volume." |v, of| one(v.world.solid_of(first(of)).volume);
     "block.mass" "kg" Block Scalar false "Mass." |v, of| one(v.world.solid_of(first(of)).mass);
@@ -292,7 +292,7 @@ riprap_core::fields! {
     "group.volume" "m3" Group Scalar false "Volume of the group's existing blocks." |v, of| one(members(v, of).map(|b| v.world.solid_of(b).volume).sum());
     "group.mass" "kg" Group Scalar false "Mass of the group's existing blocks." |v, of| one(members(v, of).map(|b| v.world.solid_of(b).mass).sum());
     "group.momentum" "N s" Group Vector3 false "Momentum of the group's existing blocks." |v, of| members(v, of).map(|b| momentum(v, b)).sum();
-    "group.force" "N" Group Vector3 false "Sum of the net forces on the group's blocks." |v, of| members(v, of).map(|b| v.scratch.net.force(b)).sum();
+    "group.force" "N" Group Vector3 false "Sum of the net forces on the group's blocks." |v, of| members(v, of).map(|b| v.net(b)[0]).sum();
     "group.stress_normal" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, normal components xx, yy, zz as x, y, z; tension positive." |v, of| mean_stress(v, of, |s| Vec3::new(s.x_axis.x, s.y_axis.y, s.z_axis.z));
     "group.stress_shear" "Pa" Group Vector3 true "Mean over the volume of the group's blocks of their average stress, shear components yz, zx, xy as x, y, z." |v, of| mean_stress(v, of, |s| Vec3::new(s.z_axis.y, s.x_axis.z, s.y_axis.x));
     "group.fragments" "-" Group Scalar true "Number of fragments with a block of the group (see `model.fragments`)." |v, of| one(v.fragments().loose_with(members(v, of)).len() as f64);

@@ -100,7 +100,7 @@ impl Moving<'_> {
     }
 
     /// Its inverse.
-    fn inverse(&self, solid: &SolidClass) -> Mat3 {
+    pub(crate) fn inverse(&self, solid: &SolidClass) -> Mat3 {
         self.turned.map_or(solid.inverse, |t| turned_inertia(&solid.inverse, t.attitude))
     }
 

@@ -64,6 +64,10 @@ pub struct ContactScratch {
     pub first_pair: Vec<u32>,
     /// What their pairs do to each of `blocks`.
     pub acting: Vec<Acting>,
+    /// Where steps have levels: how the instant differs from the kick for each of `blocks`.
+    pub between: Vec<Between>,
+    /// Workspace of steps by level: step that each of `blocks` allows, s; infinite where it is not known since it is long.
+    pub limits: Vec<f64>,
     /// Workspace of each piece of the pairs.
     pub workspaces: Vec<Workspace>,
     /// Workspace: sums over groups of pairs.
@@ -132,6 +136,12 @@ impl ContactScratch {
     pub(crate) fn on_block(&self, b: usize) -> Option<Acting> {
         let place = self.place.get(b)?;
         Some(self.acting.get(*place as usize).copied().unwrap_or_default())
+    }
+
+    /// How block `b` stands between evaluations of its pairs; `None` where all pairs are evaluated at each step.
+    pub(crate) fn between(&self, b: usize) -> Option<&Between> {
+        let place = self.place.get(b)?;
+        self.between.get(*place as usize)
     }
 
     /// What pair `k` exerts, if it does.
@@ -307,7 +317,7 @@ impl PairGroup {
 }
 
 /// How a pair touches.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Slot {
     /// Place of what it exerts in its group; `None` where it exerts nothing.
     pub at: Option<u8>,
@@ -319,6 +329,27 @@ pub struct Slot {
     pub nearing: f64,
     /// Whether the energy of its impact is so small that a step need not resolve it, where not that of all is.
     pub negligible_impact: bool,
+    /// What its forces are multiplied by in the coming kick: 1 but where steps have levels.
+    pub weight: f64,
+    /// Time that its forces have still to be given at this instant, s; below 0 where they have been given in advance.
+    pub late: f64,
+    /// Steps until it is evaluated again.
+    pub every: u32,
+}
+
+impl Default for Slot {
+    fn default() -> Self {
+        Self {
+            at: None,
+            touching: false,
+            area: 0.0,
+            nearing: 0.0,
+            negligible_impact: false,
+            weight: 1.0,
+            late: 0.0,
+            every: 1,
+        }
+    }
 }
 
 /// An impact that is going on, or will within a step. In order of stiffness, the first of equal pairs above the others.
@@ -390,6 +421,15 @@ pub struct Acting {
     pub spring: Share,
     /// Dashpots.
     pub drag: Share,
+}
+
+/// How a block stands at an instant at which not all of its pairs are evaluated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Between {
+    /// Force and moment of its pairs without dashpots, less those of the coming kick.
+    pub lag: Share,
+    /// Impulse (N s, N m s) that its pairs have still to give until this instant.
+    pub late: Share,
 }
 
 /// Workspace of a piece of the pairs.

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::broad::search::Search;
 use crate::kernel::offset::Offset;
 use crate::kernel::{Image, Memory, PairKey, Role};
+use crate::state::clock::{Clock, Levels};
 
 /// Found contacts of all rigid blocks; empty where no blocks can meet but those that patches join.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -26,6 +27,8 @@ pub struct FoundContacts {
     pub unlabelled: u64,
     /// Implicit steps so far in which the limits of friction did not come to rest, and all implicit steps.
     pub unsettled: [u64; 2],
+    /// How pairs are stepped by levels; `None` where each is evaluated at each step.
+    pub levels: Option<Box<Levels>>,
     /// Those of deformable blocks.
     pub deformable: super::deformable::DeformableContacts,
     /// Blocks whose centroid has been beside all terrain, which fall for ever; empty without terrain.
@@ -51,6 +54,8 @@ pub struct FoundPair {
     pub gap: f64,
     /// Whether joints held the two in place, and they have not been far apart since.
     pub seated: bool,
+    /// How it is stepped while it touches and is not evaluated at each step (boxed: where steps have levels alone).
+    pub clock: Option<Box<Clock>>,
     /// What they share, in the order of the narrow phase: nothing while they are apart, one patch of two convex blocks, one of each two
     /// pieces of glued parts, one of each facet of terrain and piece.
     pub patches: Vec<ContactPatch>,

@@ -5,6 +5,7 @@ use riprap_core::state_hash::StateHash;
 use crate::implicit::memory::Implicit;
 use crate::kernel::offset::Offset;
 use crate::kernel::{Image, Memory, Pose};
+use crate::state::clock::Clock;
 use crate::state::deform::{Deform, State};
 use crate::state::deformable::DeformableContact;
 use crate::state::found::FoundContacts;
@@ -122,6 +123,21 @@ impl World {
     }
 }
 
+/// When a pair is evaluated again, and what it has got until then.
+fn winding(hash: &mut StateHash, clock: &Clock) {
+    hash.count(u64::from(clock.left) << 32 | u64::from(clock.every));
+    hash.numbers(&[clock.at, clock.given, clock.booked]);
+    for pose in &clock.poses {
+        hash.numbers(&pose.position.to_array());
+        hash.numbers(&pose.rotation.to_array());
+    }
+    for force in &clock.forces {
+        for vector in [force.force, force.moment_a, force.moment_b] {
+            hash.numbers(&vector.to_array());
+        }
+    }
+}
+
 /// Found contacts, in the order of their lists, which follows from the numbers of blocks.
 fn contacts(hash: &mut StateHash, found: &FoundContacts) {
     poses(hash, &found.search.pose, &found.search.margin);
@@ -150,6 +166,12 @@ fn contacts(hash: &mut StateHash, found: &FoundContacts) {
         if let Some(offset) = &pair.offset {
             carried_on(hash, offset);
         }
+        if let Some(clock) = &pair.clock {
+            winding(hash, clock);
+        }
+    }
+    for step in found.levels.iter().flat_map(|levels| &levels.joints) {
+        hash.number(*step);
     }
     let deformable = &found.deformable;
     let blocks = &deformable.search.blocks;

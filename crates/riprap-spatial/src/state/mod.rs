@@ -11,6 +11,7 @@ pub mod tiles;
 pub(crate) mod bodies;
 pub(crate) mod bolts;
 pub(crate) mod cavity;
+pub(crate) mod clock;
 pub(crate) mod cuts;
 pub(crate) mod cutting;
 pub mod deform;

@@ -61,8 +61,12 @@ impl Builder<'_> {
             }
         };
         let max_residual = read.max_residual();
+        let levels = read.levels();
         if integration == Integration::Implicit {
             self.refuse_implicit(said);
+        }
+        if levels > 0 {
+            self.refuse_levels(said);
         }
         let mut read = self.reading(format!("phases.{}", said.name), said);
         let none = language::Damping::default();
@@ -95,6 +99,7 @@ impl Builder<'_> {
             integration,
             time_step,
             step_error: said.step_error.as_ref().map(Quantity::si),
+            levels: levels as u8,
             damping,
             remove,
             removal_ramp: self.removal_ramp(said),
@@ -178,6 +183,45 @@ impl Builder<'_> {
                 "phase `{name}` is implicit and has local damping, which needs explicit steps"
             );
             refuse(message, "leave out `damping.local`; `damping.mass` works in both");
+        }
+    }
+
+    /// Reports what steps by level do not go with.
+    fn refuse_levels(&mut self, said: &language::Phase) {
+        let at = said.name.span.clone();
+        let local = said.damping.as_ref().and_then(|damping| damping.local.as_ref());
+        let reasons = [
+            (
+                !self.spatial.deform.sets.is_empty(),
+                "deformable blocks, whose nodes move at each step",
+                "leave out `levels`; it is for rigid blocks",
+            ),
+            (
+                !self.parsed.scenario.bolts.is_empty(),
+                "bolts, whose stiffness no level knows",
+                "leave out `levels`",
+            ),
+            (
+                !self.parsed.scenario.water.is_empty(),
+                "water, whose stiffness no level knows",
+                "leave out `levels`",
+            ),
+            (
+                local.is_some_and(|local| local.si() > 0.0),
+                "local damping, a share of the force at each step: contacts of higher levels act once in several steps",
+                "use `damping.mass`, or leave out `levels`",
+            ),
+        ];
+        for (_, what, help) in reasons.into_iter().filter(|(there, ..)| *there) {
+            let message = format!("phase `{}` steps by levels and has {what}", said.name);
+            self.error_at("phase.levels", at.clone(), message, help);
+        }
+        if !self.spatial.found_contacts {
+            let message = format!(
+                "`levels` of phase `{}` has no effect: blocks of this model are not watched for contact, and joints are found at each step",
+                said.name
+            );
+            self.error_at("phase.levels", at, message, "leave it out");
         }
     }
 

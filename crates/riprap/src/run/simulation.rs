@@ -373,6 +373,7 @@ impl Simulation {
         let before = before.and_then(|k| self.plan.phases.get(k)).cloned();
         self.end_motion(before, &phase)?;
         self.choose_integration(&phase)?;
+        self.engine.step_by_levels(phase.levels);
         if self.settles(&phase) {
             self.cursor.spent = Spent::of(&self.view().balance().works);
         }
@@ -440,6 +441,7 @@ impl Simulation {
         let damping = |phase: &Phase| damping_of(phase, phase.integration == Integration::Implicit);
         gravity
             || before.integration != phase.integration
+            || before.levels != phase.levels
             || damping(before) != damping(phase)
             || phase.edits_forces()
             || strain(phase).is_some_and(|now| strain(before) != Some(now))
@@ -526,6 +528,7 @@ impl Simulation {
             self.note_shorter(phase.time_step, limit, why);
         }
         dt = self.after_short_steps(phase, dt);
+        dt = self.within_cycle(dt);
         if let Some(span) = phase.until.time {
             let left = self.cursor.start_time + span - self.time();
             // A little longer rather than a tiny last step.

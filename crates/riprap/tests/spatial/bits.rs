@@ -236,6 +236,65 @@ fn free(kinematics: Kinematics) -> Setup {
     }
 }
 
+/// A body that falls apart, with contacts of three levels.
+fn by_levels(exec: Exec) -> Run {
+    let mut setup = free(Kinematics::Finite);
+    setup.found_contacts = true;
+    for block in &mut setup.blocks {
+        block.velocity *= 100.0;
+    }
+    let mut run = Run::on(setup, exec);
+    run.world.step_by_levels(3);
+    run
+}
+
+fn waiting(run: &Run) -> usize {
+    run.world.found.pairs.iter().filter(|pair| pair.clock.is_some()).count()
+}
+
+/// Over a checkpoint between two instants that all levels share, too.
+#[test]
+fn steps_by_level_have_the_same_bits() {
+    let whole = |threads: usize| {
+        let mut run = by_levels(Exec::new(threads).expect("threads"));
+        run.steps(403, 2e-6);
+        run
+    };
+    let one = whole(1);
+    assert!(waiting(&one) > 4, "{} pairs wait", waiting(&one));
+    let expected = bytes(&one.world);
+    for threads in [2, 3] {
+        assert!(bytes(&whole(threads).world) == expected, "{threads} threads");
+    }
+    let mut first = by_levels(Exec::serial());
+    first.steps(201, 2e-6);
+    assert!(waiting(&first) > 0);
+    let mut world: World = postcard::from_bytes(&bytes(&first.world)).expect("a world can be read");
+    let scratch = Scratch::new(&mut world, Exec::serial());
+    let mut second = Run { world, scratch, damping: first.damping };
+    second.steps(202, 2e-6);
+    assert_eq!(second.world.hash(), one.world.hash());
+}
+
+/// Momentum and angular momentum to round-off while pairs act by impulses, and the energy books.
+#[test]
+fn steps_by_level_keep_momentum() {
+    let mut run = by_levels(Exec::serial());
+    run.evaluate(2e-6);
+    let before = [run.view().momentum(), run.view().angular_momentum()];
+    run.steps(800, 2e-6);
+    let after = [run.view().momentum(), run.view().angular_momentum()];
+    let scale: f64 = (run.view().living())
+        .map(|b| run.world.solid_of(b).mass * run.view().velocity(b).length())
+        .sum();
+    for (k, (before, after)) in before.into_iter().zip(after).enumerate() {
+        let error = (after - before).length() / scale;
+        assert!(error < [1e-12, 1e-9][k], "{k}: {error:e}");
+    }
+    let residual = run.balance().residual_relative();
+    assert!(residual.abs() < 1e-3, "{residual:e}");
+}
+
 /// Catalogue entry H8: shifted by 10 km, or boosted by 100 m/s. (Turned in space: `solids.rs`.)
 #[test]
 fn another_frame_sees_the_same_motion() {

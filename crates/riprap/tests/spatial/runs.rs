@@ -52,6 +52,7 @@ fn column_of(change: impl Fn(Setup) -> Setup) -> Job {
         install: Vec::new(),
         gravity: None,
         step_error: None,
+        levels: 0,
         gravity_ramp: None,
         removal_ramp: None,
         leavers: None,

@@ -51,6 +51,7 @@ fn falling() -> Job {
         integration: Integration::Explicit,
         time_step: TimeStep::Given { dt: 1e-4 },
         step_error: None,
+        levels: 0,
         damping: Damping::default(),
         remove: Vec::new(),
         fix: Vec::new(),

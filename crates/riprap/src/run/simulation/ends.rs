@@ -110,6 +110,7 @@ impl Simulation {
             .chain(cursor.chosen.iter().cloned())
             .chain(self.open_surfaces())
             .chain(self.unsettled_friction())
+            .chain(self.by_levels())
             .chain(rough::crushed(&self.view()));
         let noted = self.noted_words().into_iter();
         let noted = noted.chain(meeting::idle_bolts(&self.view())).chain(self.missed_targets());
@@ -131,6 +132,15 @@ impl Simulation {
                  forces of blocks that slide or wedge may depend on the time step; repeat the run with half the step and compare"
             )
         })
+    }
+
+    /// What steps by level have spared, in words.
+    fn by_levels(&self) -> Option<String> {
+        let levels = self.view().spatial()?.world.found.levels.as_ref()?;
+        let share = 100.0 * levels.evaluated as f64 / levels.touching.max(1) as f64;
+        Some(format!(
+            "steps by level: contacts were evaluated {share:.0} % as often as at one level"
+        ))
     }
 
     /// Energy that edits of a model in space have added, if it is not small, in words.

@@ -5,6 +5,8 @@ use super::{Rules, RunError, Simulation};
 
 /// A step over the last one at most.
 const GROWTH: f64 = 2.0;
+/// Share of the allowed step that steps by level begin with.
+const SPARE: f64 = 0.97;
 /// How often a step is halved at most: an impact has its error in any step, and what is left of it is the speed times the step.
 const HALVINGS: usize = 12;
 
@@ -34,6 +36,19 @@ impl Simulation {
     pub(super) fn after_short_steps(&self, phase: &Rules, dt: f64) -> f64 {
         let last = self.view().last_dt();
         if phase.step_error.is_some() && last > 0.0 { dt.min(GROWTH * last) } else { dt }
+    }
+
+    /// The length `dt` (s) of the coming step where steps have levels: it grows at instants alone that all levels share, and is a little shorter
+    /// than what is allowed there, so that most steps until the next one are as long.
+    pub(super) fn within_cycle(&self, dt: f64) -> f64 {
+        let Some(cycle) = self.engine.cycle() else {
+            return dt;
+        };
+        let last = self.view().last_dt();
+        if last > 0.0 && !self.steps().is_multiple_of(cycle) {
+            return dt.min(last);
+        }
+        SPARE * dt
     }
 
     /// Halves the coming step until its error is below what the phase gives.
