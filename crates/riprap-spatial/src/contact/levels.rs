@@ -27,8 +27,10 @@
 //! Sources: Grubmueller, Heller, Windemuth & Schulten (1991), Mol. Simul. 6, 121-142; Tuckerman, Berne & Martyna (1992), J. Chem. Phys. 97, 1990-2001, section III; Biesiadecki & Skeel
 //! (1993), J. Comput. Phys. 109, 318-328 (instability at half a period).
 
+use crate::contact::felt::{AreaMoments, ContactStiffness};
 use crate::contact::limit;
-use crate::kernel::{Motion, Pose};
+use crate::contact::limit::{InverseInertia, Speeds};
+use crate::kernel::{ContactLaw, Motion, Pose, Shape};
 use crate::setup::rotation::rotation_vector;
 use crate::state::clock::{Clock, Levels};
 use crate::state::contact_scratch::{
@@ -90,7 +92,7 @@ pub(super) fn plan(world: &mut World, scratch: &mut Scratch) -> f64 {
     let plannable = levels.plannable(step);
     let common = u64::from(plannable) == levels.cycle();
     if common || world.fresh || levels.joints.len() != world.alive.len() {
-        let joints = limit::of_joints(world, &desk.shapes);
+        let joints = of_joints(world, &desk.shapes);
         if let Some(levels) = &mut world.found.levels {
             levels.joints = joints;
         }
@@ -138,6 +140,48 @@ fn with_joints(world: &World, desk: &ContactScratch, limits: &mut [f64]) {
         let [a, b] = [*own, levels.joints[*b as usize]].map(|step| 1.0 / (step * step));
         *own = 1.0 / (a + b).sqrt();
     }
+}
+
+/// Step that the joints of each block allow, s: that of the block alone on twice their springs.
+fn of_joints(world: &World, shapes: &[Shape]) -> Vec<f64> {
+    let mut joints: Vec<Vec<(u32, usize)>> = vec![Vec::new(); world.alive.len()];
+    for (p, ends) in (0..).zip(&world.patches.ends) {
+        for (side, b) in ends.iter().enumerate() {
+            joints[*b as usize].push((p, side));
+        }
+    }
+    let mut felt = ContactStiffness::default();
+    let of_block = |(b, joints): (usize, &Vec<(u32, usize)>)| {
+        if joints.is_empty() {
+            return f64::INFINITY;
+        }
+        let ease = InverseInertia::of(world, shapes, b);
+        felt.clear();
+        for (p, side) in joints {
+            let class = &world.classes[world.patches.class[*p as usize] as usize];
+            let [rb, rc] = class.half_spacing;
+            let spread = AreaMoments {
+                normal: class.frame[0],
+                arm: class.arms[*side],
+                area: class.area,
+                polar: rb * rb + rc * rc,
+                held: 0.0,
+            };
+            felt.add(&ease, &ContactLaw::default().with_stiffness(class.stiffness), &spread);
+        }
+        limit::BOUNDED * limit::step_of(felt.bound(&ease))
+    };
+    joints.iter().enumerate().map(of_block).collect()
+}
+
+/// Time for which a pair that parts may do without an evaluation, s: half of that until it has, so that its last impulses grow ever shorter. (What is given
+/// in advance beyond the parting would be energy from nothing in each impact.)
+fn until_parting(world: &World, pair: &FoundPair) -> f64 {
+    let Some(patch) = pair.leading().filter(|patch| patch.memory.area > 0.0) else {
+        return 0.0;
+    };
+    let opening = -Speeds::of(world).across(pair.ends, &patch.memory);
+    if opening > 0.0 { 0.5 * patch.depth / opening } else { f64::INFINITY }
 }
 
 /// The coming step for all pairs.
@@ -195,7 +239,7 @@ impl Planning<'_> {
         }
         let of = |b: u32| self.limits[desk.place[b as usize] as usize];
         let transit = limit::pair_transit(pair, slot, constants.inradius, self.gravity);
-        let alone = transit.min(limit::until_parting(self.world, pair));
+        let alone = transit.min(until_parting(self.world, pair));
         let limit = of(pair.ends[0]).min(of(pair.ends[1])).min(alone);
         let mut steps = 1;
         while f64::from(2 * steps) * self.dt <= limit && steps < 1 << 16 {

@@ -40,7 +40,7 @@ use crate::state::world::World;
 /// Share of the stable step: the stiffness grows with the area.
 const SAFETY: f64 = 0.2;
 /// Share of the stable step for the largest area that a contact can have: that of joints, whose springs do not grow either.
-const BOUNDED: f64 = 0.5;
+pub(super) const BOUNDED: f64 = 0.5;
 /// Share of the stable step on terrain. In the square not much more than half of that of pairs (0.56), since a block may lie on terrain and on
 /// others at once and both limits are found apart.
 const ON_GROUND: f64 = 0.15;
@@ -110,51 +110,9 @@ pub(super) fn of_blocks(
     longest.min(transit(world, desk, exec))
 }
 
-/// Step that the joints of each block allow, s: that of the block alone on twice their springs.
-pub(super) fn of_joints(world: &World, shapes: &[Shape]) -> Vec<f64> {
-    let mut joints: Vec<Vec<(u32, usize)>> = vec![Vec::new(); world.alive.len()];
-    for (p, ends) in (0..).zip(&world.patches.ends) {
-        for (side, b) in ends.iter().enumerate() {
-            joints[*b as usize].push((p, side));
-        }
-    }
-    let mut felt = ContactStiffness::default();
-    let of_block = |(b, joints): (usize, &Vec<(u32, usize)>)| {
-        if joints.is_empty() {
-            return f64::INFINITY;
-        }
-        let ease = InverseInertia::of(world, shapes, b);
-        felt.clear();
-        for (p, side) in joints {
-            let class = &world.classes[world.patches.class[*p as usize] as usize];
-            let [rb, rc] = class.half_spacing;
-            let spread = AreaMoments {
-                normal: class.frame[0],
-                arm: class.arms[*side],
-                area: class.area,
-                polar: rb * rb + rc * rc,
-                held: 0.0,
-            };
-            felt.add(&ease, &ContactLaw::default().with_stiffness(class.stiffness), &spread);
-        }
-        BOUNDED * step_of(felt.bound(&ease))
-    };
-    joints.iter().enumerate().map(of_block).collect()
-}
-
 /// Longest step in which a pair comes nearer by no more than its gap and a share of its size, s.
 pub(super) fn pair_transit(pair: &FoundPair, slot: &Slot, inradius: f64, gravity: f64) -> f64 {
     time_for(pair.gap.max(0.0) + TRANSIT * inradius, slot.nearing, gravity)
-}
-
-/// Time for which a pair that parts may do without an evaluation, s: half of that until it has, so that its last impulses grow ever shorter. (What is given
-/// in advance beyond the parting would be energy from nothing in each impact.)
-pub(super) fn until_parting(world: &World, pair: &FoundPair) -> f64 {
-    let Some(patch) = pair.leading().filter(|patch| patch.memory.area > 0.0) else {
-        return 0.0;
-    };
-    let opening = -Speeds::of(world).across(pair.ends, &patch.memory);
-    if opening > 0.0 { 0.5 * patch.depth / opening } else { f64::INFINITY }
 }
 
 /// What the pairs of a block allow.
@@ -534,7 +492,7 @@ impl<'a> Speeds<'a> {
     }
 
     /// The same, below 0 where they part.
-    fn across(&self, ends: [u32; 2], memory: &Memory) -> f64 {
+    pub(super) fn across(&self, ends: [u32; 2], memory: &Memory) -> f64 {
         let [a, b] = [0, 1].map(|side| {
             let of = ends[side] as usize;
             self.bodies.velocity(of) + self.bodies.spin(of).cross(memory.arms[side])
@@ -549,7 +507,7 @@ impl<'a> Speeds<'a> {
 }
 
 /// Longest stable step of a squared frequency (1/s²), s.
-fn step_of(square: f64) -> f64 {
+pub(super) fn step_of(square: f64) -> f64 {
     2.0 / square.sqrt()
 }
 

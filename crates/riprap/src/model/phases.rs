@@ -61,7 +61,9 @@ impl Builder<'_> {
             }
         };
         let max_residual = read.max_residual();
-        let levels = read.levels();
+        let stepped = integration == Integration::Explicit && kind != PhaseKind::Static;
+        // Elsewhere the key is reported as without effect.
+        let levels = if stepped { read.levels() } else { 0 };
         if integration == Integration::Implicit {
             self.refuse_implicit(said);
         }

@@ -452,22 +452,6 @@ impl Engine {
         }
     }
 
-    /// Evaluates found contacts once in up to 2 to the power `most` steps; 0: at each step.
-    pub fn step_by_levels(&mut self, most: u8) {
-        if let Self::Spatial(e) = self {
-            e.world.step_by_levels(most);
-        }
-    }
-
-    /// Steps between two instants at which all found contacts are evaluated, where steps have levels.
-    #[must_use]
-    pub fn cycle(&self) -> Option<u64> {
-        match self {
-            Self::Planar(_) => None,
-            Self::Spatial(e) => e.world.found.levels.as_ref().map(|levels| levels.cycle()),
-        }
-    }
-
     /// Longest step of a static implicit phase, s: twice the last one, and such that no block moves far for its size in it.
     #[must_use]
     pub fn settling_step(&self) -> f64 {

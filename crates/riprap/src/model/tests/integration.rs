@@ -232,3 +232,14 @@ fn a_static_phase_settles_in_few_steps() {
     assert_eq!(gone.steps(), still.steps() + 10);
     assert!(gone.view().kinetic() < 1e-12, "{:e}", gone.view().kinetic());
 }
+
+/// Steps by level, and with what they do not go.
+#[test]
+fn levels_are_refused_where_they_do_not_work() {
+    let levels = TWO.replace("integration = \"implicit\"", "levels = 3");
+    assert_eq!(refused(&levels), "");
+    let local = levels.replace("levels = 3", "levels = 3\ndamping.local = 0.5");
+    assert!(refused(&local).contains("local damping"), "{}", refused(&local));
+    let blind = levels.replace("gravity =", "found_contacts = false\ngravity =");
+    assert!(refused(&blind).contains("has no effect"), "{}", refused(&blind));
+}
