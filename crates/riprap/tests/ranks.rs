@@ -131,6 +131,12 @@ fn implicit_steps_have_the_bits_of_one_rank() {
 }
 
 #[test]
+fn steps_by_level_have_the_bits_of_one_rank() {
+    let changes = [("phases.0.until.time", "\"0.2 ms\""), ("phases.0.levels", "3")];
+    same_for_any_ranks("spatial/blast.toml", &changes, &[2, 3]);
+}
+
+#[test]
 fn the_plane_has_the_bits_of_one_rank() {
     same_for_any_ranks("verify/engineering/bolt_plane_anchor.toml", &[], &[2, 3]);
 }
