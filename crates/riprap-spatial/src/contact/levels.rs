@@ -17,7 +17,8 @@
 //! so that the impulse of a constant force is exact whatever happens.
 //!
 //! The method is unstable where a kick comes at half a period of a motion (or a multiple) that it moves. A pair is evaluated at least as often as each of its blocks asks for with all
-//! its springs, of contacts and joints, and these steps are half of the stable ones, a sixth of the period: no motion of the blocks it kicks comes near.
+//! its springs, of contacts and joints, and these steps are half of the stable ones, a sixth of the shortest period of its own
+//! motion. What a block takes part in of the faster motion of its neighbours is small as their mass beside its own.
 //!
 //! A pair that parts is evaluated after half of the time until it has, and so on: no impulse that it is given in advance goes far beyond the parting.
 //!
