@@ -30,6 +30,8 @@ use crate::state::world::World;
 const FAILED: u32 = 2;
 /// Share of the gas that has left when it counts as leaving: less is round-off.
 const LEAVES: f64 = 1e-9;
+/// Work that the gas could still do against the air, over the energy released, at which it has nothing more to do: what is left goes into the air.
+const SPENT: f64 = 1e-5;
 /// Share of the largest pressure that flow may change a pressure by in a step of its own: steps become longer below it, shorter above it.
 const CHANGE: f64 = 0.01;
 /// Most steps of the rock in a step of the flow.
@@ -79,7 +81,7 @@ impl World {
 /// Lets the gas of all cavities that have gone off flow, and pushes walls and cracks with it; volumes of cavities are known.
 pub(super) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
     let off = |c: &Cavity| c.ignited.is_some() && world.cracks_of(c).is_some();
-    if !world.cavities.iter().any(off) {
+    if !world.cavities.iter().any(off) || is_gone(world) {
         return;
     }
     let Some(mut gas) = network::current(world) else { return };
@@ -100,6 +102,7 @@ pub(super) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
     }
     if due {
         flow(world, &mut gas, &mut scratch.flow);
+        end(world, &mut gas);
     }
     if due || gas.limit == 0.0 {
         gas.limit = limit(world, &gas);
@@ -114,6 +117,52 @@ pub(super) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
         push_walls(world, &mut gas, k, dt, pushes);
     }
     world.gas = Some(gas);
+}
+
+/// Whether all charges have gone off and none of their gas is left.
+fn is_gone(world: &World) -> bool {
+    let Some(gas) = &world.gas else { return false };
+    gas.masses.iter().all(|mass| *mass == 0.0) && all_is_out(world, gas)
+}
+
+/// Whether nothing comes any more: all charges have burned, and no stemming is on its way.
+fn all_is_out(world: &World, gas: &CrackGas) -> bool {
+    gas.cavities.iter().map(|k| &world.cavities[*k as usize]).all(|cavity| {
+        let burned = cavity.burn.is_none_or(|burn| burn.given >= 1.0);
+        let open = cavity.column.is_none_or(|column| column.out.is_some());
+        cavity.ignited.is_some_and(|time| time < world.time) && burned && open
+    })
+}
+
+/// Lets out what is left of gas that can do no work any more that counts: it would cost as much as before.
+fn end(world: &World, gas: &mut CrackGas) {
+    if !all_is_out(world, gas) {
+        return;
+    }
+    let CrackGas { cracks, cavities, masses, fluid, rules, books, .. } = gas;
+    let volumes = cracks.iter().map(|crack| crack.volume);
+    let volumes = volumes.chain(cavities.iter().map(|k| world.cavities[*k as usize].volume));
+    let filled = || masses.iter().copied().zip(volumes.clone()).filter(|(mass, _)| *mass > 0.0);
+    let air = fluid.density(rules.air);
+    let lowest = fluid.energy(air);
+    let work = |(mass, volume): (f64, f64)| {
+        let density = mass / volume;
+        if density <= air {
+            return 0.0;
+        }
+        let against = if air > 0.0 { rules.air * (mass / air - volume) } else { 0.0 };
+        mass * (fluid.energy(density) - lowest) - against
+    };
+    if filled().map(work).sum::<f64>() > SPENT * books.released {
+        return;
+    }
+    books.carried += filled().map(|(mass, volume)| mass * fluid.energy(mass / volume)).sum::<f64>();
+    books.vented += masses.iter().sum::<f64>();
+    masses.fill(0.0);
+    for crack in cracks {
+        crack.pressure = 0.0;
+        crack.known = [0.0; 3];
+    }
 }
 
 /// Notes that the gas of charges that have gone off has begun to leave.

@@ -29,7 +29,8 @@ impl View<'_> {
         let in_cavities = gas.cavities.iter().map(|k| self.world.cavities[*k as usize].volume);
         let volumes = gas.cracks.iter().map(|c| c.volume).chain(in_cavities);
         let cells = gas.masses.iter().zip(volumes).filter(|(m, _)| **m > 0.0);
-        cells.map(|(m, volume)| m * gas.fluid.energy(m / volume)).sum()
+        // A sum of nothing is -0.
+        cells.map(|(m, volume)| m * gas.fluid.energy(m / volume)).fold(0.0, |sum, e| sum + e)
     }
 
     /// Energy of this gas that its books do not explain, over the energy released.
