@@ -26,6 +26,7 @@ mod lettering;
 mod lines;
 mod net;
 pub mod paraview;
+mod partition;
 mod pdf;
 mod planes;
 mod ppv;
@@ -47,6 +48,7 @@ pub(crate) use frames::crack_surfaces;
 pub use frames::{Which, blocks, load_frame, section, strip};
 pub use lines::{energy, histories};
 pub use net::{Projection, stereonet};
+pub use partition::{Share, partition};
 pub use ppv::ppv;
 /// How choices are named: [`Normal`], [`Projection`], [`Vectors`].
 pub use riprap_keys::Words;

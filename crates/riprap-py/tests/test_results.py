@@ -1,4 +1,4 @@
-"""Removable blocks, run-out and strength."""
+"""Removable blocks, run-out, results of a blast and strength."""
 
 import math
 from pathlib import Path
@@ -60,6 +60,47 @@ def test_runout(tmp_path):
     assert found.lines["road"]["share"] == 1.0 and "1 rock of 1 run" in found.words
     with pytest.raises(ValueError, match="is not a line"):
         riprap.runout(run, lines={"road": "7 s"})
+
+
+def test_muckpile(tmp_path):
+    text = """
+    riprap = 1
+    title = "bricks are blown apart"
+    [space.spatial]
+    gravity = "9.81 m/s2"
+    [materials.rock]
+    density = "2000 kg/m3"
+    young = "1 GPa"
+    poisson = 0.25
+    [interfaces.default]
+    cohesion = "10 kPa"
+    friction_angle = "30 deg"
+    [[blocks]]
+    name = "rock"
+    material = "rock"
+    grid.box = { size = ["3 m", "3 m", "3 m"], cell = "1 m", corner = ["-1.5 m", "-1.5 m", "0 m"] }
+    [explosives.anfo]
+    density = "1000 kg/m3"
+    detonation_velocity = "4000 m/s"
+    heat_of_explosion = "3688 kJ/kg"
+    [sources.charge.gas_cavity]
+    centre = ["0 m", "0 m", "1.5 m"]
+    mass = "5 kg"
+    explosive = "anfo"
+    coupling = "decoupled"
+    [[phases]]
+    name = "blast"
+    until.time = "0.1 s"
+    [[outputs]]
+    frames = { every = "50 ms" }
+    """
+    run = riprap.Scenario(text).run(tmp_path / "a.run", threads=1)
+    found = riprap.muckpile(run, moved="10 cm", rock_factor=7)
+    assert found.throw["blocks"] == 6 and found.throw["mass"] == pytest.approx(12000.0)
+    assert found.kuz_ram["x50"] > 0.0 and "muckpile:" in found.words
+    assert sum(part["share"] for part in found.energy["to"]) == pytest.approx(1.0, abs=1e-6)
+    with pytest.raises(ValueError, match="is not like"):
+        riprap.muckpile(run, moved="1 kg")
 
 
 def test_strength(tmp_path):

@@ -8,8 +8,8 @@ use clap::Args;
 ///
 /// Reads first and last frame, fragments, events and energies of a run in space. Thrown is a block that lies farther from its place than half its size; all
 /// others are the ground of the pile. Fragments are measured by their smallest edge, beside the curve of Kuz-Ram if a rock factor is
-/// given. Every part of the energy has what it depends on. End the run at rest (`until = { rest = {} }`). Writes tables and a picture of the
-/// profile into a folder.
+/// given. Every part of the energy has what it depends on. End the run at rest (`until = { rest = {} }`). Writes tables and pictures of the
+/// profile and of the energy into a folder.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

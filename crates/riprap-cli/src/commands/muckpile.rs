@@ -1,5 +1,7 @@
 //! `riprap muckpile`: what a blast has made.
 
+use std::path::PathBuf;
+
 use riprap::plot::{self, PlotError};
 use riprap::run::muckpile::{Rules, muckpile};
 
@@ -25,10 +27,10 @@ pub fn run(args: &Muckpile) -> Result<(), Failure> {
     make_folder(&folder, existing)?;
     answer.write(&folder).map_err(|wrong| Failure::Output(wrong.to_string()))?;
     if let Some((surface, ground, labels)) = answer.profile() {
-        match plot::compare(&surface, &ground, &labels, &folder.join("profile.svg")) {
-            Ok(_) | Err(PlotError::NothingToDraw { .. }) => {}
-            Err(wrong) => return Err(wrong.into()),
-        }
+        drawn(plot::compare(&surface, &ground, &labels, &folder.join("profile.svg")))?;
+    }
+    if let Some((title, parts)) = answer.shares() {
+        drawn(plot::partition(&title, &parts, &folder.join("energy_partition.svg")))?;
     }
     if args.json {
         screen::line(&serde_json::json!(answer).to_string());
@@ -37,4 +39,12 @@ pub fn run(args: &Muckpile) -> Result<(), Failure> {
     screen::line(&answer.words());
     screen::line(&folder.display().to_string());
     Ok(())
+}
+
+/// A run need not have anything to draw.
+fn drawn(picture: Result<Vec<PathBuf>, PlotError>) -> Result<(), Failure> {
+    match picture {
+        Ok(_) | Err(PlotError::NothingToDraw { .. }) => Ok(()),
+        Err(wrong) => Err(wrong.into()),
+    }
 }

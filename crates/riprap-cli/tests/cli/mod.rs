@@ -2,6 +2,7 @@
 
 mod bench;
 mod beyond;
+mod blast;
 #[cfg(unix)]
 mod faults;
 mod guards;

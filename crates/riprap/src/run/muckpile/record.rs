@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::{Answer, Fragments, KuzRam, Part, Partition, Pile, Station, Throw};
-use crate::plot::{Labels, Line};
+use crate::plot::{Labels, Line, Share};
 use crate::record::{OutputError, write_whole};
 
 /// Profile of the pile, in the folder of the answer.
@@ -50,6 +50,26 @@ impl Answer {
         };
         let surface = line("surface of the pile", |s| s.surface);
         (!stations.is_empty()).then(|| (surface, line("ground", |s| s.ground), labels))
+    }
+
+    /// Where the energy came from and went, to be drawn: a title and the parts.
+    #[must_use]
+    pub fn shares(&self) -> Option<(String, Vec<Share>)> {
+        let partition = self.energy.as_ref()?;
+        let drawn = |source: bool| {
+            move |part: &Part| Share {
+                name: part.name.to_owned(),
+                source,
+                energy: part.energy,
+                share: part.share,
+                depends_on: part.depends_on.to_owned(),
+            }
+        };
+        let from = partition.from.iter().map(drawn(true));
+        let parts = from.chain(partition.to.iter().map(drawn(false))).collect();
+        let mega = 1e-6 * partition.put_in;
+        (partition.put_in > 0.0)
+            .then(|| (format!("energy of {}: {mega:.4} MJ put in", self.run), parts))
     }
 
     /// The answer in words.
