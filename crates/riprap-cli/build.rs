@@ -1,4 +1,4 @@
-//! Embeds the scenes of `scenes/planar` and `scenes/spatial` as the templates of `riprap new`: whoever adds a
+//! Embeds the scenes of `scenes/planar`, `scenes/spatial` and `scenes/spatial/long` as the templates of `riprap new`: whoever adds a
 //! scene there adds a template. Names are those of the files, so no name may stand in both folders. Tells the binary from
 //! which commit and for which target it is built.
 
@@ -22,7 +22,7 @@ fn main() {
         println!("cargo::error=could not write the scenes: {error}");
     }
     let mut table = String::from("pub const TEMPLATES: &[Template] = &[\n");
-    for (folder, space) in [("planar", "plane"), ("spatial", "space")] {
+    for (folder, space) in [("planar", "plane"), ("spatial", "space"), ("spatial/long", "space")] {
         let scenes = manifest.join("../../scenes").join(folder);
         // A folder that is not there (a packaged crate) adds nothing.
         println!("cargo::rerun-if-changed={}", scenes.display());

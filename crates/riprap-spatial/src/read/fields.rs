@@ -305,6 +305,7 @@ riprap_core::fields! {
     "group.runout_50" "m" Group Scalar false "Run-out of the group: median of the horizontal travel of its blocks." |v, of| one(run_out(v, of, 0.5));
     "group.runout_90" "m" Group Scalar false "Run-out of the group: 90th percentile of the horizontal travel of its blocks." |v, of| one(run_out(v, of, 0.9));
     "group.repose_angle" "rad" Group Scalar true "Slope of the surface of a heap between 20 % and 80 % of its height, averaged over all directions about its axis: the angle of repose; for separate heaps the mass-weighted mean." |v, of| one(heap::repose_angle(v, members(v, of)));
+    "group.swell" "-" Group Scalar true "Volume under the surface of the group seen from above, down to its lowest corner, over the volume of its blocks: the swell of a heap on level ground, hollows included." |v, of| one(heap::swell(v, members(v, of)));
     "group.left_terrain" "-" Group Scalar false "Number of the group's blocks that have left the terrain over its rim." |v, of| { let left = v.left_terrain(); one(members(v, of).filter(|b| left.contains(&(*b as u32))).count() as f64) };
     "group.rising_share" "-" Group Scalar false "Share of the group's blocks that move against gravity (up, without gravity)." |v, of| share(v, of, |b| v.velocity(b).dot(v.up()) > 0.0);
     "group.blocks" "-" Group Scalar false "Number of the group's existing blocks." |v, of| one(members(v, of).count() as f64);

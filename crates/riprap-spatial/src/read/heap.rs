@@ -1,4 +1,4 @@
-//! The surface of a heap and its angle of repose.
+//! The surface of a heap: its angle of repose and its swell.
 
 use riprap_geom::pairs::touching_boxes;
 use riprap_geom::polygon::Aabb;
@@ -12,6 +12,8 @@ use crate::setup::Shape;
 const RINGS: usize = 30;
 /// Places in each ring at which the surface is looked at.
 const PLACES: usize = 72;
+/// Columns of the grid in which the volume under a surface is measured, each way.
+const COLUMNS: usize = 300;
 /// Least share of the mass of the group that makes a heap; less are stones that rolled away.
 const HEAP: f64 = 0.05;
 /// Most pairs of neighbours that are looked at for heaps that stand apart; where there are more, all is one heap.
@@ -63,6 +65,49 @@ pub(super) fn repose_angle(view: &View<'_>, of: impl Iterator<Item = usize>) -> 
     let axes = [across, up.cross(across), up];
     let stones = of.filter_map(|b| stone(view, b, axes)).collect();
     angle_of(stones)
+}
+
+/// Volume under the surface of the given blocks, seen from above, down to the lowest of their corners, over their own volume: of a heap on level ground.
+/// Hollows below the surface count, as in a survey; 0 without blocks.
+pub(super) fn swell(view: &View<'_>, of: impl Iterator<Item = usize>) -> f64 {
+    let up = view.up();
+    let across = up.any_orthonormal_vector();
+    let axes = [across, up.cross(across), up];
+    let (mut stones, mut volume) = (Vec::new(), 0.0);
+    for b in of {
+        if let Some(stone) = stone(view, b, axes) {
+            stones.push(stone);
+            volume += view.world.solid_of(b).volume;
+        }
+    }
+    if volume > 0.0 { under(&stones) / volume } else { 0.0 }
+}
+
+/// Volume between the surface of the stones and their lowest corner, m³.
+fn under(stones: &[Stone]) -> f64 {
+    if stones.is_empty() {
+        return 0.0;
+    }
+    let heights = stones.iter().flat_map(|s| &s.vertices).map(|v| v.z);
+    let floor = heights.fold(f64::INFINITY, f64::min);
+    let start = Aabb { min: Vec2::INFINITY, max: Vec2::NEG_INFINITY };
+    let boxes: Vec<Aabb> = stones.iter().map(Stone::bounds).collect();
+    let all =
+        boxes.iter().fold(start, |a, b| Aabb { min: a.min.min(b.min), max: a.max.max(b.max) });
+    let cell = (all.max - all.min) / COLUMNS as f64;
+    let mut tops = vec![0.0_f64; COLUMNS * COLUMNS];
+    for (stone, bounds) in stones.iter().zip(boxes) {
+        let [from, to] = [bounds.min, bounds.max].map(|at| (at - all.min) / cell);
+        let range = |from: f64, to: f64| from as usize..COLUMNS.min(to as usize + 1);
+        for i in range(from.x, to.x) {
+            for j in range(from.y, to.y) {
+                let at = all.min + cell * Vec2::new(i as f64 + 0.5, j as f64 + 0.5);
+                let top = &mut tops[i * COLUMNS + j];
+                *top = top.max(stone.top(at).map_or(0.0, |z| z - floor));
+            }
+        }
+    }
+    tops.iter().sum::<f64>() * cell.x * cell.y
 }
 
 /// A block at its present place; `None` for terrain.
@@ -258,6 +303,24 @@ mod tests {
         let wanted = 35.0 - 10.0 * first / all;
         let found = angle_of(stones).to_degrees();
         assert!((found - wanted).abs() < 0.4, "{found} {wanted}");
+    }
+
+    #[test]
+    fn what_lies_under_a_surface_counts_with_its_hollows() {
+        // A bridge: a plate of 0.5 m on two pillars of 1 m, 3 m by 1 m; and a stone beside it.
+        let slab = |middle: Vec3, half: Vec3| {
+            let Polyhedron { vertices, faces } = Polyhedron::brick(middle, half);
+            Stone { mass: 1.0, centroid: middle, vertices, faces }
+        };
+        let bridge = vec![
+            slab(Vec3::new(-1.25, 0.0, 0.5), Vec3::new(0.25, 0.5, 0.5)),
+            slab(Vec3::new(1.25, 0.0, 0.5), Vec3::new(0.25, 0.5, 0.5)),
+            slab(Vec3::new(0.0, 0.0, 1.25), Vec3::new(1.5, 0.5, 0.25)),
+            slab(Vec3::new(4.0, 0.0, 0.25), Vec3::new(0.5, 0.5, 0.25)),
+        ];
+        let found = under(&bridge);
+        assert!((found / (4.5 + 0.5) - 1.0).abs() < 0.01, "{found}");
+        assert_eq!(under(&[]), 0.0);
     }
 
     #[test]
