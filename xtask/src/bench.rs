@@ -1,5 +1,6 @@
 //! `cargo xtask bench`: speed of the planar and the spatial step, and of `riprap run`, as CSV.
 
+mod gas;
 mod threads;
 
 use std::ffi::OsStr;
@@ -7,6 +8,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
+pub use gas::gas;
 pub use threads::threads;
 
 use crate::shell::cargo;

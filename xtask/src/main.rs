@@ -44,6 +44,7 @@ Tasks:
   arrows CRATE [rooms]
                    print each module of a crate, or each room, with those that it uses
   bench            time the steps of both engines in three sizes; prints CSV, keeps it in target/
+  bench gas        what gas in cracks costs of a step, beside the same blast with sealed gas
   bench threads    run six models on all threads: how much of each stage is serial, what 16 and 64 threads give at best
   wheel [portable] build the Python package: a release wheel in target/wheels; portable: for Linux from glibc 2.17 on
   docs             build the API documentation (and the book, where mdbook is installed)
@@ -71,6 +72,7 @@ fn main() -> ExitCode {
         ["arrows", name] => modules::print_arrows(&root, name, false).map(|()| true),
         ["arrows", name, "rooms"] => modules::print_arrows(&root, name, true).map(|()| true),
         ["bench"] => bench::run(&root),
+        ["bench", "gas"] => bench::gas(&root),
         ["bench", "threads"] => bench::threads(&root),
         ["wheel"] => python::wheel(&root, false),
         ["wheel", "portable"] => python::wheel(&root, true),

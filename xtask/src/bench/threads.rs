@@ -37,7 +37,7 @@ const THREADS: [f64; 2] = [16.0, 64.0];
 
 /// A stage of the step.
 pub(super) struct Stage<'a> {
-    name: &'a str,
+    pub(super) name: &'a str,
     pub(super) wall: f64,
     pooled: f64,
 }
