@@ -21,6 +21,7 @@ use crate::joint::patch::Poses;
 use crate::profile::Begun;
 use crate::push;
 use crate::push::bolts;
+use crate::push::gas;
 use crate::query::view::View;
 use crate::rigid::bound::Bound;
 use crate::rigid::gather;
@@ -279,6 +280,7 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
         Kinematics::Finite => -1.0,
     };
     let mut changed = false;
+    let cracks = gas::jumps(world);
     for b in 0..world.alive.len() {
         let vector = world.bodies.rotation(b);
         // What turns about a point with others stays on its circle from the first step on.
@@ -293,6 +295,7 @@ fn change_over(world: &mut World, scratch: &mut Scratch) {
     if !changed {
         return;
     }
+    gas::change_over(world, &cracks);
     // Rows know small rotations alone: who has changed over is done one by one from now on.
     scratch.tiles.make_rows(world);
     for p in 0..world.patches.len() {

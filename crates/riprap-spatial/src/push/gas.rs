@@ -340,6 +340,24 @@ fn normal(freedoms: &Freedoms, crack: &Crack) -> Vec3 {
     freedoms.arm(crack.blocks[0], crack.normal)
 }
 
+/// Displacements of the second sides of all cracks against the first, m.
+pub(crate) fn jumps(world: &World) -> Vec<Vec3> {
+    let freedoms = world.all_freedoms();
+    let cracks = world.gas.iter().flat_map(|gas| &gas.cracks);
+    cracks.map(|crack| place(world, &freedoms, crack).0).collect()
+}
+
+/// Takes off what the change over to finite rotations adds to the displacements of cracks, which were `before`: it is no motion, and does no work.
+pub(crate) fn change_over(world: &mut World, before: &[Vec3]) {
+    let after = jumps(world);
+    let Some(gas) = &mut world.gas else { return };
+    for ((crack, before), after) in gas.cracks.iter_mut().zip(before).zip(after) {
+        if crack.open {
+            crack.jump += after - *before;
+        }
+    }
+}
+
 /// Lets the gas flow for the time since it flowed last.
 fn flow(world: &World, gas: &mut CrackGas, desk: &mut Desk) {
     let cavities = gas.cavities.iter().map(|k| &world.cavities[*k as usize]);
