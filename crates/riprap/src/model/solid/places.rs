@@ -12,6 +12,8 @@ use crate::spatial::setup::{Place, Region, Shape};
 const NEAR: f64 = 1e-9;
 /// Cells of one block that are looked at around one charge.
 const MOST_CELLS: usize = 2_000_000;
+/// Cells whose volumes differ by less than this share are equally fine, as for the engine.
+const EQUAL: f64 = 1e-6;
 
 /// The region of a place that is a point or a line.
 pub(super) fn region_of(place: &Place) -> Option<Region> {
@@ -73,18 +75,17 @@ impl Builder<'_> {
             .filter(|refinement| refinement.during.is_none())
             .map(|refinement| (&refinement.around, refinement.levels))
             .collect();
-        let (mut count, mut total) = (0, 0.0);
+        let mut volumes = Vec::new();
         for b in self.touching(&region) {
             let shape = &self.spatial.blocks[b as usize].shape;
             let Some(whole) = Divisible::of(shape) else {
-                count += 1;
-                total += volume(shape);
+                volumes.push(volume(shape));
                 continue;
             };
             let mut stack = vec![(whole, 0u8)];
             while let Some((cell, level)) = stack.pop() {
                 let extent = cell.extent();
-                if !extent.touches(&region) || count > MOST_CELLS {
+                if !extent.touches(&region) || volumes.len() > MOST_CELLS {
                     continue;
                 }
                 let goes_on =
@@ -92,11 +93,13 @@ impl Builder<'_> {
                 if goes_on {
                     stack.extend((0..8).map(|octant| (cell.part(octant), level + 1)));
                 } else {
-                    count += 1;
-                    total += extent.volume();
+                    volumes.push(extent.volume());
                 }
             }
         }
-        (count, total)
+        // As the engine takes them: of cells of any size a line touches, the smallest alone.
+        let smallest = volumes.iter().copied().fold(f64::INFINITY, f64::min);
+        let finest = volumes.iter().filter(|v| **v <= (1.0 + EQUAL) * smallest);
+        finest.fold((0, 0.0), |(count, total), v| (count + 1, total + v))
     }
 }
