@@ -22,6 +22,10 @@ const TEMPLATES: [string, string][] = [
   ["mapped_joints", "block"],
   ["voronoi", "block"],
   ["caving", "material"],
+  ["drift", "block"],
+  ["pit", "block"],
+  ["house_wall", "block"],
+  ["vault", "block"],
 ];
 
 for (const [name, field] of TEMPLATES) {
