@@ -6,7 +6,7 @@
 use super::bracket::{State, Task, drive};
 use super::range::Quantity;
 use super::safety::{self, Rules};
-use super::trust::results;
+use super::trust::{histories, results};
 use super::{Executor, StudyError};
 use crate::plan::Check;
 use crate::plan::shown::{Shown, digits_for};
@@ -79,7 +79,12 @@ impl Wanted {
         let of = if self.result == SAFETY {
             None
         } else {
-            let all = results(job);
+            let mut all = results(job);
+            // A history that is a check as well is one result there; here it goes by its own name too.
+            let own =
+                histories(job).into_iter().filter(|one| !all.iter().any(|r| r.name == one.name));
+            let own: Vec<Check> = own.collect();
+            all.extend(own);
             let at_end = format!("{} at the end", self.result);
             let named = |name: &str| name == self.result || name == at_end;
             let Some(check) = all.iter().find(|check| named(&check.name)) else {

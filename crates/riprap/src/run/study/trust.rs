@@ -28,7 +28,7 @@ use serde::Serialize;
 
 use super::{Executor, StudyError};
 use crate::plan::shown::Shown;
-use crate::plan::{Check, Expected, Plan, Window};
+use crate::plan::{Check, Expected, Window};
 use crate::record::field;
 use crate::run::checks::CheckResult;
 use crate::run::drive::{Control, Ending, Look};
@@ -242,8 +242,7 @@ pub(super) fn results(job: &Job) -> Vec<Check> {
             None => all.push(check.clone()),
         }
     }
-    let histories = histories(&job.plan, Kind::of(&job.setup));
-    for history in histories {
+    for history in histories(job) {
         let last = |one: &Check| one.gauge == history.gauge && one.window == Window::End;
         if !all.iter().any(last) {
             all.push(history);
@@ -253,7 +252,8 @@ pub(super) fn results(job: &Job) -> Vec<Check> {
 }
 
 /// Histories as what is read at the end.
-fn histories(plan: &Plan, kind: Kind) -> Vec<Check> {
+pub(super) fn histories(job: &Job) -> Vec<Check> {
+    let kind = Kind::of(&job.setup);
     let of = |history: &crate::plan::History| {
         let (info, _) = field::find(kind.fields(), &history.gauge.field).ok()?;
         Some(Check {
@@ -268,7 +268,7 @@ fn histories(plan: &Plan, kind: Kind) -> Vec<Check> {
             known: None,
         })
     };
-    plan.histories.iter().filter_map(of).collect()
+    job.plan.histories.iter().filter_map(of).collect()
 }
 
 /// Makes runs.
