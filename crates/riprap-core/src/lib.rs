@@ -4,6 +4,7 @@
 //! - [`ledger`]: energy; [`accounts`]: the work of single conditions; [`profile`]: stage timers;
 //! - [`state_hash`]: equal hashes, equal states;
 //! - [`laws`]: pure functions on numbers; [`dynamics`]: time functions, formulas, damping;
+//! - [`condition`]: `and`, `or`, `not` on names of blocks;
 //! - [`distribution`]: random numbers and what a count of failures says;
 //! - [`sparse`]: linear systems of bodies that share contacts;
 //! - [`flow`]: gas that flows through a network of cracks;
@@ -18,6 +19,7 @@
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
 pub mod accounts;
+pub mod condition;
 pub mod distribution;
 pub mod dynamics;
 pub mod exec;

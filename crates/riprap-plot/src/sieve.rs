@@ -89,7 +89,7 @@ pub fn fragments<'t>(
     Ok(files)
 }
 
-/// Numbers of the fragments that have a block of a group, a block of this name, or what such a block was split into.
+/// Numbers of the fragments that have a block of a group, a block of this name or of this condition, or what such a block was split into.
 fn with_blocks_of(folder: &Path, group: &str) -> Result<BTreeSet<u32>, PlotError> {
     let names = Names::read(folder)?;
     let path = folder.join("fragment_blocks.csv");
@@ -98,17 +98,11 @@ fn with_blocks_of(folder: &Path, group: &str) -> Result<BTreeSet<u32>, PlotError
             "the run has no fragment_blocks.csv; it was written by an earlier riprap".to_owned();
         return Err(PlotError::Unsuitable { picture: PICTURE, reason });
     }
-    let one = names.number(group);
-    if one.is_none() && !names.groups.iter().any(|g| g.name == group) {
-        let known: Vec<&str> = names.groups.iter().map(|g| g.name.as_str()).collect();
-        let what = format!("unknown block or group {group:?}; valid groups: {}", known.join(", "));
-        return Err(PlotError::NothingToDraw { what });
-    }
-    let belongs = |b: u32| one == Some(b) || names.groups_of(b).contains(&group);
+    let chosen = names.chosen(group).map_err(|what| PlotError::NothingToDraw { what })?;
     let table = Table::read(&path)?;
     let (blocks, fragments) = (table.column("block")?, table.column("fragment")?);
     let all = blocks.values.iter().zip(&fragments.values);
-    let of_group = all.filter(|(b, _)| names.stem(**b as u32).any(belongs));
+    let of_group = all.filter(|(b, _)| names.stem(**b as u32).any(|b| chosen.has(b)));
     Ok(of_group.map(|(_, fragment)| *fragment as u32).collect())
 }
 

@@ -4,6 +4,7 @@
 //! a run of numbers is one entry.
 
 use super::disk::{OutputError, write_whole};
+use riprap_core::condition::Condition;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -139,6 +140,31 @@ impl Names {
         found.map(|g| g.name.as_str()).collect()
     }
 
+    /// What a text names: a block, a group, or what a condition makes of them.
+    ///
+    /// # Errors
+    /// A name of nothing, or a condition that is none: what is wrong.
+    pub fn chosen(&self, text: &str) -> Result<Chosen<'_>, String> {
+        let known =
+            |name: &str| self.number(name).is_some() || self.groups.iter().any(|g| g.name == name);
+        let condition = if !known(text) && Condition::is_meant(text) {
+            Condition::read(text).map_err(|fault| {
+                let (before, here) = (&text[..fault.at.start], &text[fault.at.clone()]);
+                format!("the condition {text:?}: {} (`{here}` behind {before:?})", fault.why)
+            })?
+        } else {
+            Condition::name(text)
+        };
+        match condition.names.iter().find(|name| !known(&name.text)) {
+            None => Ok(Chosen { names: self, condition }),
+            Some(name) => {
+                let all: Vec<&str> = self.groups.iter().map(|g| g.name.as_str()).collect();
+                let all = all.join(", ");
+                Err(format!("unknown block or group {:?}; valid groups: {all}", name.text))
+            }
+        }
+    }
+
     /// Reads the names of a run folder; one without them (of an earlier riprap) has none.
     ///
     /// # Errors
@@ -174,6 +200,23 @@ impl Names {
             .map_err(|e| OutputError { path: path.clone(), source: e.into() })?;
         text.push('\n');
         write_whole(&path, text.as_bytes())
+    }
+}
+
+/// Blocks that a text names.
+#[derive(Debug)]
+pub struct Chosen<'a> {
+    names: &'a Names,
+    condition: Condition,
+}
+
+impl Chosen<'_> {
+    /// Whether a block is one of them.
+    #[must_use]
+    pub fn has(&self, block: u32) -> bool {
+        let groups = self.names.groups_of(block);
+        self.condition
+            .holds(&|name| groups.contains(&name) || self.names.number(name) == Some(block))
     }
 }
 
@@ -235,6 +278,24 @@ mod tests {
         assert_eq!(names.groups_of(2), ["rock", "all"]);
         assert_eq!(names.groups_of(8), ["rock"]);
         assert!(names.groups_of(5).is_empty());
+    }
+
+    #[test]
+    fn blocks_are_chosen_by_name_group_and_condition() {
+        let names = sample();
+        let of = |text: &str| -> Vec<u32> {
+            let chosen = names.chosen(text).expect(text);
+            (0..9).filter(|b| chosen.has(*b)).collect()
+        };
+        assert_eq!(of("rock.2"), [2]);
+        assert_eq!(of("all"), [0, 1, 2]);
+        assert_eq!(of("rock and not (all or rock.9)"), [3, 4]);
+        let wrong = |text: &str| names.chosen(text).expect_err(text);
+        assert!(
+            wrong("rocks").contains("unknown block or group \"rocks\"; valid groups: rock, all")
+        );
+        assert!(wrong("rock and ore").contains("\"ore\""));
+        assert!(wrong("rock or or all").contains("a name is missing (`or` behind \"rock or \")"));
     }
 
     #[test]

@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
+use std::ops::Range;
 
+use riprap_core::condition::Fault;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, Visitor};
 
@@ -32,6 +34,14 @@ impl Diagnostic {
     }
 }
 
+impl Diagnostic {
+    /// A condition on blocks that cannot be read, at the word where it cannot.
+    pub fn no_condition(text: &Name, fault: &Fault) -> Self {
+        let usual = "write names with `and`, `or`, `not` and parentheses, for example \"roof and not (ore or key)\"";
+        Self::error("group.where", fault.why.clone()).at(text.within(&fault.at)).help(usual)
+    }
+}
+
 impl From<&Name> for Span {
     fn from(name: &Name) -> Span {
         name.span.clone()
@@ -46,13 +56,18 @@ impl Name {
 
     /// Place of the character behind `bytes` of the word; all of it where quotes and escapes hide the place.
     pub fn place(&self, bytes: usize) -> Span {
+        let rest = self.text.get(bytes..).unwrap_or_default();
+        self.within(&(bytes..bytes + rest.chars().next().map_or(1, char::len_utf8)))
+    }
+
+    /// Place of some bytes of the word, at its end of the quote behind it; all of it where quotes and escapes hide the place.
+    pub fn within(&self, bytes: &Range<usize>) -> Span {
         let plain = self.span.len() == self.text.len() + 2;
-        if !plain || bytes > self.text.len() {
+        if !plain || bytes.start > self.text.len() {
             return self.span.clone();
         }
-        let rest = self.text.get(bytes..).unwrap_or_default();
-        let begin = self.span.start + 1 + bytes;
-        begin..begin + rest.chars().next().map_or(1, char::len_utf8)
+        let begin = self.span.start + 1 + bytes.start;
+        begin..begin + bytes.len().max(1)
     }
 }
 

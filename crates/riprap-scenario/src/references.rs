@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use riprap_core::condition::Condition;
 use toml::de::DeTable;
 
 use super::diagnostic::{Diagnostic, short};
@@ -139,8 +140,36 @@ impl<'a> References<'a> {
             || self.scenario.blocks.iter().any(|b| b.mesh.is_some() || b.polygons.is_some())
     }
 
+    /// Whether a text is meant as a condition on blocks; what is wrong with it is reported.
+    fn is_condition(&mut self, text: &Name) -> bool {
+        if !Condition::is_meant(text.as_str()) {
+            return false;
+        }
+        let words = match Condition::read(text.as_str()) {
+            Ok(condition) => condition.names,
+            Err(fault) => {
+                self.found.push(Diagnostic::no_condition(text, &fault));
+                return true;
+            }
+        };
+        let materials: Vec<&str> = self.scenario.materials.names().collect();
+        for word in words {
+            let of = word.text.as_str();
+            if !self.is_block(of) && !self.is_group(of) && !materials.contains(&of) {
+                let name = Name { span: text.within(&word.at), text: word.text };
+                let known: Vec<&str> =
+                    self.groups.iter().copied().chain(materials.iter().copied()).collect();
+                self.unknown("group, block or material", &name, known);
+            }
+        }
+        true
+    }
+
     fn block_or_group(&mut self, name: &Name) {
-        if !self.is_block(name.as_str()) && !self.is_group(name.as_str()) {
+        if !self.is_block(name.as_str())
+            && !self.is_group(name.as_str())
+            && !self.is_condition(name)
+        {
             let known: Vec<&str> = self.groups.iter().copied().collect();
             self.unknown("block or group", name, known);
         }
@@ -168,7 +197,10 @@ impl<'a> References<'a> {
     }
 
     fn group(&mut self, name: &Name) {
-        if !self.is_block(name.as_str()) && !self.is_group(name.as_str()) {
+        if !self.is_block(name.as_str())
+            && !self.is_group(name.as_str())
+            && !self.is_condition(name)
+        {
             let known: Vec<&str> = self.groups.iter().copied().collect();
             self.unknown("group", name, known);
         }

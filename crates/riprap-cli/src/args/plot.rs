@@ -141,7 +141,7 @@ pub struct Plot {
     /// Uplift that defines the crater rim [default: 0.02 of the depth of the charge]
     #[arg(long, value_name = "LENGTH")]
     pub uplift: Option<String>,
-    /// Only fragments that contain a block of this group
+    /// Only fragments that contain a block of this group, or of this condition, for example 'rock and not ore'
     #[arg(long, value_name = "GROUP")]
     pub of: Option<String>,
     /// Charge for crater and heave [default: the first]

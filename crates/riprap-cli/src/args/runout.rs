@@ -22,7 +22,7 @@ pub struct Runout {
     /// Run folders, or folders that hold some
     #[arg(value_name = "RUN", required = true)]
     pub runs: Vec<PathBuf>,
-    /// Only the rocks of this group [default: all free blocks]
+    /// Only the rocks of this group, or of this condition, for example 'rocks and not cliff' [default: all free blocks]
     #[arg(long, value_name = "GROUP")]
     pub of: Option<String>,
     /// Line that rocks may pass, with a name: at an x, or between two points of the plan; repeatable

@@ -131,7 +131,7 @@ pub struct AlongSet {
 /// line `v` points north (y).
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
-#[keys(one_of("circle", "horseshoe", "polygon", "benches"))]
+#[keys(one_of("circle", "horseshoe", "polygon", "benches", "profile"))]
 pub struct Excavation {
     /// One end of the line [x, y, z], m.
     pub from: Point3,
@@ -145,6 +145,8 @@ pub struct Excavation {
     pub polygon: Option<Vec<Point>>,
     /// A pit with benches that rise to the left of the line, which is the toe of the lowest one.
     pub benches: Option<BenchesProfile>,
+    /// A closed outline of a drawing.
+    pub profile: Option<DrawnProfile>,
     /// Number of equal parts along the line, the groups name.1, name.2, ... from `from` on.
     #[key(default = 1, min = 1, max = 1000)]
     pub rounds: Option<u64>,
@@ -172,6 +174,22 @@ pub struct HorseshoeProfile {
     /// Number of straight sides of the arch, whose corners lie on the half circle.
     #[key(default = 12, min = 2, max = 180)]
     pub sides: Option<u64>,
+}
+
+/// A closed outline of a drawing: x of the drawing is `u`, y is `v`.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct DrawnProfile {
+    /// Path of a DXF drawing (text or binary) with one closed outline, whose lines may be single ones; arcs become straight pieces.
+    pub dxf: Name,
+    /// Name of the layer that is taken. Default all.
+    pub layer: Option<Name>,
+    /// Where the line of the excavation goes through the drawing [x, y], m. Default its origin.
+    pub origin: Option<Point>,
+    /// What the length 1 in the drawing stands for, m. Default as the drawing says (`$INSUNITS`), else 1 m.
+    pub unit: Option<Quantity<PositiveLength>>,
+    /// Largest distance of an arc from the straight pieces it becomes, m. Default a hundredth of its radius.
+    pub sagitta: Option<Quantity<PositiveLength>>,
 }
 
 /// Faces with berms between them.

@@ -43,6 +43,7 @@ pub fn build(parsed: &Parsed, variant: &str, fields: &[FieldInfo]) -> Result<Mod
         plan: Plan { title: parsed.scenario.title.clone(), ..Plan::default() },
         directory: Directory::default(),
         drawn: BTreeMap::new(),
+        profiles: BTreeMap::new(),
         surfaces: BTreeMap::new(),
         sets: BTreeMap::new(),
         found: parsed.warnings.clone(),

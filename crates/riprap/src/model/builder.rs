@@ -37,6 +37,8 @@ pub(super) struct Builder<'a> {
     pub(super) directory: Directory,
     /// Polygons of files, by the name of their table, until they become blocks.
     pub(super) drawn: BTreeMap<String, Drawn>,
+    /// Profiles of drawings, by what the scene says of them; `None` after an error.
+    pub(super) profiles: BTreeMap<String, Option<Vec<Vec2>>>,
     /// Named faces of meshes: block, unit outward normal, distance from the local origin along it (m).
     pub(super) surfaces: BTreeMap<String, Vec<(u32, Vec3, f64)>>,
     /// The joints of each set by which the blocks of a table in space were cut, local.

@@ -12,7 +12,7 @@ use crate::scenario::diagnostic::suggest;
 use crate::scenario::foreign::dxf::{Drawing, Outlines, Why, parse_dxf};
 use crate::scenario::foreign::tess::{Cells, parse_tess};
 use crate::scenario::foreign::{self, Place};
-use crate::scenario::language::{Block, Cut, Geometry, Polygons, Traces};
+use crate::scenario::language::{Block, Cut, DrawnProfile, Geometry, Polygons, Traces};
 use crate::scenario::quantity::PositiveLength;
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::units::Dim;
@@ -105,6 +105,56 @@ impl Builder<'_> {
             return None;
         }
         Some(drawn)
+    }
+
+    /// The one closed outline of a drawing, corners [u, v] of a profile, m; `None` after an error.
+    pub(super) fn drawn_profile(&mut self, said: &DrawnProfile) -> Option<Vec<Vec2>> {
+        // Several keys ask for the same profile, which is read and complained about once.
+        let key = format!("{said:?}");
+        if let Some(known) = self.profiles.get(&key) {
+            return known.clone();
+        }
+        let read = self.read_profile(said);
+        self.profiles.insert(key, read.clone());
+        read
+    }
+
+    fn read_profile(&mut self, said: &DrawnProfile) -> Option<Vec<Vec2>> {
+        let file = &said.dxf;
+        let wanted = Wanted {
+            file,
+            unit: said.unit.as_ref(),
+            layers: said.layer.as_ref().map(std::slice::from_ref),
+            sagitta: said.sagitta.as_ref(),
+        };
+        let (own, drawing) = self.drawing(&wanted)?;
+        let unit = said.unit.as_ref().map_or(own.value, Quantity::si);
+        let outlines = drawing.outlines();
+        self.note_import(file, &outlines_text(&drawing, &outlines, unit));
+        let [line] = &outlines.closed[..] else {
+            let message = format!("`{file}` has {} closed outlines", outlines.closed.len());
+            let layers = drawing.layers().join("`, `");
+            let help = match outlines.closed.len() {
+                0 => format!(
+                    "close it in the drawing (closed flag, or coincident ends); left out {}",
+                    left_out_text(outlines.left_out.iter().chain(&drawing.left_out))
+                ),
+                _ => format!("a profile is one: give its `layer`, of `{layers}`"),
+            };
+            self.error_at("file.dxf", file, message, &help);
+            return None;
+        };
+        let origin = said.origin.as_ref().map_or(Vec2::ZERO, |[x, y]| Vec2::new(x.si(), y.si()));
+        let corners: Vec<Vec2> =
+            line.points.iter().map(|p| unit * Vec2::from(*p) - origin).collect();
+        let (clean, _) = polygon::normalise(&corners, Collinear::Drop);
+        if let Err(error) = polygon::validate(&clean) {
+            let message = format!("`{file}`, {}: the outline is no profile: {error}", line.place);
+            let help = "correct it in the drawing; a profile is simple and encloses an area";
+            self.error_at("file.shape", file, message, help);
+            return None;
+        }
+        Some(clean)
     }
 
     /// The lines of a drawing on the layers that are wanted, and the length of its unit.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::{Diagnostic, Name};
+use riprap_core::condition::Condition;
 
 /// One `[[blocks]]` table after generation.
 #[derive(Clone, Debug)]
@@ -29,6 +30,8 @@ pub(super) struct Directory {
     pub(super) bolts: Vec<String>,
     /// Centroid of every block, local coordinates, m; z is 0 in the plane.
     pub(super) centroids: Vec<[f64; 3]>,
+    /// Materials and their blocks.
+    pub(super) materials: Vec<(String, Vec<u32>)>,
 }
 
 impl Directory {
@@ -124,9 +127,49 @@ impl Directory {
         (0u32..).zip(&self.centroids).filter(|(_, c)| inside(c)).map(|(block, _)| block).collect()
     }
 
-    /// Blocks of a block, generator or group name.
+    /// Blocks of a block, generator or group name, or of a condition, which holds for at least one.
     pub(super) fn blocks(&self, name: &Name) -> Result<Vec<u32>, Box<Diagnostic>> {
-        self.lookup(name.as_str()).ok_or_else(|| Box::new(self.unknown(name, "block or group")))
+        if let Some(blocks) = self.lookup(name.as_str()) {
+            return Ok(blocks);
+        }
+        if !Condition::is_meant(name.as_str()) {
+            return Err(Box::new(self.unknown(name, "block or group")));
+        }
+        let (blocks, counts) = self.fulfil(name)?;
+        if blocks.is_empty() {
+            let error = Diagnostic::error("group.empty", format!("no block fulfils `{name}`"));
+            return Err(Box::new(error.at(name.span.clone()).help(counts)));
+        }
+        Ok(blocks)
+    }
+
+    /// Blocks of a material.
+    pub(super) fn of_material(&self, name: &str) -> Option<Vec<u32>> {
+        Some(self.materials.iter().find(|(of, _)| of == name)?.1.clone())
+    }
+
+    /// Blocks for which a condition holds, ascending, and how many each of its names has, in words.
+    pub(super) fn fulfil(&self, text: &Name) -> Result<(Vec<u32>, String), Box<Diagnostic>> {
+        let condition = Condition::read(text.as_str())
+            .map_err(|fault| Box::new(Diagnostic::no_condition(text, &fault)))?;
+        let (mut sets, mut counts) = (Vec::new(), Vec::new());
+        for word in &condition.names {
+            let known = self.lookup(&word.text).or_else(|| self.of_material(&word.text));
+            let Some(blocks) = known else {
+                let name = Name { text: word.text.clone(), span: text.within(&word.at) };
+                let all = self.materials.iter().map(|(material, _)| material.as_str());
+                return Err(Box::new(self.unknown_of(&name, "group, block or material", all)));
+            };
+            counts.push(format!("`{}` has {} blocks", word.text, blocks.len()));
+            let mut set = vec![false; self.centroids.len()];
+            for block in blocks {
+                set[block as usize] = true;
+            }
+            sets.push(set);
+        }
+        let holds = |b: &u32| condition.holds_by(&|k| sets[k][*b as usize]);
+        let blocks = (0..self.centroids.len() as u32).filter(holds).collect();
+        Ok((blocks, counts.join(", ")))
     }
 
     /// Blocks of several names, ascending.
@@ -144,6 +187,15 @@ impl Directory {
     }
 
     fn unknown(&self, name: &Name, what: &str) -> Diagnostic {
+        self.unknown_of(name, what, std::iter::empty())
+    }
+
+    fn unknown_of<'a>(
+        &'a self,
+        name: &Name,
+        what: &str,
+        more: impl Iterator<Item = &'a str>,
+    ) -> Diagnostic {
         let error = Diagnostic::error("name.unknown", format!("there is no {what} `{name}`"))
             .at(name.span.clone());
         let numbered = self.entries.iter().filter(|e| e.numbered).find(|e| {
@@ -159,6 +211,7 @@ impl Directory {
             .iter()
             .map(|e| e.name.as_str())
             .chain(self.groups.keys().map(String::as_str))
+            .chain(more)
             .collect();
         match suggest(name.as_str(), known) {
             Some(help) => error.help(help),

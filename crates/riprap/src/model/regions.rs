@@ -11,6 +11,7 @@ use crate::scenario::language::{
 use crate::scenario::quantity::Quantity;
 use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Name, Span};
+use riprap_core::condition::Condition;
 
 /// Blocks that the warning of an empty region names.
 const NAMED: usize = 3;
@@ -45,22 +46,27 @@ fn from_polygon(point: Vec3, face: &Joint) -> f64 {
 impl Builder<'_> {
     /// Groups by place, size, material, name, and then those that others make.
     pub(super) fn groups(&mut self) {
+        self.directory.materials = self.by_material();
         let said = &self.parsed.scenario.groups;
         for (name, group) in said.iter() {
-            let mut blocks = self.in_regions(name, group);
+            let shift = self.local3([0.0; 3]).into();
+            let said = group.excavation.as_ref();
+            let opening = said.and_then(|said| self.opening(said, shift));
+            let mut blocks = self.in_regions(name, group, opening.as_ref());
             blocks.extend(group.size.iter().flat_map(|size| self.of_size(size)));
-            blocks.extend(self.rounds(name, group));
+            blocks.extend(opening.iter().flat_map(|opening| self.rounds(name, opening)));
             if let Some(set) = &group.joint_set {
                 blocks.extend(self.along_set(name, set));
             }
             self.is_face(group);
             if let Some(material) = &group.material {
-                let of = self.of_material(material.as_str());
-                if of.is_none() {
-                    let known: Vec<&str> = self.parsed.scenario.materials.names().collect();
-                    self.found.push(Diagnostic::unknown("material", material, known));
+                match self.directory.of_material(material.as_str()) {
+                    Some(of) => blocks.extend(of),
+                    None => {
+                        let known: Vec<&str> = self.parsed.scenario.materials.names().collect();
+                        self.found.push(Diagnostic::unknown("material", material, known));
+                    }
                 }
-                blocks.extend(of.unwrap_or_default());
             }
             let named = self.directory.all(&group.blocks);
             blocks.extend(self.take(named).unwrap_or_default());
@@ -73,8 +79,11 @@ impl Builder<'_> {
             said.iter().filter_map(|(name, of)| Some((name, of.condition.as_ref()?))).collect();
         while !waiting.is_empty() {
             let names: Vec<&str> = waiting.iter().map(|(name, _)| name.as_str()).collect();
-            let ready = |text: &Name| !words(text.as_str()).iter().any(|w| names.contains(&&w[..]));
-            let (now, later): (Vec<_>, Vec<_>) = waiting.iter().partition(|(_, text)| ready(text));
+            let waits = |text: &Name| {
+                let of = Condition::read(text.as_str());
+                of.is_ok_and(|of| of.names.iter().any(|word| names.contains(&&word.text[..])))
+            };
+            let (now, later): (Vec<_>, Vec<_>) = waiting.iter().partition(|(_, text)| !waits(text));
             if now.is_empty() {
                 let (name, text) = later[0];
                 let message = format!(
@@ -96,9 +105,9 @@ impl Builder<'_> {
     }
 
     /// Blocks in the regions of a group; a warning for one without blocks.
-    fn in_regions(&mut self, name: &Name, group: &Group) -> Vec<u32> {
+    fn in_regions(&mut self, name: &Name, group: &Group, opening: Option<&Opening>) -> Vec<u32> {
         let mut all = Vec::new();
-        for region in self.regions_of(group) {
+        for region in self.regions_of(group, opening) {
             let places = self.directory.centroids.iter().map(|c| Vec3::from(*c));
             let inside: Vec<u32> = (0u32..)
                 .zip(places)
@@ -130,12 +139,7 @@ impl Builder<'_> {
     }
 
     /// Blocks of an excavation; each of its parts along the line is a group too.
-    fn rounds(&mut self, name: &Name, group: &Group) -> Vec<u32> {
-        let shift = self.local3([0.0; 3]).into();
-        let said = group.excavation.as_ref();
-        let Some(opening) = said.and_then(|said| self.opening(said, shift)) else {
-            return Vec::new();
-        };
+    fn rounds(&mut self, name: &Name, opening: &Opening) -> Vec<u32> {
         let places = (0u32..).zip(&self.directory.centroids);
         let parts = places.filter_map(|(b, c)| Some((opening.round_of(Vec3::from(*c))?, b)));
         let parts: Vec<(u32, u32)> = parts.collect();
@@ -206,7 +210,7 @@ impl Builder<'_> {
     }
 
     /// The regions of a group.
-    fn regions_of(&self, group: &Group) -> Vec<Region<'static>> {
+    fn regions_of(&self, group: &Group, opening: Option<&Opening>) -> Vec<Region<'static>> {
         let mut all = Vec::new();
         let local = |place: [f64; 3]| Vec3::from(self.local3(place));
         if let Some(of) = &group.region {
@@ -259,7 +263,7 @@ impl Builder<'_> {
             });
         }
         if let Some(said) = &group.excavation
-            && let Some(opening) = Opening::new(said, local([0.0; 3]))
+            && let Some(opening) = opening.cloned()
         {
             all.push(Region {
                 middle: opening.middle(),
@@ -334,45 +338,35 @@ impl Builder<'_> {
         (0u32..).zip(edges).filter(|(_, edge)| holds(*edge)).map(|(b, _)| b).collect()
     }
 
-    /// Blocks of a material; `None` where there is none of that name.
-    fn of_material(&self, name: &str) -> Option<Vec<u32>> {
-        let number = self.parsed.scenario.materials.names().position(|of| of == name)?;
+    /// Blocks of each material.
+    fn by_material(&self) -> Vec<(String, Vec<u32>)> {
         let all: Vec<u16> = match self.space {
             InSpace::Planar => self.setup.blocks.iter().map(|b| b.material).collect(),
             InSpace::Spatial => self.spatial.blocks.iter().map(|b| b.material).collect(),
         };
-        let of = (0u32..).zip(all).filter(|(_, material)| usize::from(*material) == number);
-        Some(of.map(|(b, _)| b).collect())
+        let of = |number: usize| {
+            let of = (0u32..).zip(&all).filter(move |(_, m)| usize::from(**m) == number);
+            of.map(|(b, _)| b).collect()
+        };
+        let names = self.parsed.scenario.materials.names().enumerate();
+        names.map(|(number, name)| (name.to_owned(), of(number))).collect()
     }
 
     /// Adds what a condition holds to a group.
     fn condition(&mut self, name: &Name, text: &Name) {
-        let tokens = words(text.as_str());
-        let mut reader = Reader { tokens: &tokens, at: 0, builder: self, counts: Vec::new() };
-        let read = reader.any().and_then(|set| match reader.tokens.get(reader.at) {
-            None => Ok(set),
-            Some(more) => Err((format!("`{more}` is not expected here"), None)),
-        });
-        let counts = std::mem::take(&mut reader.counts);
-        match read {
-            Ok(set) => {
-                let blocks: Vec<u32> =
-                    (0u32..).zip(&set).filter(|(_, is)| **is).map(|(b, _)| b).collect();
+        match self.directory.fulfil(text) {
+            Ok((blocks, counts)) => {
                 if blocks.is_empty() {
                     let message = format!("no block fulfils `where` of `{name}`");
-                    let counts: Vec<String> =
-                        counts.iter().map(|(of, n)| format!("`{of}` has {n} blocks")).collect();
-                    let help = format!("{}; the group is empty", counts.join(", "));
-                    let note = Diagnostic::warning("group.empty", message).help(help);
+                    let note = Diagnostic::warning("group.empty", message);
+                    let note = note.help(format!("{counts}; the group is empty"));
                     self.found.push(note.at(text.span.clone()));
                 }
                 self.directory.extend(name.as_str(), blocks);
             }
-            Err((why, help)) => {
-                let message = format!("`where` of `{name}`: {why}");
-                let error = Diagnostic::error("group.where", message).at(text.span.clone());
-                let usual = "write names with `and`, `or`, `not` and parentheses, for example \"roof and not (ore or key)\"";
-                self.found.push(error.help(help.unwrap_or_else(|| usual.to_owned())));
+            Err(mut wrong) => {
+                wrong.message = format!("`where` of `{name}`: {}", wrong.message);
+                self.found.push(*wrong);
             }
         }
     }
@@ -388,102 +382,4 @@ fn in_polygon(corners: &[[f64; 2]], x: f64, y: f64) -> bool {
         }
     }
     inside
-}
-
-/// Words and parentheses of a condition; names in single quotes are one word.
-fn words(text: &str) -> Vec<String> {
-    let (mut all, mut word, mut quoted) = (Vec::new(), String::new(), false);
-    for c in text.chars() {
-        match c {
-            '\'' => quoted = !quoted,
-            c if quoted => word.push(c),
-            c if c.is_whitespace() || c == '(' || c == ')' => {
-                if !word.is_empty() {
-                    all.push(std::mem::take(&mut word));
-                }
-                if !c.is_whitespace() {
-                    all.push(c.to_string());
-                }
-            }
-            c => word.push(c),
-        }
-    }
-    if !word.is_empty() {
-        all.push(word);
-    }
-    all
-}
-
-/// A fault of a condition, and what to write.
-type Fault = (String, Option<String>);
-
-/// Reads a condition: `or` of `and` of what may be negated. A set has a mark for each block.
-struct Reader<'a, 'b, 'c> {
-    tokens: &'a [String],
-    at: usize,
-    builder: &'b Builder<'c>,
-    /// Names with their numbers of blocks.
-    counts: Vec<(String, usize)>,
-}
-
-impl Reader<'_, '_, '_> {
-    fn take(&mut self, word: &str) -> bool {
-        let is = self.tokens.get(self.at).is_some_and(|token| token == word);
-        self.at += usize::from(is);
-        is
-    }
-
-    fn any(&mut self) -> Result<Vec<bool>, Fault> {
-        let mut set = self.all()?;
-        while self.take("or") {
-            let more = self.all()?;
-            set.iter_mut().zip(more).for_each(|(is, more)| *is |= more);
-        }
-        Ok(set)
-    }
-
-    fn all(&mut self) -> Result<Vec<bool>, Fault> {
-        let mut set = self.one()?;
-        while self.take("and") {
-            let more = self.one()?;
-            set.iter_mut().zip(more).for_each(|(is, more)| *is &= more);
-        }
-        Ok(set)
-    }
-
-    fn one(&mut self) -> Result<Vec<bool>, Fault> {
-        if self.take("not") {
-            return Ok(self.one()?.into_iter().map(|is| !is).collect());
-        }
-        if self.take("(") {
-            let set = self.any()?;
-            return if self.take(")") {
-                Ok(set)
-            } else {
-                Err(("a parenthesis is not closed".to_owned(), None))
-            };
-        }
-        let Some(word) = self.tokens.get(self.at).filter(|w| !["and", "or", ")"].contains(&&w[..]))
-        else {
-            return Err(("a name is missing".to_owned(), None));
-        };
-        self.at += 1;
-        let name = Name { text: word.clone(), span: 0..0 };
-        let blocks = match self.builder.directory.blocks(&name) {
-            Ok(blocks) => blocks,
-            Err(wrong) => match self.builder.of_material(word) {
-                Some(blocks) => blocks,
-                None => {
-                    let message = format!("there is no group, block or material `{word}`");
-                    return Err((message, wrong.help));
-                }
-            },
-        };
-        self.counts.push((word.clone(), blocks.len()));
-        let mut set = vec![false; self.builder.directory.centroids.len()];
-        for block in blocks {
-            set[block as usize] = true;
-        }
-        Ok(set)
-    }
 }

@@ -6,6 +6,7 @@
 
 use std::path::PathBuf;
 
+use riprap_core::condition::Condition;
 use toml::{Table, Value};
 
 use super::job::Job;
@@ -163,8 +164,11 @@ fn names_are_there(keys: &Table, simulation: &Simulation) -> Result<(), ChangeEr
     for list in ["remove", "fix", "release"] {
         let names = keys.get(list).and_then(Value::as_array);
         for (k, name) in names.into_iter().flatten().enumerate() {
-            if let Some(name) = name.as_str() {
-                simulation.blocks_of(&format!("{list}.{k}"), name)?;
+            let Some(name) = name.as_str() else { continue };
+            match simulation.blocks_of(&format!("{list}.{k}"), name) {
+                // A condition may name materials, which the scene knows.
+                Err(ChangeError::Unknown { .. }) if Condition::is_meant(name) => {}
+                other => drop(other?),
             }
         }
     }

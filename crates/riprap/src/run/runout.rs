@@ -173,15 +173,13 @@ pub enum RunoutError {
         /// How many there are.
         frames: usize,
     },
-    /// No such group.
-    #[error("{} has no group `{name}`; valid names: {known}", folder.display())]
+    /// No such block or group.
+    #[error("{}: {what}", folder.display())]
     Group {
         /// The run.
         folder: PathBuf,
-        /// What was asked for.
-        name: String,
-        /// What there is.
-        known: String,
+        /// What is wrong.
+        what: String,
     },
     /// Nothing is free.
     #[error("{} has no free block{}", folder.display(), of.as_ref().map_or(String::new(), |g| format!(" in the group `{g}`")))]

@@ -80,8 +80,8 @@ fn benches(said: &BenchesProfile) -> (Vec<Vec2>, Vec<bool>) {
 }
 
 impl Opening {
-    /// What a table says, in coordinates shifted by `shift`; `None` where its polygon is none.
-    pub(in crate::model) fn new(said: &Excavation, shift: Vec3) -> Option<Self> {
+    /// What a table says, in coordinates shifted by `shift`, with the profile of its drawing; `None` where its polygon is none.
+    fn new(said: &Excavation, drawn: Option<Vec<Vec2>>, shift: Vec3) -> Option<Self> {
         let (from, to) = (global(&said.from) + shift, global(&said.to) + shift);
         let along = (to - from).normalize();
         let level = along.cross(Vec3::Z);
@@ -93,7 +93,9 @@ impl Opening {
             [along.cross(Vec3::Y).normalize(), Vec3::Y, along]
         };
         let mut faces = None;
-        let mut profile = if let Some(said) = &said.circle {
+        let mut profile = if let Some(drawn) = drawn {
+            drawn
+        } else if let Some(said) = &said.circle {
             circle(said)
         } else if let Some(said) = &said.horseshoe {
             horseshoe(said)
@@ -238,7 +240,11 @@ impl Opening {
 impl Builder<'_> {
     /// The excavation of a group in coordinates shifted by `shift`; `None` after an error.
     pub(in crate::model) fn opening(&mut self, said: &Excavation, shift: Vec3) -> Option<Opening> {
-        let opening = Opening::new(said, shift);
+        let drawn = match &said.profile {
+            Some(said) => Some(self.drawn_profile(said)?),
+            None => None,
+        };
+        let opening = Opening::new(said, drawn, shift);
         if opening.is_none() {
             let at = said.polygon.as_ref().and_then(|p| p.first()).map(|p| p[0].span.clone());
             let help = "list at least three corners in order along the boundary, which must not cross itself";

@@ -311,3 +311,26 @@ fn a_glued_mesh_keeps_its_groups() {
     let told = |w: &Diagnostic| w.message.contains("group `left` of the mesh contains");
     assert!(model.warnings.iter().any(told), "{:?}", model.warnings);
 }
+
+#[test]
+fn a_profile_is_one_outline_of_a_drawing() {
+    let asked = |profile: &str| {
+        let text = format!(
+            "{SPACE}{GRAIN}brick = {{ size = [\"8 m\", \"8 m\", \"8 m\"], corner = [\"0 m\", \"0 m\", \"0 m\"] }}\ncut.along.groups = [\"it\"]\n\
+             [groups.it.excavation]\nfrom = [\"4 m\", \"0 m\", \"4 m\"]\nto = [\"4 m\", \"8 m\", \"4 m\"]\nprofile = {{ {profile} }}\n{TAIL}"
+        );
+        built(text, crate::run::engine::Kind::Spatial.fields())
+    };
+    let file = "dxf = \"shapes/section_R12.dxf\"";
+    for (more, says) in [
+        (", layer = \"rocks\"", "`shapes/section_R12.dxf` has no lines on layer `rocks`"),
+        (", layer = \"joints\"", "has 0 closed outlines"),
+        ("", "closed outlines"),
+        (", layer = 3", "layer"),
+    ] {
+        let told = asked(&format!("{file}{more}")).expect_err(says).render();
+        assert!(told.contains(says), "{more}: {told}");
+        assert_eq!(told.matches("error[").count(), 1, "{more}: once: {told}");
+    }
+    refused(asked("dxf = \"shapes/none.dxf\""), "shapes/none.dxf");
+}

@@ -116,6 +116,41 @@ fn faults_of_conditions_are_told() {
     assert!(try_space(normal).unwrap_err().render().contains("has no length"));
 }
 
+/// A scene whose keys take `low and not (ore or low.1)` in place of the name of a group.
+fn inline(condition: &str) -> Result<Model, Diagnostics> {
+    try_space(&format!(
+        "[[supports]]\non.group = \"{condition}\"\nfixed = {{}}\n\
+         [[loads]]\non.group = \"not ({condition})\"\npoint.force = [\"1 N\", \"0 N\", \"0 N\"]\n\
+         [[outputs]]\nhistory = {{ name = \"v\", field = \"group.volume\", of = \"{condition}\", every = \"1 s\" }}\n\
+         [[phases]]\nname = \"first\"\nuntil.steps = 1\nremove = [\"high and 'ore'\"]\n"
+    ))
+}
+
+#[test]
+fn a_condition_stands_wherever_a_group_does() {
+    let model = inline("low and not (ore or low.1)").unwrap_or_else(|error| panic!("{error}"));
+    let Setup::Spatial(setup) = &model.setup else { panic!("a scene in space") };
+    assert_eq!(setup.supports.iter().map(|s| s.blocks.len()).sum::<usize>(), 47);
+    assert_eq!(setup.loads.iter().map(|l| l.blocks.len()).sum::<usize>(), 5);
+    assert_eq!(model.plan.histories[0].gauge.of.len(), 47);
+    assert_eq!(model.plan.phases[0].remove.len(), 4);
+}
+
+#[test]
+fn a_wrong_word_of_a_condition_is_shown_at_its_place() {
+    for (condition, words, marks) in [
+        ("low and not (ore or kow)", "there is no group, block or material `kow`", "^^^"),
+        ("low and and ore", "a name is missing", "^^^"),
+        ("low and ore)", "`)` is not expected here", "^"),
+        ("low and ore", "no block fulfils `low and ore`", "^^^^^^^^^^^^^"),
+    ] {
+        let told = inline(condition).map(|_| ()).unwrap_err().render();
+        assert!(told.contains(words), "{condition}: {told}");
+        let marked = told.lines().any(|l| l.split_whitespace().any(|word| word == marks));
+        assert!(marked, "{condition}: {told}");
+    }
+}
+
 #[test]
 fn an_empty_region_names_the_nearest_blocks() {
     let far =

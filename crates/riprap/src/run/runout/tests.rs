@@ -104,7 +104,10 @@ fn free_flight_is_exact_between_frames() {
             }
         }
         let told = asked(&folder, Some("rock"), &[]).unwrap_err().to_string();
-        assert!(told.contains("no group `rock`; valid names: high, rocks"), "{told}");
+        assert!(
+            told.contains("unknown block or group \"rock\"; valid groups: high, rocks"),
+            "{told}"
+        );
     }
 }
 

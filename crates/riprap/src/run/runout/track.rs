@@ -228,20 +228,12 @@ fn chosen(
     densities: &[Option<f64>],
 ) -> Result<BTreeMap<u32, Track>, RunoutError> {
     let names = Names::read(folder)?;
-    if let Some(group) = &rules.of
-        && names.groups.iter().all(|g| g.name != *group)
-    {
-        let known: Vec<&str> = names.groups.iter().map(|g| g.name.as_str()).collect();
-        return Err(RunoutError::Group {
-            folder: folder.to_owned(),
-            name: group.clone(),
-            known: known.join(", "),
-        });
-    }
+    let group = |what| RunoutError::Group { folder: folder.to_owned(), what };
+    let of = rules.of.as_ref().map(|of| names.chosen(of).map_err(group)).transpose()?;
     let materials = first.column("material");
     let mut tracks = BTreeMap::new();
     for (i, number) in numbers(first).enumerate() {
-        let meant = rules.of.as_ref().is_none_or(|g| names.groups_of(number).contains(&g.as_str()));
+        let meant = of.as_ref().is_none_or(|of| of.has(number));
         if held(first, i) || !meant {
             continue;
         }
