@@ -187,6 +187,11 @@ fn the_page_on_removable_blocks_works() {
 }
 
 #[test]
+fn the_page_of_ten_problems_works() {
+    run_page("how-to/ten-problems.md");
+}
+
+#[test]
 fn the_page_on_laboratory_tests_works() {
     run_page("how-to/laboratory-tests.md");
 }
