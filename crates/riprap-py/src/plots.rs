@@ -5,7 +5,10 @@ use std::path::PathBuf;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use riprap::plot as drawn;
-use riprap::plot::{Along, BlockOptions, CraterOptions, PlotError, Projection, Which, Words};
+use riprap::plot::{
+    Along, BlockOptions, CraterOptions, Look, PlotError, Projection, Target, Which, Words,
+};
+use riprap::scenario::units;
 
 use crate::errors;
 
@@ -32,9 +35,35 @@ pub struct Options {
     source: Option<String>,
     of: Option<String>,
     projection: String,
+    range: Option<[Bound; 2]>,
+    percentiles: Option<[f64; 2]>,
+    title: Option<String>,
+    size: Option<f64>,
+    dpi: Option<f64>,
+    font: Option<String>,
 }
 
-/// Draws `what` of a run folder into `out` (`.svg`, `.png`, or both without an ending); gives the files written.
+/// A value of a field: with its unit, or in SI.
+#[derive(FromPyObject)]
+enum Bound {
+    Number(f64),
+    Text(String),
+}
+
+impl Bound {
+    fn si(&self) -> PyResult<f64> {
+        match self {
+            Self::Number(value) => Ok(*value),
+            Self::Text(text) => units::parse(text).map(|(value, _)| value).map_err(|_| {
+                PyValueError::new_err(format!(
+                    "{text:?} is no value; write for example range=(\"0 mm\", \"5 mm\")"
+                ))
+            }),
+        }
+    }
+}
+
+/// Draws `what` of a run folder into `out` (`.svg`, `.png`, `.pdf`; SVG and PNG without an ending); gives the files written.
 #[pyfunction]
 pub fn plot(
     py: Python<'_>,
@@ -43,7 +72,7 @@ pub fn plot(
     out: PathBuf,
     options: Options,
 ) -> PyResult<Vec<PathBuf>> {
-    let blocks = options.blocks()?;
+    let (blocks, look) = (options.blocks()?, options.look()?);
     let projection = named("projection", &options.projection)?;
     let known = [
         "histories",
@@ -70,7 +99,7 @@ pub fn plot(
     if let Some(parent) = out.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent)?;
     }
-    py.detach(|| options.draw(&folder, what, (blocks, projection), &out))
+    py.detach(|| options.draw(&folder, what, (blocks, projection), Target { path: &out, look }))
         .map_err(|e| errors::plot(py, &e))
 }
 
@@ -99,8 +128,25 @@ impl Options {
             exaggeration: self.exaggerate,
             normal,
             at: self.at,
-            ..BlockOptions::default()
+            range: match &self.range {
+                Some([low, high]) => Some([low.si()?, high.si()?]),
+                None => None,
+            },
+            percentiles: self.percentiles,
         })
+    }
+
+    fn look(&self) -> PyResult<Look> {
+        if self.size.is_some_and(|width| !(0.001..=100.0).contains(&width)) {
+            let why =
+                "size is the width on paper, from 1 mm to 100 m; write for example size=\"160 mm\"";
+            return Err(PyValueError::new_err(why));
+        }
+        if self.dpi.is_some_and(|dpi| !(dpi.is_finite() && dpi > 0.0)) {
+            return Err(PyValueError::new_err("dpi is a positive number"));
+        }
+        let (title, font) = (self.title.clone(), self.font.clone());
+        Ok(Look { title, width: self.size, dpi: self.dpi, font })
     }
 
     fn draw(
@@ -108,7 +154,7 @@ impl Options {
         folder: &std::path::Path,
         what: &str,
         (blocks, projection): (BlockOptions, Projection),
-        out: &std::path::Path,
+        out: Target<'_>,
     ) -> Result<Vec<PathBuf>, PlotError> {
         let given: Vec<Which> = self.times.iter().map(|t| Which::Time(*t)).collect();
         let frames = if given.is_empty() { vec![Which::Last] } else { given.clone() };

@@ -150,6 +150,29 @@ def test_pictures(slide, blast, tmp_path):
         blast.plot("section", normal="w")
 
 
+def test_pictures_for_papers(slide, blast, tmp_path):
+    pdf = slide.plot("histories", "slip", pdf=True, title="Slip of a block", size="160 mm")
+    assert pdf.file(".pdf").read_bytes().startswith(b"%PDF") and pdf.file(".pdf").name == "histories_slip.pdf"
+    svg = slide.plot("histories", "slip", out=tmp_path / "a.svg", title="Slip of a block", font="Georgia", size=0.16)
+    text = svg.file(".svg").read_text()
+    assert "Slip of a block" in text and "Georgia" in text and 'width="160.000mm"' in text
+    wide = [slide.plot("energy", out=tmp_path / f"{dpi}.png", dpi=dpi).file(".png").read_bytes()[16:20] for dpi in (96, 192)]
+    assert 2 * int.from_bytes(wide[0], "big") == int.from_bytes(wide[1], "big")
+    data = blast.plot("section", by="velocity", range=("0 m/s", 2.0), out=tmp_path / "range.svg").file(".svg").read_text()
+    assert data != blast.plot("section", by="velocity", percentiles=(5, 95), out=tmp_path / "percentiles.svg").file(".svg").read_text()
+    for options, says in (
+        ({"range": (0, 1), "percentiles": (2, 98)}, "exclude each other"),
+        ({"pdf": True, "out": "a.svg"}, "exclude each other"),
+        ({"range": ("0 mm", "much")}, "is no value"),
+        ({"size": "1 km"}, "width on paper"),
+        ({"dpi": 0}, "positive"),
+    ):
+        with pytest.raises(ValueError, match=says):
+            blast.plot("section", **options)
+    with pytest.raises(riprap.errors.PlotError, match="range"):
+        blast.plot("section", range=(2, 1))
+
+
 def test_options_that_cannot_be_are_told(blast):
     for options in ({"at": "2 s"}, {"window": ("0 s", 0, 5, 3)}):
         with pytest.raises(ValueError, match="cannot be converted to m"):

@@ -57,6 +57,14 @@ def plot(
     of: str | None = None,
     projection: str = "equal_area",
     against: str | None = None,
+    range: "tuple[str | float, str | float] | None" = None,
+    percentiles: "tuple[float, float] | None" = None,
+    title: str | None = None,
+    size: "str | float | None" = None,
+    dpi: float | None = None,
+    font: str | None = None,
+    png: bool = False,
+    pdf: bool = False,
 ) -> Picture:
     """Draws a picture of a run folder, with the numbers behind it as CSV.
 
@@ -65,7 +73,7 @@ def plot(
         what: ``histories``, ``energy``, ``blocks``, ``section``, ``line``, ``ppv``, ``crater``, ``heave``, ``cavity``,
             ``spectrum``, ``stereonet``, ``rose``, ``fragments``.
         names: histories to draw (all by default); the one history of a spectrum.
-        out: ``.svg``, ``.png``, or both without an ending; by default an SVG in ``plots/`` of the run.
+        out: ``.svg``, ``.png`` or ``.pdf``, SVG and PNG without an ending; by default an SVG in ``plots/`` of the run.
         by: field that colours blocks, such as ``velocity.x``.
         times: model times of frames [s]; by default the last frame.
         log: logarithmic colours.
@@ -84,17 +92,30 @@ def plot(
         of: group of blocks: only ``fragments`` with a block of it.
         projection: of the stereonet, ``equal_area`` or ``equal_angle``.
         against: history along the x axis of histories, instead of time.
+        range: values of the first and the last colour, with units or in SI: ``("0 mm", "5 mm")``.
+        percentiles: percentiles of the values at which the colours begin and end: ``(2, 98)``.
+        title: title in place of that of the scene.
+        size: width on paper, ``"160 mm"`` or a number [m].
+        dpi: pixels of PNG per inch; 192 by default.
+        font: font family of SVG; PNG and PDF have outlines of DejaVu Sans.
+        png: without ``out``: PNG in place of SVG.
+        pdf: without ``out``: PDF in place of SVG.
 
     Raises:
         PlotError: the run has not what the picture needs, or an option cannot be.
-        ValueError: a place or a length is none.
+        ValueError: a place, a length or a value is none, or options exclude each other.
     """
     folder = run.path if isinstance(run, RunFolder) else Path(run)
     parts = [what, *names[:1], *([by] if what in ("blocks", "section", "line") else [])]
     if of is not None:
         parts.append(of)
     name = "_".join(parts if against is None else [*parts, "against", against])
-    target = Path(out) if out is not None else folder / "plots" / f"{re.sub(r'[^A-Za-z0-9_.-]', '_', name)}.svg"
+    for one, other in (("range", "percentiles"), ("png", "pdf"), ("out", "png"), ("out", "pdf")):
+        given = {"range": range, "percentiles": percentiles, "out": out, "png": png or None, "pdf": pdf or None}
+        if given[one] is not None and given[other] is not None:
+            raise ValueError(f"{one} and {other} exclude each other")
+    ending = "png" if png else "pdf" if pdf else "svg"
+    target = Path(out) if out is not None else folder / "plots" / f"{re.sub(r'[^A-Za-z0-9_.-]', '_', name)}.{ending}"
     listed = [] if times is None else [times] if isinstance(times, (int, float)) else list(times)
     options = {
         "by": by,
@@ -116,6 +137,12 @@ def plot(
         "source": source,
         "of": of,
         "projection": projection,
+        "range": None if range is None else list(range),
+        "percentiles": None if percentiles is None else list(percentiles),
+        "title": title,
+        "size": _metres(size),
+        "dpi": dpi,
+        "font": font,
     }
     return Picture(_riprap.plot(folder, what, target, options))
 
