@@ -189,6 +189,11 @@ impl Simulation {
         self.edited(py, |live| live.set_velocity(of, velocity))
     }
 
+    /// Charges the hole of a source.
+    fn charge(&self, py: Python<'_>, of: &str, mass: f64, delay: f64) -> PyResult<()> {
+        self.edited(py, |live| live.charge(of, mass, delay))
+    }
+
     /// Closes the ledger: the manifest as JSON text. What has not ended can be resumed.
     fn close(&self, py: Python<'_>) -> PyResult<Option<String>> {
         let closed = self.with(py, |live| Ok(live.take().map(Live::close)))?;

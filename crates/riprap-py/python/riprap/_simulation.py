@@ -174,6 +174,23 @@ class Simulation:
         """
         self._sim.set_velocity(of, _three(velocity))
 
+    def charge(self, of: str, mass: "str | float", *, delay: "str | float" = 0.0) -> None:
+        """Charges the hole of a source that has not gone off, to go off ``delay`` from now.
+
+        Explosive, place and stemming are those of the scene, which gives the hole a ``delay`` beyond the end of the run where
+        code decides when it is fired.
+
+        Args:
+            of: a source of the scene.
+            mass: mass of the charge, ``"2 kg"`` or a number [kg].
+            delay: time from now, ``"25 ms"`` or a number [s].
+
+        Raises:
+            ValueError: there is no such source, it has gone off, or a number is none.
+        """
+        si = [_riprap.si(x, unit) if isinstance(x, str) else float(x) for x, unit in ((mass, "kg"), (delay, "s"))]
+        self._sim.charge(of, *si)
+
     def run(self, callback: "Callable[[Simulation], object]", *, every: int) -> bool:
         """Goes on to the end and calls ``callback`` with this simulation every ``every`` steps.
 

@@ -16,7 +16,7 @@
 pub(crate) mod hole;
 pub mod walls;
 
-pub use crate::setup::error::CavityError;
+pub use crate::setup::error::{CavityError, ChargeError};
 use riprap_geom::Vec3;
 use riprap_geom::polyhedron::frame;
 
@@ -24,7 +24,7 @@ use crate::faces::overlap::Overlap;
 use crate::faces::region::Extent;
 use crate::laws::explosive::Adiabat;
 use crate::push::gas;
-use crate::setup::{Coupling, Place, Region, Setup, Source, Venting};
+use crate::setup::{CavityPressure, Coupling, Place, Region, Setup, Source, Venting};
 pub use crate::state::cavity::{Burn, Cavity, Column, Gas, NodalWalls, TurnedWall, Wall};
 use crate::state::lineage::Origin;
 use crate::state::world::World;
@@ -157,7 +157,6 @@ impl Cavity {
         blocks: Vec<u32>,
         mut walls: Vec<Wall>,
     ) -> Result<Self, CavityError> {
-        use crate::setup::CavityPressure;
         let what = &world.setup.sources[source];
         let name = || what.name.clone();
         let nodal = NodalWalls::of(world, source as u16);
@@ -347,6 +346,29 @@ impl Cavity {
             gas.adiabat.exponent(whole) * pressure * gas.factor * gas.factor * mobility / volume;
         if squared > 0.0 { GAS_STEP / squared.sqrt() } else { f64::INFINITY }
     }
+}
+
+/// Charges the hole of cavity `k` with another mass (kg), to go off at `time` (s): the explosive, the place and the stemming are those of
+/// its source. Before it goes off a charge does no work, so nothing is booked.
+///
+/// # Errors
+/// A charge that has gone off, a pressure history, a mass of which there is no adiabat; nothing has changed then.
+pub fn charge(world: &mut World, k: usize, mass: f64, time: f64) -> Result<(), ChargeError> {
+    let cavity = &mut world.cavities[k];
+    let source = &mut world.setup.sources[usize::from(cavity.source)];
+    if cavity.ignited.is_some() {
+        return Err(ChargeError::Gone);
+    }
+    let CavityPressure::Gas { explosive, mass: before, coupling, .. } = &mut source.push else {
+        return Err(ChargeError::Pressure);
+    };
+    let adiabat = explosive.adiabat(mass).map_err(ChargeError::Explosive)?;
+    *before = mass;
+    source.delay = time;
+    let gas = Gas::new(adiabat, cavity.removed, *coupling);
+    cavity.volume = gas.start;
+    cavity.gas = Some(gas);
+    Ok(())
 }
 
 /// Largest step that cavities allow at the present state, s; the run loop takes the smallest of all limits, every step.

@@ -83,6 +83,20 @@ pub enum BuildError {
     },
 }
 
+/// Why a hole cannot be charged by code.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ChargeError {
+    /// Too late.
+    #[error("it has gone off")]
+    Gone,
+    /// A pressure over time.
+    #[error("it is a pressure over time and takes no charge")]
+    Pressure,
+    /// No adiabat.
+    #[error("{0}")]
+    Explosive(ExplosiveError),
+}
+
 /// Why a source cannot be built.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CavityError {

@@ -509,6 +509,11 @@ impl Live {
             }
         };
         let mut manifest = self.manifest;
+        // Code may have charged holes.
+        for (said, is) in manifest.sources.iter_mut().zip(self.drive.simulation().view().sources())
+        {
+            (said.mass, said.delay, said.charge_volume) = (is.mass, is.delay, is.charge_volume);
+        }
         close(&mut manifest, self.drive.simulation(), &ending);
         let watches = self.drive.watches();
         let result = |watch: &Watch| watch.finish(&manifest.scenario, &manifest.case, false);

@@ -195,6 +195,10 @@ fn what_is_wrong_with_a_change_is_said_and_changes_nothing() {
         wrong.contains("remove.1: there is no block or group \"hig\"; did you mean \"high\"?"),
         "{wrong}"
     );
+    let wrong = told(live.change("remove = [\"low and not low\"]"));
+    assert!(wrong.contains("remove.0: \"low and not low\": no block fulfils it"), "{wrong}");
+    let wrong = told(live.change("remove = [\"low and or high\"]"));
+    assert!(wrong.contains("a name is missing, behind \"low and \""), "{wrong}");
     let wrong = told(live.change("interfaces.default.friction_angle = \"nan deg\""));
     assert!(wrong.contains("nan deg"), "{wrong}");
     let wrong = told(live.change("interfaces.default.friction_angel = \"5 deg\""));
@@ -217,4 +221,76 @@ fn what_is_wrong_with_a_change_is_said_and_changes_nothing() {
     }
     live.advance(Pause::NEVER, &mut |_| Control::Continue).unwrap();
     assert!(told(live.change("fix = [\"low\"]")).contains("the run has ended"));
+}
+
+/// A charge in the middle of 27 bricks.
+fn hole(mass: &str, delay: &str) -> String {
+    format!(
+        r#"
+riprap = 1
+title = "a hole"
+[space.spatial]
+gravity = "0 m/s2"
+[materials.rock]
+density = "2400 kg/m3"
+young = "18 GPa"
+poisson = 0.25
+[interfaces.default]
+cohesion = "4 MPa"
+friction_angle = "30 deg"
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = {{ size = ["3 m", "3 m", "3 m"], cell = "1 m" }}
+[explosives.anfo]
+density = "1000 kg/m3"
+detonation_velocity = "4000 m/s"
+heat_of_explosion = "3688 kJ/kg"
+[sources.charge.gas_cavity]
+centre = ["1.5 m", "1.5 m", "1.5 m"]
+mass = "{mass}"
+delay = "{delay}"
+explosive = "anfo"
+coupling = {{ scaled = 0.6667 }}
+[[phases]]
+name = "blast"
+until.time = "1 ms"
+time_step = "2 us"
+"#
+    )
+}
+
+#[test]
+fn a_hole_is_charged_by_code_as_by_the_scene() {
+    let pressure = |live: &Live| live.simulation().field("cavity.pressure", &["charge"]).unwrap();
+    let end = |live: &mut Live| live.advance(Pause::NEVER, &mut |_| Control::Continue).unwrap();
+    let mut scene = live(&hole("2 kg", "0.2 ms"), None);
+    end(&mut scene);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("hole");
+    let mut code = live(&hole("1 kg", "1 s"), Some(&path));
+    on(&mut code, 1e-4);
+    code.charge("charge", 2.0, 1e-4).unwrap();
+    on(&mut code, 1.5e-4);
+    assert_eq!(pressure(&code), 0.0);
+    on(&mut code, 5e-4);
+    assert!(pressure(&code) > 1e8, "{}", pressure(&code));
+    let told_of = told(code.charge("charge", 2.0, 0.0));
+    assert!(told_of.contains("\"charge\" cannot be charged: it has gone off"), "{told_of}");
+    assert!(told(code.charge("charg", 2.0, 0.0)).contains("did you mean \"charge\"?"));
+    assert!(told(code.charge("charge", -2.0, 0.0)).contains("a mass of -2 kg is none"));
+    // Closed, gone on with, and the same as the scene that has it from the start.
+    code.close().unwrap();
+    let again = job::resume(&path, 1, &mut |_| Control::Continue).unwrap();
+    let source = &again.manifest.sources[0];
+    assert!(source.mass == Some(2.0) && (source.delay - 2e-4).abs() < 1e-15, "{source:?}");
+    let mut second = live(&hole("1 kg", "1 s"), None);
+    on(&mut second, 1e-4);
+    second.charge("charge", 2.0, 1e-4).unwrap();
+    end(&mut second);
+    assert_eq!(again.manifest.state_hash, second.simulation().engine().hash());
+    let (a, b) = (pressure(&scene), pressure(&second));
+    assert!((a - b).abs() < 1e-6 * a, "{a} {b}");
+    let events = std::fs::read_to_string(path.join("events.jsonl")).unwrap();
+    assert_eq!(events.matches("\"charged\"").count(), 1, "{events}");
 }

@@ -299,6 +299,24 @@ impl Engine {
         }
     }
 
+    /// Charges the hole of a source with a mass (kg), to go off at `time` (s).
+    pub(in crate::run) fn charge(&mut self, of: &str, mass: f64, time: f64) -> Result<(), String> {
+        let Self::Spatial(e) = self else {
+            return Err("there are no charges in the plane".to_owned());
+        };
+        let name = |source: u16| &e.world.setup.sources[usize::from(source)].name;
+        match e.world.cavities.iter().position(|cavity| name(cavity.source) == of) {
+            Some(k) => {
+                spatial::charge::charge(&mut e.world, k, mass, time).map_err(|why| why.to_string())
+            }
+            None => {
+                let near = nearest(of, e.world.setup.sources.iter().map(|s| s.name.as_str()));
+                let near = near.map_or(String::new(), |near| format!("; did you mean {near:?}?"));
+                Err(format!("there is no such source{near}"))
+            }
+        }
+    }
+
     /// Sets the velocity (m/s) of some rigid blocks; those at the present instant must be in the state.
     pub(in crate::run) fn set_velocity(&mut self, blocks: &[u32], velocity: [f64; 3]) {
         match self {

@@ -107,6 +107,18 @@ impl Live {
         self.edit(event, |simulation| simulation.set_velocity(of, velocity))
     }
 
+    /// As [`Simulation::charge`]; an event of the run says so, and the manifest has the charge.
+    ///
+    /// # Errors
+    /// As there, and the disk.
+    pub fn charge(&mut self, of: &str, mass: f64, delay: f64) -> Result<(), JobError> {
+        self.not_ended()?;
+        let event = serde_json::json!({
+            "event": "charged", "of": of, "mass": mass, "delay": delay,
+        });
+        self.edit(event, |simulation| simulation.charge(of, mass, delay))
+    }
+
     fn not_ended(&self) -> Result<(), DriveError> {
         match self.ending {
             Some(Ending::Finished | Ending::Unstable(_)) => Err(ChangeError::Ended.into()),

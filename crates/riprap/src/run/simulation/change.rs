@@ -4,6 +4,7 @@
 //! (`Simulation::apply`): the motion is ended with its half kick where forces jump, the edit is made, and the energy that it adds is booked as
 //! edit defect. All that a change leaves is in the world and in the plan, so that a checkpoint holds it.
 
+use riprap_core::condition::Condition;
 use thiserror::Error;
 
 use super::{RunError, Simulation, damping_of};
@@ -47,6 +48,16 @@ pub enum ChangeError {
         /// The nearest there is.
         near: Option<String>,
     },
+    /// A condition that cannot be read, or that holds for no block.
+    #[error("{key}: {text:?}: {why}")]
+    Condition {
+        /// Where it stands.
+        key: String,
+        /// The condition.
+        text: String,
+        /// What is wrong.
+        why: String,
+    },
     /// Blocks that have been removed.
     #[error("{key}: {name:?} has been removed")]
     Removed {
@@ -76,6 +87,14 @@ pub enum ChangeError {
         name: String,
         /// Why.
         why: &'static str,
+    },
+    /// A charge that cannot be.
+    #[error("the source {name:?} cannot be charged: {why}")]
+    Charge {
+        /// The source.
+        name: String,
+        /// Why not.
+        why: String,
     },
     /// No phase is left.
     #[error("the run has ended: there is nothing left to change")]
@@ -197,6 +216,26 @@ impl Simulation {
         Ok(())
     }
 
+    /// Charges the hole of a source that has not gone off with a mass (kg), to go off `delay` (s) from now. Explosive, place and stemming are
+    /// those of the scene, which gives the hole a `delay` beyond the end of the run where code decides when it is fired.
+    ///
+    /// # Errors
+    /// A name of no source, a charge that has gone off, a pressure history, numbers that are none or below zero.
+    pub fn charge(&mut self, of: &str, mass: f64, delay: f64) -> Result<(), ChangeError> {
+        let wrong = |why: String| ChangeError::Charge { name: of.to_owned(), why };
+        if !(mass.is_finite() && mass > 0.0) {
+            return Err(wrong(format!("a mass of {mass} kg is none")));
+        }
+        if !(delay.is_finite() && delay >= 0.0) {
+            return Err(wrong(format!("a delay of {delay} s is none")));
+        }
+        self.begin_present()?;
+        let time = self.time() + delay;
+        self.engine.charge(of, mass, time).map_err(wrong)?;
+        self.forget();
+        Ok(())
+    }
+
     /// Enters the present phase, where that has not been done yet.
     fn begin_present(&mut self) -> Result<(), ChangeError> {
         if self.phase().is_none() {
@@ -208,6 +247,46 @@ impl Simulation {
         Ok(())
     }
 
+    /// Blocks of the block or the group of a name.
+    fn named(&self, name: &str) -> Option<Vec<u32>> {
+        let view = self.view();
+        let groups = self.engine.groups();
+        let group = groups.iter().find(|(known, _)| *known == name).map(|(_, all)| all.to_vec());
+        let one = || (0..view.all_blocks() as u32).find(|b| view.name(*b) == name);
+        group.or_else(|| one().map(|b| vec![b]))
+    }
+
+    /// Blocks for which a condition holds.
+    fn fulfil(&self, key: &str, text: &str) -> Result<Vec<u32>, ChangeError> {
+        let wrong = |why: String| {
+            let (key, text) = (key.to_owned(), text.to_owned());
+            ChangeError::Condition { key, text, why }
+        };
+        let condition = Condition::read(text).map_err(|fault| {
+            wrong(format!("{}, behind {:?}", fault.why, &text[..fault.at.start]))
+        })?;
+        let mut sets = Vec::new();
+        for word in &condition.names {
+            let mut set = vec![false; self.view().all_blocks()];
+            for b in self.named(&word.text).ok_or_else(|| self.no_block(key, &word.text))? {
+                set[b as usize] = true;
+            }
+            sets.push(set);
+        }
+        let holds = |b: &u32| condition.holds_by(&|k| sets[k][*b as usize]);
+        let all: Vec<u32> = (0..self.view().all_blocks() as u32).filter(holds).collect();
+        if all.is_empty() { Err(wrong("no block fulfils it".to_owned())) } else { Ok(all) }
+    }
+
+    fn no_block(&self, key: &str, name: &str) -> ChangeError {
+        let view = self.view();
+        let names: Vec<String> = (0..view.all_blocks() as u32).map(|b| view.name(b)).collect();
+        let groups = self.engine.groups();
+        let known = names.iter().map(String::as_str).chain(groups.iter().map(|(name, _)| *name));
+        let near = nearest(name, known).map(str::to_owned);
+        ChangeError::Unknown { key: key.to_owned(), name: name.to_owned(), near }
+    }
+
     /// What was found for the state before a change.
     fn forget(&mut self) {
         self.standing = false;
@@ -216,18 +295,12 @@ impl Simulation {
         self.reason = None;
     }
 
-    /// Blocks that are left of the block or the group of a name, which stands at `key`.
+    /// Blocks that are left of the block, the group or the condition of a name, which stands at `key`.
     pub(crate) fn blocks_of(&self, key: &str, name: &str) -> Result<Vec<u32>, ChangeError> {
-        let view = self.view();
-        let groups = self.engine.groups();
-        let group = groups.iter().find(|(known, _)| *known == name).map(|(_, all)| all.to_vec());
-        let one = || (0..view.all_blocks() as u32).find(|b| view.name(*b) == name);
-        let Some(all) = group.or_else(|| one().map(|b| vec![b])) else {
-            let names: Vec<String> = (0..view.all_blocks() as u32).map(|b| view.name(b)).collect();
-            let known =
-                names.iter().map(String::as_str).chain(groups.iter().map(|(name, _)| *name));
-            let near = nearest(name, known).map(str::to_owned);
-            return Err(ChangeError::Unknown { key: key.to_owned(), name: name.to_owned(), near });
+        let all = match self.named(name) {
+            Some(all) => all,
+            None if Condition::is_meant(name) => self.fulfil(key, name)?,
+            None => return Err(self.no_block(key, name)),
         };
         let left: Vec<u32> = all.into_iter().filter(|b| self.engine.is_alive(*b)).collect();
         if left.is_empty() {
