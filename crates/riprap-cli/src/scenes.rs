@@ -10,7 +10,7 @@ use crate::args::{self, Change};
 use crate::diagnostics::{self, Style};
 use crate::failure::Failure;
 
-/// Reads the scene and prepares the case the user asked for; prints warnings unless `quiet`.
+/// Reads the scene and prepares the case the user asked for; prints its warnings, and unless `quiet` notes.
 pub fn prepare(scene: &args::Scene, style: Style, quiet: bool) -> Result<Prepared, Failure> {
     prepare_file(&scene.file, &scene.change, style, quiet)
 }
@@ -77,8 +77,9 @@ pub fn prepare_case(
     quiet: bool,
 ) -> Result<Prepared, Failure> {
     let prepared = scene.prepare(case)?;
+    // Whoever asks for quiet wants warnings all the same.
+    warn(&prepared, style);
     if !quiet {
-        warn(&prepared, style);
         let random = &scene.parsed.scenario.distributions;
         if let (Some(wanted), false) = (&scene.parsed.scenario.monte_carlo, random.is_empty()) {
             let count = random.names().count();
