@@ -15,6 +15,7 @@ mod record;
 mod tests;
 pub(in crate::run) mod track;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
@@ -260,9 +261,20 @@ impl Line {
 /// # Errors
 /// Folders without runs or with too few frames, unknown groups, runs without free blocks, gravity that is not vertical.
 pub fn runout(folders: &[PathBuf], rules: &Rules) -> Result<Answer, RunoutError> {
+    let mut names = rules.lines.iter().map(|line| line.name.as_str()).collect::<Vec<_>>();
+    names.sort_unstable();
+    if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+        return Err(RunoutError::Mixed(format!("two lines are called `{}`", twice[0])));
+    }
     let mut runs = Vec::new();
+    let mut read = BTreeSet::new();
     for folder in folders {
         for found in track::runs_in(folder)? {
+            if !read.insert(std::fs::canonicalize(&found).unwrap_or_else(|_| found.clone())) {
+                let text =
+                    format!("{} is given twice: its rocks would count twice", found.display());
+                return Err(RunoutError::Mixed(text));
+            }
             runs.push(Run::read(&found, rules)?);
         }
     }

@@ -103,6 +103,9 @@ fn free_flight_is_exact_between_frames() {
                 assert_eq!(passed, [1, 0]);
             }
         }
+        let both = [folder.clone(), dir.path().to_owned()];
+        let twice = runout(&both, &Rules { of: None, lines: Vec::new() }).unwrap_err();
+        assert!(twice.to_string().contains("thrown.run is given twice"), "{twice}");
         let told = asked(&folder, Some("rock"), &[]).unwrap_err().to_string();
         assert!(
             told.contains("unknown block or group \"rock\"; valid groups: high, rocks"),
@@ -119,6 +122,8 @@ fn what_cannot_be_read_is_told() {
     for wrong in ["7 m", "=7 m", "road=7", "road=7 s", "road=7 m..8 m", "road=1 m,2 m..1 m,2 m"] {
         assert!(Line::read(wrong).is_err(), "{wrong}");
     }
+    let twice = asked(dir.path(), None, &["road=7 m", "road=8 m"]).unwrap_err();
+    assert!(twice.to_string().contains("two lines are called `road`"), "{twice}");
     let road = Line::read("road=1 m,2 m..1.5 km,-2 m").unwrap();
     assert_eq!((road.from, road.to), ([1.0, 2.0], Some([1500.0, -2.0])));
 }
