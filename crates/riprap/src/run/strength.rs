@@ -80,6 +80,8 @@ impl Confining {
 pub const BETWEEN: [f64; 2] = [0.2, 0.5];
 /// Unit of a stress in histories.
 const STRESS: &str = "Pa";
+/// Units of a load in histories, in space and in the plane.
+const FORCES: &[&str] = &["N", "N/m"];
 /// Share of the samples, the last ones, whose mean is the residual stress.
 const LAST: f64 = 0.05;
 
@@ -252,6 +254,18 @@ fn tested(run: &Path, rules: &Rules) -> Result<Tested, StrengthError> {
     if peak == 0.0 {
         return Err(StrengthError::Zero { run: run.to_owned(), name });
     }
+    let divided = rules.area.is_some() || matches!(rules.test, Test::Disk { .. });
+    match divided {
+        true => is_in(loads, FORCES, "a load that is divided by an area")?,
+        false => is_in(loads, &[STRESS], "a stress")?,
+    }
+    // Of sheared joints and of disks the way itself is reported as often.
+    if let Some(series) = strains.filter(|_| rules.test == Test::Axial) {
+        match rules.length {
+            Some(_) => is_in(series, &["m"], "a shortening that is divided by a length")?,
+            None => is_in(series, &["", "-"], "a strain")?,
+        }
+    }
     let stress: Vec<f64> = stress.iter().map(|s| s * peak.signum()).collect();
     let side = match (confining.filter(|series| series.unit != STRESS), rules.test, rules.area) {
         (None, ..) => 1.0,
@@ -286,6 +300,20 @@ fn tested(run: &Path, rules: &Rules) -> Result<Tested, StrengthError> {
             (Some(Confining::History(_)) | None, None) => None,
         },
     })
+}
+
+/// Whether a history is in one of these units.
+fn is_in(series: &Series, units: &[&str], what: &str) -> Result<(), StrengthError> {
+    if units.contains(&series.unit.as_str()) {
+        return Ok(());
+    }
+    let Series { name, unit, .. } = series;
+    let unit = if unit.is_empty() { "no unit" } else { unit.as_str() };
+    let asked = units.iter().find(|unit| !unit.is_empty()).filter(|unit| **unit != "-");
+    let asked = asked.map_or("a plain number".to_owned(), |_| units.join(" or "));
+    Err(StrengthError::Number(format!(
+        "the history `{name}` is in {unit}, but {what} is in {asked}"
+    )))
 }
 
 /// The line through the samples before the peak whose stress lies between two shares of it.

@@ -124,3 +124,25 @@ fn what_cannot_be_read_is_told() {
         assert!(matches!(runs(std::slice::from_ref(&text), &wrong), Err(StrengthError::Number(_))));
     }
 }
+
+#[test]
+fn histories_in_other_units_are_refused() {
+    let text = compressed(40e6, 5e6);
+    let told = |rules: Rules| runs(std::slice::from_ref(&text), &rules).unwrap_err().to_string();
+    let no_area = told(rules(Test::Axial));
+    assert!(no_area.contains("`load` is in N, but a stress is in Pa"), "{no_area}");
+    let short = Some("short".to_owned());
+    let loaded = || Rules { area: Some(2.0), ..rules(Test::Axial) };
+    let no_length = told(Rules { strain: short.clone(), ..loaded() });
+    assert!(
+        no_length.contains("`short` is in m, but a strain is in a plain number"),
+        "{no_length}"
+    );
+    let side = told(Rules { load: "side".to_owned(), ..loaded() });
+    assert!(side.contains("`side` is"), "{side}");
+    // A way over a length, and a strain as it is.
+    assert!(
+        runs(std::slice::from_ref(&text), &Rules { strain: short, length: Some(0.5), ..loaded() })
+            .is_ok()
+    );
+}
