@@ -37,6 +37,11 @@ pub use energy::{Part, Partition};
 pub use pile::{Crater, Pile, Station};
 pub use sieve::{Fragments, KuzRam};
 
+/// Rock factors of Kuz-Ram (Cunningham 2005).
+const ROCK_FACTORS: [f64; 2] = [0.8, 22.0];
+/// Exponents of the curve of fragments: measured ones lie between 0.7 and 2.
+const UNIFORMITIES: [f64; 2] = [0.3, 5.0];
+
 /// What is asked for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rules {
@@ -180,6 +185,18 @@ pub enum MuckpileError {
         /// What to do.
         help: &'static str,
     },
+    /// A number beyond all that was ever measured.
+    #[error("{what} is {value}; it lies between {low} and {high}")]
+    Range {
+        /// Which.
+        what: &'static str,
+        /// What was given.
+        value: f64,
+        /// The smallest.
+        low: f64,
+        /// The largest.
+        high: f64,
+    },
     /// The frames.
     #[error(transparent)]
     Frame(#[from] ReadError),
@@ -305,6 +322,14 @@ impl Rules {
         above("the length of the direction of the throw", direction)?;
         let Some(pattern) = self.kuz_ram else { return Ok(()) };
         above("the rock factor", Some(pattern.rock_factor))?;
+        let within = |what, value: Option<f64>, [low, high]: [f64; 2]| match value {
+            Some(value) if !(low..=high).contains(&value) => {
+                Err(MuckpileError::Range { what, value, low, high })
+            }
+            Some(_) | None => Ok(()),
+        };
+        within("the rock factor", Some(pattern.rock_factor), ROCK_FACTORS)?;
+        within("the uniformity", pattern.uniformity, UNIFORMITIES)?;
         above("the powder factor", pattern.powder_factor)?;
         above("the charge of a hole", pattern.charge)?;
         above("the strength of the explosive", Some(pattern.strength))?;

@@ -218,7 +218,9 @@ pub fn removable(
             .map(|b| (b, rock.block(b, rules, round)))
             .collect();
         if round == 1 {
-            let count = |kind| all.iter().filter(|(_, block)| block.kind == kind).count();
+            // What is not examined is not inside.
+            let examined = || all.iter().filter(|(b, _)| !view.world.is_glued(*b));
+            let count = |kind| examined().filter(|(_, block)| block.kind == kind).count();
             (answer.inside, answer.ground) = (count(Kind::Inside), count(Kind::Ground));
         }
         let falls =
@@ -299,6 +301,7 @@ fn not_counted(view: &View<'_>) -> Vec<String> {
         (setup.sources.len(), "sources"),
         (pressed, "tractions"),
         (usize::from(setup.in_situ.is_some()), "in_situ"),
+        (view.living().filter(|b| view.world.is_glued(*b)).count(), "blocks of glued parts"),
     ];
     things.into_iter().filter(|(count, _)| *count > 0).map(|(_, word)| word.to_owned()).collect()
 }
