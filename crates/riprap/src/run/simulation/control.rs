@@ -114,13 +114,14 @@ impl Simulation {
                         "cannot be read".to_owned()
                     };
                     let unit = reading.info().unit;
-                    let allow = match control.acts {
-                        Acts::Load { .. } => "a shorter `rise`",
-                        Acts::Velocity(_) => "a larger velocity",
+                    let [faster, slower] = match control.acts {
+                        Acts::Load { .. } => ["a shorter `rise`", "a longer one"],
+                        Acts::Velocity(_) => ["a larger velocity", "a smaller one"],
                     };
                     format!(
                         "the control of `{}` has not reached its target: `{field}` {now}, asked {target:.4e} {unit} (band {:.3} %) at t = {:.4e} s; \
-                         possible remedies: more time, or {allow}",
+                         examine its history: where the field still nears the target, more time or {faster}; where it swings about it, {slower}; \
+                         where it moves away from it, the direction in which the control acts",
                         control.name,
                         100.0 * control.band,
                         self.time(),
