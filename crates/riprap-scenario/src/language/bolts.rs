@@ -4,8 +4,8 @@ use riprap_keys::Keys;
 use serde::Deserialize;
 
 use crate::quantity::{
-    BondStiffness, BondStrength, Length, Modulus, Name, NotNegativeAngle, NotNegativePlain,
-    PositiveArea, PositiveForce, PositiveLength, Quantity, SpringStiffness, Vector,
+    BondStiffness, BondStrength, Length, Modulus, Name, NotNegativeAngle, PositiveArea,
+    PositiveForce, PositiveLength, Quantity, ShareBelowOne, SpringStiffness, Vector,
 };
 
 /// A bolt, anchor or cable, or many alike: an axial bar in grout.
@@ -74,7 +74,7 @@ pub struct BoltPattern {
     pub length: Quantity<PositiveLength>,
     /// Distance between the bolts of a row along the wall, m.
     pub spacing: Quantity<PositiveLength>,
-    /// Distance between rows along the line, m; the first is half of it from `from`.
+    /// Distance between rows along the line, m; the first is half of it from `from`, or in the middle of an opening that is shorter.
     pub rows: Quantity<PositiveLength>,
     /// Largest angle between the upward direction and a bolt: walls that face further down have none. Of benches only the faces have bolts.
     #[key(default = "135 deg")]
@@ -97,7 +97,7 @@ pub struct Steel {
     pub yield_force: Option<Quantity<PositiveForce>>,
     /// Plastic modulus over Young's modulus; 0 for perfect plasticity.
     #[key(default = "0")]
-    pub hardening: Option<Quantity<NotNegativePlain>>,
+    pub hardening: Option<Quantity<ShareBelowOne>>,
     /// Plastic elongation at one place at which it breaks, m. Default: it does not.
     #[key(needs("yield_force"))]
     pub rupture: Option<Quantity<PositiveLength>>,

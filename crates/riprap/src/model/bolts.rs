@@ -212,6 +212,14 @@ impl Builder<'_> {
             self.error_at("bolt.many", &said.name, message, "use fewer bolts");
             return None;
         }
+        for row in said.repeat.iter().filter(|row| row.count > 1) {
+            if Vec3::from(row.step.xyz()) == Vec3::ZERO {
+                let message = format!("the copies of bolt `{}` lie in one place", said.name);
+                let help = "give `step` a length, or take `repeat` away";
+                self.error_at("bolt.many", row.step.span.clone(), message, help);
+                return None;
+            }
+        }
         let mut lines = vec![Line {
             head: Vec3::from(head.xyz()),
             toe: Vec3::from(toe.xyz()),

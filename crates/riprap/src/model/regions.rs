@@ -367,6 +367,8 @@ impl Builder<'_> {
             Err(mut wrong) => {
                 wrong.message = format!("`where` of `{name}`: {}", wrong.message);
                 self.found.push(*wrong);
+                // It exists all the same: what names it is no second error.
+                self.directory.extend(name.as_str(), Vec::new());
             }
         }
     }

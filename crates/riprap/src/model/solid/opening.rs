@@ -219,8 +219,11 @@ impl Opening {
         half_angle: f64,
     ) -> Vec<(Vec3, Vec3)> {
         let row = self.row(spacing, half_angle);
-        let count = (self.length / rows + WHOLE).floor().max(1.0);
-        let first = if self.length < rows { 0.5 * self.length } else { 0.5 * rows };
+        // The first row stands half of `rows` behind the beginning; in a shorter opening the one row is in its middle.
+        let short = self.length < 0.5 * rows;
+        let first = if short { 0.5 * self.length } else { 0.5 * rows };
+        // None stands at the very end.
+        let count = ((self.length - first) / rows - WHOLE).ceil().max(1.0);
         let lines = (0..count as u64).flat_map(|k| {
             let distance = first + k as f64 * rows;
             row.iter().map(move |(place, into)| {
@@ -363,6 +366,16 @@ mod tests {
         let tunnel = round(12);
         // All around: they divide the wall evenly.
         assert_eq!(tunnel.bolts([1.0, 2.0, 3.0], PI).len(), 12 * 3);
+        // Rows of 6 m in length, each half of their distance from the beginning and less than it from the end.
+        for (rows, at) in
+            [(4.0, vec![2.0]), (3.9, vec![1.95, 5.85]), (9.0, vec![4.5]), (30.0, vec![3.0])]
+        {
+            let mut places: Vec<f64> =
+                tunnel.bolts([1.0, rows, 3.0], PI).iter().map(|(head, _)| head.y).collect();
+            places.dedup();
+            assert_eq!(places.len(), at.len(), "{places:?}");
+            assert!(places.iter().zip(&at).all(|(a, b)| (a - b).abs() < 1e-9), "{places:?}");
+        }
         for (head, toe) in tunnel.bolts([0.8, 2.0, 3.0], 0.6) {
             assert!((head.distance(toe) - 3.0).abs() < 1e-12 && head.y == toe.y);
             let into = (toe - head) / 3.0;

@@ -68,16 +68,25 @@ impl Builder<'_> {
                 (None, Some(d)) => 0.25 * std::f64::consts::PI * d[k] * d[k] * charged * density,
                 (None, None) => 0.0,
             };
-            if !(stemmed >= 0.0 && charged > 0.0 && mass > 0.0 && delay[k] >= 0.0) {
-                let message = format!(
-                    "`{}`, line {}: hole {}: {length} m long, {stemmed} m stemming, {mass} kg, {} s delay",
-                    pattern.csv,
-                    table.lines[k],
-                    k + 1,
-                    delay[k]
-                );
+            let wrong = if stemmed < 0.0 {
+                Some(format!("its stemming is {}", with_unit(stemmed, "m")))
+            } else if charged <= 0.0 {
+                let [stemmed, length] = [stemmed, length].map(|x| with_unit(x, "m"));
+                Some(format!("its stemming, {stemmed}, leaves no room for a charge in {length}"))
+            } else if let Some(d) = diameter.map(|d| d[k]).filter(|d| *d <= 0.0) {
+                Some(format!("its diameter is {}", with_unit(d, "m")))
+            } else if mass <= 0.0 {
+                Some(format!("its charge is {}", with_unit(mass, "kg")))
+            } else if delay[k] < 0.0 {
+                Some(format!("its delay is {}", with_unit(delay[k], "s")))
+            } else {
+                None
+            };
+            if let Some(wrong) = wrong {
+                let (file, line) = (&pattern.csv, table.lines[k]);
+                let message = format!("`{file}`, line {line}: hole {}: {wrong}", k + 1);
                 let help = "a hole must be longer than its stemming, and needs a charge and a delay of 0 s or more";
-                self.error_at("file.csv", &pattern.csv, message, help);
+                self.error_at("file.csv", file, message, help);
                 return None;
             }
             holes.push(Hole {
