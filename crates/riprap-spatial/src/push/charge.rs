@@ -35,8 +35,9 @@ use crate::state::world::World;
 pub const GAS_STEP: f64 = 0.1;
 /// A share of the last step by which an ignition may be early: times are sums of steps.
 pub(crate) const EARLY: f64 = 1e-9;
-/// Blocks are equally fine when their volumes differ by less than this share.
-const EQUAL: f64 = 1e-6;
+/// Blocks are equally fine when their volumes differ by less than this share: cells that are fitted to one hole do so by a thousandth, and halving
+/// the edges of a brick makes an eighth of it.
+pub const EQUAL: f64 = 0.01;
 
 impl Wall {
     /// The wall of an overlap whose block number `side` (0 or 1) stays.

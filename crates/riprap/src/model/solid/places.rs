@@ -4,6 +4,7 @@ use riprap_geom::Vec3;
 
 use super::shapes::volume;
 use crate::model::builder::Builder;
+use crate::spatial::charge;
 use crate::spatial::divisible::Divisible;
 use crate::spatial::region::{Bounds, Extent};
 use crate::spatial::setup::{Place, Region, Shape};
@@ -12,8 +13,6 @@ use crate::spatial::setup::{Place, Region, Shape};
 const NEAR: f64 = 1e-9;
 /// Cells of one block that are looked at around one charge.
 const MOST_CELLS: usize = 2_000_000;
-/// Cells whose volumes differ by less than this share are equally fine, as for the engine.
-const EQUAL: f64 = 1e-6;
 
 /// The region of a place that is a point or a line.
 pub(super) fn region_of(place: &Place) -> Option<Region> {
@@ -99,7 +98,7 @@ impl Builder<'_> {
         }
         // As the engine takes them: of cells of any size a line touches, the smallest alone.
         let smallest = volumes.iter().copied().fold(f64::INFINITY, f64::min);
-        let finest = volumes.iter().filter(|v| **v <= (1.0 + EQUAL) * smallest);
+        let finest = volumes.iter().filter(|v| **v <= (1.0 + charge::EQUAL) * smallest);
         finest.fold((0, 0.0), |(count, total), v| (count + 1, total + v))
     }
 }
