@@ -56,19 +56,17 @@ pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
     let before = std::mem::replace(&mut world.implicit, implicit.then(Box::default));
     adopt(world, |_| true);
     if let Some(before) = before {
-        keep_hidden(world, scratch, &before);
+        keep_hidden(world, &before);
     }
     world.fresh = true;
 }
 
-/// Lets explicit contacts go on hiding what implicit ones did, as a share of the energy of their pressure.
-fn keep_hidden(world: &mut World, scratch: &Scratch, before: &Implicit) {
-    for (pair, constants) in world.found.pairs.iter_mut().zip(&scratch.desk.constants) {
-        let hidden = before.of(pair.key(), [0; 2]).map_or(0.0, |kept| kept.hidden);
-        let all = constants.stiffness[0] * pair.depth;
-        if hidden > 0.0 && all > 0.0 {
-            let share = (hidden / all).min(1.0);
-            pair.offset = Some(Box::new(Offset::begin([share * share, 1.0])));
+/// Lets explicit contacts hide the depth of those that have hidden a part of it: they press again with what comes on top. What the rest pressed with
+/// is lost, as little as it is beside what the whole depth would give.
+fn keep_hidden(world: &mut World, before: &Implicit) {
+    for pair in &mut world.found.pairs {
+        if before.of(pair.key(), [0; 2]).is_some_and(|kept| kept.hidden > 0.0) {
+            pair.offset = Some(Box::new(Offset::begin([1.0, 1.0])));
         }
     }
 }
