@@ -17,6 +17,7 @@
 use riprap_geom::Vec3;
 use serde::{Deserialize, Serialize};
 
+use crate::broad::covered::{Covered, has};
 use crate::broad::images::Images;
 use crate::exec::{CHUNK, Exec};
 use crate::kernel::grid::{Box3, Grid, Role};
@@ -46,6 +47,8 @@ pub struct Blocks<'a> {
     pub shape: &'a [u32],
     /// Who can meet whom, per block.
     pub roles: &'a [Role],
+    /// Faces that other blocks in place cover: they are not listed.
+    pub covered: &'a Covered,
 }
 
 impl<'a> Blocks<'a> {
@@ -427,9 +430,10 @@ impl Workspace {
             }),
         };
         let start = self.lists.len();
-        self.list(0, shapes[0], REACH * gap);
+        let covered = blocks.covered.of_pair(key.ends);
+        self.list(0, shapes[0], covered, REACH * gap);
         let middle = self.lists.len();
-        self.list(1, shapes[1], REACH * gap);
+        self.list(1, shapes[1], covered, REACH * gap);
         let counts = [middle - start, self.lists.len() - middle].map(|n| n as u16);
         // No more than this can the blocks turn against each other before the next rebuild.
         let turning = margins[0] / shapes[0].radius + margins[1] / shapes[1].radius;
@@ -470,19 +474,23 @@ impl Workspace {
         });
     }
 
-    /// Appends the faces of block `side` that no plane of the other block has wholly beyond it by more than `reach`.
-    fn list(&mut self, side: usize, shape: &Shape, reach: f64) {
+    /// Appends the faces of block `side` that no plane of the other block has wholly beyond it by more than `reach`. `covered`: faces of both that
+    /// are none, and have nothing beyond them.
+    fn list(&mut self, side: usize, shape: &Shape, covered: [u64; 2], reach: f64) {
         let planes = match side {
             0 => self.planes.split..self.planes.len(),
             _ => 0..self.planes.split,
         };
         let corners = &self.corners[side];
         self.beyond.clear();
-        for k in planes {
+        for (face, k) in planes.enumerate() {
+            if has(covered[1 - side], face) {
+                continue;
+            }
             let (n, d) = (self.planes.normal(k), self.planes.d[k]);
             self.beyond.extend(corners.iter().map(|v| n.dot(*v) - d));
         }
-        for face in 0..shape.faces() {
+        for face in (0..shape.faces()).filter(|face| !has(covered[side], *face)) {
             let outline = shape.outline(face);
             let wholly = |row: &[f64]| outline.iter().all(|&v| row[v as usize] > reach);
             if !self.beyond.chunks(corners.len()).any(wholly) {

@@ -9,6 +9,7 @@ use std::time::Instant;
 use riprap_core::sums::{GROUP, tree};
 use riprap_geom::{Mat3, Vec3};
 
+use crate::broad::covered::Covered;
 use crate::broad::search::Candidates;
 use crate::contact::limit::{Known, Speeds};
 use crate::contact::narrow::{self, OnGround, Patch};
@@ -79,6 +80,7 @@ fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> Pa
             poses: &desk.poses,
             turning: &desk.turning,
             periods: &world.setup.periodic,
+            covered: &desk.covered,
         },
         world,
         candidates: &desk.candidates,
@@ -190,6 +192,7 @@ struct BodiesInPairs<'a> {
     poses: &'a [Pose],
     turning: &'a [f64],
     periods: &'a Periods,
+    covered: &'a Covered,
 }
 
 impl BodiesInPairs<'_> {
@@ -344,6 +347,7 @@ impl Evaluation<'_> {
             faces,
             ties: candidate.ties,
             hint,
+            covered: self.bodies.covered.of_pair(key.ends),
             witnesses: candidate.witnesses(&self.candidates.witnesses),
         };
         let law = acting.law;

@@ -40,13 +40,9 @@ pub(crate) fn reach(
         Found::FullyPenetrated(_) => return Reach::Lost,
         Found::Touching(sums) => sums,
     };
-    let size = sums.force.length();
-    if size == 0.0 {
-        return Reach::Lost;
-    }
-    let direction = sums.force / size;
+    let Some(direction) = sums.normal(0.0) else { return Reach::Lost };
     // Edges and tips that stick do not slip past each other. The share of the area does not depend on how far out the faces are.
-    let area = sums.vector_area.length();
+    let area = sums.across(sums.vector_area, direction);
     if area > 0.0 {
         law.shear_stiffness *= hold(&law, walker.falling(&law, &sums) / area);
     }

@@ -109,6 +109,7 @@ impl Model {
                     faces,
                     ties: true,
                     hint: None,
+                    covered: [0; 2],
                     witnesses: &[],
                 };
                 let mut pair = Pair::default();

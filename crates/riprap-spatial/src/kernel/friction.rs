@@ -520,12 +520,9 @@ fn wrench(q: &ContactInput, force: Vec3, moment: Vec3) -> Wrench {
 /// `None` where the surface has no one normal: opposite pressures that cancel, or a touch lost in round-off.
 fn contact(law: &ContactLaw, q: &ContactInput) -> Option<Contact> {
     let s = q.sums;
-    let length = s.force.length();
-    if length < CANCELLED * s.weight || s.depth < LOST * q.radius {
-        return None;
-    }
+    let normal = s.normal(CANCELLED).filter(|_| s.depth >= LOST * q.radius)?;
     // The vector area: no approach is resisted by more than kn times it, also where the surface bends about an edge.
-    let area = s.vector_area.length();
+    let area = s.across(s.vector_area, normal);
     let point = s.weight_first / s.weight;
     let about = spread(s, point);
     let polar = about.x_axis.x + about.y_axis.y + about.z_axis.z;
@@ -535,8 +532,8 @@ fn contact(law: &ContactLaw, q: &ContactInput) -> Option<Contact> {
         return None;
     }
     Some(Contact {
-        normal: s.force / length,
-        elastic: 2.0 * law.normal_stiffness * length,
+        normal,
+        elastic: 2.0 * law.normal_stiffness * s.across(s.force, normal).max(0.0),
         point,
         area,
         polar,

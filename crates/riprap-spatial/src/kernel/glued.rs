@@ -369,6 +369,7 @@ impl Turned {
             faces: [&of_a.faces, &of_b.faces],
             ties: true,
             hint: None,
+            covered: [0; 2],
             witnesses: &[],
         };
         let found = match out {

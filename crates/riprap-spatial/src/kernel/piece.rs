@@ -281,9 +281,17 @@ impl Cutter {
     /// Cuts a piece by a further plane, `normal . x <= offset`, beyond which nothing is looked for; whether anything is left.
     pub fn clip(&mut self, frame: &Frame, normal: Vec3, offset: f64, piece: &mut Polygon) -> bool {
         let [a, b] = frame.axes.map(|axis| normal.dot(axis));
+        let c = offset - normal.dot(frame.foot);
+        let beyond = |(s, t): (&f64, &f64)| a * s + b * t > c;
+        if !piece.s().iter().zip(piece.t()).any(beyond) {
+            return true;
+        }
         self.outline.load(piece);
-        self.cut(a, b, offset - normal.dot(frame.foot), BOUNDARY)
-            && piece.take(&self.outline, piece.slope)
+        let left = self.cut(a, b, c, BOUNDARY) && piece.take(&self.outline, piece.slope);
+        if !left {
+            piece.clear();
+        }
+        left
     }
 
     /// All planes in the coordinates of the frame: `u s + v t <= w`.

@@ -175,9 +175,29 @@ pub struct Sums {
     pub hint: Option<[u16; 2]>,
     /// Edges that no plane has made: the lists are wrong.
     pub unlabelled: u32,
+    /// Where covered faces bound the surface, integral of depth times normal of all of it, also beyond them, m³; zero elsewhere.
+    pub whole: Vec3,
+    /// Integral of the depth of the same, m³.
+    pub whole_weight: f64,
 }
 
 impl Sums {
+    /// Unit normal of the surface from A to B: the direction in which all of it presses, also what covered faces bound, so that the parts that two
+    /// blocks have of one surface press alike. `None` where opposite pressures cancel to less than `least` of what they would be side by side.
+    pub(crate) fn normal(&self, least: f64) -> Option<Vec3> {
+        let (force, weight) = match self.whole == Vec3::ZERO {
+            true => (self.force, self.weight),
+            false => (self.whole, self.whole_weight),
+        };
+        let length = force.length();
+        (length >= least * weight && length > 0.0).then(|| force / length)
+    }
+
+    /// Component along the normal of one of the vectors of these sums; where no covered face bounds the surface, its length.
+    pub(crate) fn across(&self, v: Vec3, normal: Vec3) -> f64 {
+        if self.whole == Vec3::ZERO { v.length() } else { v.dot(normal) }
+    }
+
     /// Adds a share of a piece; its weight, m³.
     pub(super) fn add(&mut self, polygon: &Polygon, frame: &Frame, share: f64) -> f64 {
         let of = [frame.foot, frame.axes[0], frame.axes[1]].map(|v| v.to_array());

@@ -5,6 +5,8 @@
 //! not met is looked at afterwards. Where blocks lie in each other so deep that corners of both come out on several sides, parts share
 //! all of their faces with others; then every pair of faces is looked at.
 //!
+//! Faces that other blocks cover are no part of it, but bound it ([`super::walls`]).
+//!
 //! **Ties.** Where faces f' of A and g' of B are coplanar and face the same way, `phi_f' = phi_g'` in a whole region and the
 //! side on which the surface runs there is a matter of round-off. Their strips (f', g) and (f, g') then both count, with weights that
 //! add up to 1 and change continuously as one face passes through the other.
@@ -61,6 +63,8 @@ pub struct Pair<'a> {
     pub ties: bool,
     /// Places in the lists of the faces of the piece to start from.
     pub hint: Option<[u16; 2]>,
+    /// Faces of each that other blocks cover, a bit each; none of them is among `faces`.
+    pub covered: [u64; 2],
     /// For each listed face (those of A first) the plane of the other block that had all of it beyond itself in the last evaluation, by its
     /// place in the list; tested first. No result depends on it. May be empty.
     pub witnesses: &'a [Witness],
@@ -91,7 +95,7 @@ pub struct Walker {
     /// Listed planes of the pair evaluated last.
     pub planes: Planes,
     /// All planes of the pair that was last tested for separation.
-    all: Planes,
+    pub(super) all: Planes,
     /// The largest piece of the pair evaluated last.
     pub largest: Polygon,
     /// Its frame.
@@ -109,16 +113,21 @@ pub struct Walker {
     /// The pieces that are not empty.
     pieces: Vec<[u16; 2]>,
     ties: Vec<Tie>,
+    /// Planes of covered faces, `n . x <= d`, that reach into the other block.
+    pub(super) walls: Vec<(Vec3, f64)>,
     clip: FaceClip,
+    /// Of the smaller block, m.
     radius: f64,
+    /// Distance from the origin within which pieces lie, m: beyond covered faces that of both blocks together.
+    pub(super) reach: f64,
     /// How far all faces are moved outward, m.
-    inflation: f64,
+    pub(super) inflation: f64,
     /// Whether pieces are kept as they are made.
     keeping: bool,
     /// The pieces themselves, in the order of `pieces`; the list only grows, so that a pair takes no memory.
     kept: Vec<Kept>,
     largest_weight: f64,
-    sums: Sums,
+    pub(super) sums: Sums,
 }
 
 impl Walker {
@@ -184,6 +193,9 @@ impl Walker {
         }
         if self.sums.pieces > 0 {
             None
+        } else if !self.walls.is_empty() && !self.lies_inside(pair) {
+            // What lies in the other block does so beyond a covered face: it is in the block that covers it.
+            Some(Found::Apart(0.0))
         } else if depth < UNSURE.max(TIE_BAND) * self.radius {
             // Faces of both that go on in one plane are tied in this band, and what they share between them is no piece.
             Some(Found::Apart(0.0))
@@ -236,6 +248,11 @@ impl Walker {
         self.ties.clear();
         if pair.ties {
             self.find_ties();
+        }
+        self.walls.clear();
+        self.reach = self.radius;
+        if pair.covered != [0; 2] {
+            self.find_walls(pair);
         }
     }
 
@@ -291,7 +308,7 @@ impl Walker {
         let [f, g] = self.numbers(piece);
         let mut batch = self.batch.take().unwrap_or_default();
         let polygon = &mut batch.polygons[0];
-        if let Some(frame) = Frame::between(&self.planes, f, g, self.radius)
+        if let Some(frame) = Frame::between(&self.planes, f, g, self.reach)
             && let Some(share) = self.make(&frame, piece, polygon)
         {
             let weight = self.sums.add(polygon, &frame, share);
@@ -312,7 +329,7 @@ impl Walker {
             *number = self.numbers(*piece);
         }
         let width = self.cutter.width();
-        let (planes, reach) = (&self.planes, self.radius);
+        let (planes, reach) = (&self.planes, self.reach);
         let mut batch = self.batch.take().unwrap_or_default();
         batch.frames = width.run(
             #[inline(always)]
@@ -366,7 +383,10 @@ impl Walker {
         let numbers = self.numbers(piece);
         let (tied, share) =
             if self.ties.is_empty() { (UNTIED, 1.0) } else { self.beside_twins(piece) };
-        let left = self.cutter.make(&self.planes, frame, numbers, self.radius, tied, to);
+        let mut left = self.cutter.make(&self.planes, frame, numbers, self.reach, tied, to);
+        if left && !self.walls.is_empty() {
+            left = self.bound(frame, piece, share, to);
+        }
         if left {
             for number in numbers {
                 self.met[number] = true;
@@ -440,7 +460,7 @@ impl Walker {
         for k in 0..count {
             let piece = self.pieces[k];
             let numbers = self.numbers(piece);
-            if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.radius)
+            if let Some(frame) = Frame::between(&self.planes, numbers[0], numbers[1], self.reach)
                 && let Some(share) = self.make(&frame, piece, polygon)
             {
                 rate += lateral::rate(&self.planes, &frame, polygon, numbers) * share;
@@ -452,7 +472,7 @@ impl Walker {
         rate
     }
 
-    fn queue_neighbours(&mut self, [f, g]: [u16; 2], polygon: &Polygon) {
+    pub(super) fn queue_neighbours(&mut self, [f, g]: [u16; 2], polygon: &Polygon) {
         let split = self.planes.split as u16;
         for &label in polygon.label() {
             if label == OPEN {

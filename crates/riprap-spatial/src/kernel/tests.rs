@@ -106,6 +106,7 @@ fn blocks_deep_in_each_other_push_alike_wherever_the_walk_begins() {
                 faces: [&faces[0], &faces[1]],
                 ties: true,
                 hint: Some([f, g]),
+                covered: [0; 2],
                 witnesses: &[],
             };
             let Found::Touching(sums) = walker.find(&pair) else { panic!("they overlap") };

@@ -17,7 +17,6 @@ mod heap;
 pub mod outlook;
 pub mod peaks;
 pub mod picture;
-pub mod seams;
 mod states;
 mod stress;
 mod supports;

@@ -47,11 +47,12 @@ const STILL: f64 = 1e-4;
 ///
 /// Joints that nothing but friction holds become contacts, since those are all that an implicit phase knows.
 pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
-    if implicit == world.implicit.is_some() {
-        return;
-    }
+    // Also in a phase after another implicit one, which may let blocks go that were held.
     if implicit {
         contact::release_loose(world, scratch);
+    }
+    if implicit == world.implicit.is_some() {
+        return;
     }
     let before = std::mem::replace(&mut world.implicit, implicit.then(Box::default));
     adopt(world, |_| true);

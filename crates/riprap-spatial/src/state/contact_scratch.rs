@@ -7,6 +7,7 @@ use riprap_core::sums::GROUP;
 use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
 
+use crate::broad::covered::Covered;
 use crate::broad::search::Candidates;
 use crate::kernel::friction::{ContactLaw, Wrench};
 use crate::kernel::glued::{Glued, Gluer};
@@ -26,6 +27,8 @@ pub struct ContactScratch {
     pub shapes: Vec<Shape>,
     /// Blocks of glued parts by their terms, and all others as one term each, one for each mass class; empty where no block has parts.
     pub glued: Vec<Glued>,
+    /// Faces that other blocks in place cover.
+    pub covered: Covered,
     /// Pairs that can touch.
     pub candidates: Candidates,
     /// What is the same in all steps, per pair.

@@ -46,6 +46,7 @@ struct Heap {
     shape: Vec<u32>,
     roles: Vec<Role>,
     pose: Vec<Pose>,
+    covered: Covered,
 }
 
 impl Heap {
@@ -67,11 +68,22 @@ impl Heap {
             };
             pose.push(Pose { position, rotation: chance.rotation() });
         }
-        Self { shape: (0..count as u32).collect(), roles: vec![Role::Active; count], pose, shapes }
+        Self {
+            shape: (0..count as u32).collect(),
+            roles: vec![Role::Active; count],
+            pose,
+            shapes,
+            covered: Covered::default(),
+        }
     }
 
     fn blocks(&self) -> Blocks<'_> {
-        Blocks { shapes: &self.shapes, shape: &self.shape, roles: &self.roles }
+        Blocks {
+            shapes: &self.shapes,
+            shape: &self.shape,
+            roles: &self.roles,
+            covered: &self.covered,
+        }
     }
 
     fn search(&self) -> Search {

@@ -101,6 +101,7 @@ fn a_seam_in_the_middle_of_a_contact_is_not_felt() {
             faces: [&faces, &faces],
             ties: true,
             hint: None,
+            covered: [0; 2],
             witnesses: &[],
         });
         let Found::Touching(sums) = found else {

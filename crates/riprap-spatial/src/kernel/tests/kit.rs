@@ -134,7 +134,14 @@ impl<'a> Placed<'a> {
 
     pub fn find(&self, walker: &mut Walker, faces: [&[u16]; 2], hint: Option<[u16; 2]>) -> Found {
         let [a, b] = self.bodies();
-        walker.find(&Pair { bodies: [&a, &b], faces, ties: true, hint, witnesses: &[] })
+        walker.find(&Pair {
+            bodies: [&a, &b],
+            faces,
+            ties: true,
+            hint,
+            covered: [0; 2],
+            witnesses: &[],
+        })
     }
 
     /// With all faces of both.

@@ -3,6 +3,7 @@
 use riprap_core::sums::GROUP;
 use riprap_geom::Vec3;
 
+use crate::broad::covered::has;
 use crate::contact;
 use crate::implicit::geometry::{Reach, reach, reach_ground};
 use crate::implicit::glued::{reach_glued, reach_ground_glued};
@@ -222,9 +223,13 @@ impl Looking<'_> {
         let margins: f64 =
             pair.ends.map(|b| self.world.found.search.margin[b as usize]).iter().sum();
         let listed = out <= LISTED * margins;
+        let covered = contacts.covered.of_pair(pair.ends);
         let all: [Vec<u16>; 2] = match listed {
             true => Default::default(),
-            false => bodies.each_ref().map(|body| (0..body.shape.faces() as u16).collect()),
+            false => [0, 1].map(|side: usize| {
+                let all = 0..bodies[side].shape.faces() as u16;
+                all.filter(|face| !has(covered[side], usize::from(*face))).collect()
+            }),
         };
         let faces = match listed {
             true => candidate.faces(&contacts.candidates.lists),
@@ -236,7 +241,7 @@ impl Looking<'_> {
         let law = contacts.constants[k].law(&contacts.rows);
         let ties = candidate.ties || !listed;
         let surface =
-            surface::Pair { bodies: bodies.each_ref(), faces, ties, hint, witnesses: &[] };
+            surface::Pair { bodies: bodies.each_ref(), faces, ties, hint, covered, witnesses: &[] };
         if found.patches.is_empty() {
             found.patches.push(Pair::default());
         }
