@@ -203,6 +203,7 @@ fn meet(shapes: [&Shape; 2], poses: [(Quat, Vec3); 2]) -> Option<Sums> {
         faces: [&faces[0], &faces[1]],
         ties: true,
         hint: None,
+        covered: [0; 2],
         witnesses: &[],
     });
     match found {

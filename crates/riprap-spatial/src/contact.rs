@@ -35,7 +35,7 @@ pub(crate) mod terrain;
 
 use std::collections::BTreeMap;
 
-use crate::broad::covered::Covered;
+use crate::broad::covered::NO_FACE;
 use crate::broad::search::Blocks;
 use crate::exec::Exec;
 use crate::joint::classes::stiffness;
@@ -185,7 +185,7 @@ fn search(world: &mut World, scratch: &mut Scratch, mut renew: bool) {
     }
     // A renewal asks for no faces.
     let (shapes, roles) = (&desk.shapes, &world.found.roles);
-    let blocks = Blocks { shapes, shape: &world.solid, roles, covered: &Covered::default() };
+    let blocks = Blocks { shapes, shape: &world.solid, roles, covered: &NO_FACE };
     let pose = |b: usize| world.pose(b);
     let speed = |b: usize| {
         world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius

@@ -20,6 +20,9 @@ pub struct Covered {
     by: Vec<([u32; 2], u64)>,
 }
 
+/// No face of any block.
+pub(crate) static NO_FACE: Covered = Covered { bits: Vec::new(), by: Vec::new() };
+
 impl Covered {
     /// Those whose covers leave at most the share `bare` of the face; `area` of a face of a block, m².
     pub(crate) fn new(
@@ -91,7 +94,7 @@ mod tests {
         assert_eq!(covered.of_pair([0, 2]), [0, 0]);
         assert_eq!(covered.of_pair([0, 3]), [1 << 2, 0]);
         assert_eq!(covered.of_pair([1, 3]), [1, 0]);
-        assert_eq!(Covered::default().of_pair([1, 3]), [0, 0]);
+        assert_eq!(NO_FACE.of_pair([1, 3]), [0, 0]);
         assert!(has(1 << 63, 63) && !has(u64::MAX, 64) && !has(1 << 2, 3));
     }
 }

@@ -133,7 +133,7 @@ mod tests {
             let corner = |v: &Vec3| (rotation * *v).z;
             let low = block.vertices.iter().map(corner).fold(f64::INFINITY, f64::min);
             let z = 0.5 - low - chance.between(1e-6, 0.02);
-            let at = Vec3::new(chance.between(-0.2, 0.2), chance.between(-0.3, 0.3), z);
+            let at = Vec3::new(chance.between(-0.1, 0.1), chance.between(-0.3, 0.3), z);
             let pose = Pose { position: at, rotation };
             let expected = shared((&one, 0.0), None, (&block, pose), &mut walker);
             let Found::Touching(sums) = expected.0 else { panic!("{expected:?}") };

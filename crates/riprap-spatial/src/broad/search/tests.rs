@@ -4,6 +4,7 @@ use riprap_geom::polyhedron::{Polyhedron, hull};
 use riprap_geom::{Quat, Vec3};
 
 use super::*;
+use crate::broad::covered::NO_FACE;
 use crate::kernel::Found;
 use crate::kernel::kit::{Chance, Placed};
 use crate::kernel::surface::Walker;
@@ -46,7 +47,6 @@ struct Heap {
     shape: Vec<u32>,
     roles: Vec<Role>,
     pose: Vec<Pose>,
-    covered: Covered,
 }
 
 impl Heap {
@@ -68,22 +68,11 @@ impl Heap {
             };
             pose.push(Pose { position, rotation: chance.rotation() });
         }
-        Self {
-            shape: (0..count as u32).collect(),
-            roles: vec![Role::Active; count],
-            pose,
-            shapes,
-            covered: Covered::default(),
-        }
+        Self { shape: (0..count as u32).collect(), roles: vec![Role::Active; count], pose, shapes }
     }
 
     fn blocks(&self) -> Blocks<'_> {
-        Blocks {
-            shapes: &self.shapes,
-            shape: &self.shape,
-            roles: &self.roles,
-            covered: &self.covered,
-        }
+        Blocks { shapes: &self.shapes, shape: &self.shape, roles: &self.roles, covered: &NO_FACE }
     }
 
     fn search(&self) -> Search {
