@@ -25,6 +25,15 @@ pub enum Which {
     Time(f64),
 }
 
+/// Unit of a field of blocks, as the frames of a run have it; `-` without.
+///
+/// # Errors
+/// Unknown fields (with the nearest name), frames that do not exist or cannot be read.
+pub fn unit(folder: &Path, frame: Which, field: &str) -> Result<String, PlotError> {
+    let frame = load_frame(folder, frame)?;
+    Ok(choose(&frame, field)?.unit)
+}
+
 /// Draws the blocks of one frame coloured by a field (`displacement`, `velocity.x`, `rotation`...).
 ///
 /// # Errors

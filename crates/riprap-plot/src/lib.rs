@@ -45,7 +45,7 @@ pub use colour::ColourMap;
 pub use compare::{Labels, Line, compare};
 pub use drawing::{BlockOptions, Normal, Vectors};
 pub(crate) use frames::crack_surfaces;
-pub use frames::{Which, blocks, load_frame, section, strip};
+pub use frames::{Which, blocks, load_frame, section, strip, unit};
 pub use lines::{energy, histories};
 pub use net::{Projection, stereonet};
 pub use partition::{Share, partition};

@@ -1,6 +1,6 @@
 //! Pictures of a run folder, drawn by the library.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -51,12 +51,15 @@ enum Bound {
 }
 
 impl Bound {
-    fn si(&self) -> PyResult<f64> {
+    /// The value in the unit of a field.
+    fn of(&self, field: &str, unit: &str) -> PyResult<f64> {
         match self {
             Self::Number(value) => Ok(*value),
-            Self::Text(text) => units::parse(text).map(|(value, _)| value).map_err(|_| {
+            Self::Text(text) => units::value_in(text, unit).ok_or_else(|| {
+                let of =
+                    if unit == "-" { "has no unit".to_owned() } else { format!("is in {unit}") };
                 PyValueError::new_err(format!(
-                    "{text:?} is no value; write for example range=(\"0 mm\", \"5 mm\")"
+                    "range: {text:?} is no value of {field:?}, which {of}"
                 ))
             }),
         }
@@ -72,7 +75,7 @@ pub fn plot(
     out: PathBuf,
     options: Options,
 ) -> PyResult<Vec<PathBuf>> {
-    let (blocks, look) = (options.blocks()?, options.look()?);
+    let (blocks, look) = (options.blocks(py, &folder, what)?, options.look()?);
     let projection = named("projection", &options.projection)?;
     let known = [
         "histories",
@@ -113,7 +116,19 @@ fn named<T: Words>(keyword: &str, word: &str) -> PyResult<T> {
 }
 
 impl Options {
-    fn blocks(&self) -> PyResult<BlockOptions> {
+    /// Values of the first and the last colour, in the unit of the field; only pictures coloured by it read them.
+    fn range(&self, py: Python<'_>, folder: &Path, what: &str) -> PyResult<Option<[f64; 2]>> {
+        let Some([low, high]) =
+            self.range.as_ref().filter(|_| ["blocks", "section"].contains(&what))
+        else {
+            return Ok(None);
+        };
+        let frame = self.times.first().map_or(Which::Last, |time| Which::Time(*time));
+        let unit = drawn::unit(folder, frame, &self.by).map_err(|e| errors::plot(py, &e))?;
+        Ok(Some([low.of(&self.by, &unit)?, high.of(&self.by, &unit)?]))
+    }
+
+    fn blocks(&self, py: Python<'_>, folder: &Path, what: &str) -> PyResult<BlockOptions> {
         let vectors = self.vectors.as_deref();
         let vectors = vectors.map(|word| named("vectors", word)).transpose()?;
         let normal = named("normal", &self.normal)?;
@@ -128,10 +143,7 @@ impl Options {
             exaggeration: self.exaggerate,
             normal,
             at: self.at,
-            range: match &self.range {
-                Some([low, high]) => Some([low.si()?, high.si()?]),
-                None => None,
-            },
+            range: self.range(py, folder, what)?,
             percentiles: self.percentiles,
         })
     }
@@ -151,7 +163,7 @@ impl Options {
 
     fn draw(
         &self,
-        folder: &std::path::Path,
+        folder: &Path,
         what: &str,
         (blocks, projection): (BlockOptions, Projection),
         out: Target<'_>,

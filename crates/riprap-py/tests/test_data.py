@@ -164,6 +164,7 @@ def test_pictures_for_papers(slide, blast, tmp_path):
         ({"range": (0, 1), "percentiles": (2, 98)}, "exclude each other"),
         ({"pdf": True, "out": "a.svg"}, "exclude each other"),
         ({"range": ("0 mm", "much")}, "is no value"),
+        ({"range": ("0 mm", "5 kg")}, "\"5 kg\" is no value of \"displacement\", which is in m"),
         ({"size": "1 km"}, "width on paper"),
         ({"dpi": 0}, "positive"),
     ):

@@ -22,6 +22,9 @@ const OF_BLOCKS: [&str; 5] = ["energy", "blocks", "section", "line", "spectrum"]
 /// Pictures of any run that are part of everything where they show something.
 const OF_ANY: [&str; 3] = ["stereonet", "rose", "fragments"];
 
+/// Pictures whose blocks have the colours of a field.
+const FLAT: &[&str] = &["blocks", "section"];
+
 /// All pictures but those of histories.
 const PICTURES: [&[&str]; 3] = [&OF_BLOCKS, &OF_BLASTS, &OF_ANY];
 
@@ -98,7 +101,6 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
 
 /// Options that were given and that the picture does not read. Values that are the default ones may not have been given.
 fn unsuited(args: &Plot) -> Vec<&'static str> {
-    const FLAT: &[&str] = &["blocks", "section"];
     let given: [(&str, bool, &[&str]); 19] = [
         (
             "time",
@@ -145,13 +147,19 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
     unread
 }
 
-/// Values of a field, with a unit or in SI.
-fn range(given: Option<&[String]>) -> Result<Option<[f64; 2]>, Failure> {
-    let Some([low, high]) = given else { return Ok(None) };
+/// Values of the field that is drawn, with a unit of its kind or in SI.
+fn range(args: &Plot, frame: Which) -> Result<Option<[f64; 2]>, Failure> {
+    let Some([low, high]) = args.range.as_deref() else { return Ok(None) };
+    // Other pictures do not read it, which has its own note.
+    if !args.what.as_deref().is_none_or(|what| FLAT.contains(&what)) {
+        return Ok(None);
+    }
+    let unit = plot::unit(&args.run, frame, &args.by)?;
     let value = |text: &String| {
-        let plain = text.trim().parse::<f64>().ok();
-        plain.or_else(|| units::parse(text).ok().map(|(value, _)| value)).ok_or_else(|| {
-            Failure::Input(format!("{text:?} is no value; write for example --range '0 mm' '5 mm'"))
+        units::value_in(text, &unit).ok_or_else(|| {
+            let of = if unit == "-" { "has no unit".to_owned() } else { format!("is in {unit}") };
+            let by = &args.by;
+            Failure::Input(format!("--range: {text:?} is no value of `{by}`, which {of}"))
         })
     };
     Ok(Some([value(low)?, value(high)?]))
@@ -231,7 +239,7 @@ struct Asked<'a> {
 
 impl<'a> Asked<'a> {
     fn read(args: &'a Plot) -> Result<Self, Failure> {
-        let frames = args
+        let frames: Vec<Which> = args
             .time
             .iter()
             .map(|t| Ok(Which::Time(quantity(t, Dim::TIME, "time", "--time '0.5 s'")?)))
@@ -252,7 +260,7 @@ impl<'a> Asked<'a> {
         let options = BlockOptions {
             contacts: false,
             log: args.log,
-            range: range(args.range.as_deref())?,
+            range: range(args, frames.first().copied().unwrap_or(Which::Last))?,
             percentiles: match args.percentiles.as_deref() {
                 Some([low, high]) => Some([*low, *high]),
                 Some(_) | None => None,

@@ -374,10 +374,30 @@ fn plots_are_drawn() {
         (&["crater", "--uplift", "high"], "is not a valid length"),
         (&["ppv", "--time", "0 s", "--time", "1 s"], "one frame"),
         (&["blocks", "--exaggerate", "0"], "positive"),
+        (
+            &["blocks", "--range", "0 MPa", "1 mm"],
+            "\"0 MPa\" is no value of `displacement`, which is in m",
+        ),
+        (
+            &["blocks", "--by", "velocity", "--range", "-1 m/s", "1 kg"],
+            "`velocity`, which is in m/s",
+        ),
+        (&["blocks", "--by", "material", "--range", "0", "1 m"], "`material`, which has no unit"),
+        (&["--range", "0 s", "1 s"], "\"0 s\" is no value of `displacement`, which is in m"),
     ] {
         let words = [&["plot", "fall.run"], words].concat();
         bench.run(&words).expect(2).warns(&[said]);
     }
+    let colours = |by, low, high| {
+        let words = ["plot", "fall.run", "blocks", "--by", by, "--range", low, high];
+        bench.run(&words).expect(0);
+        bench.read(&format!("fall.run/plots/blocks_{by}.svg"))
+    };
+    assert_eq!(
+        colours("velocity", "-1 cm/s", "2 km/h"),
+        colours("velocity", "-0.01", "0.5555555555555556")
+    );
+    colours("material", "0", "1");
     // A line in the plane takes two coordinates, no more.
     let line = |from, to| ["plot", "fall.run", "line", "--from", from, "--to", to];
     bench.run(&line("0.5 m, -9 m", "0.5 m, 9 m")).expect(0);

@@ -388,6 +388,17 @@ pub fn parse(text: &str) -> Result<(f64, Dim), UnitError> {
     }
 }
 
+/// Value of a text in a unit, `-` for none: a plain number is in it already, a quantity must have its dimension. `None` for all others.
+#[must_use]
+pub fn value_in(text: &str, unit: &str) -> Option<f64> {
+    if let Ok(plain) = text.trim().parse::<f64>() {
+        return Some(plain).filter(|value| value.is_finite());
+    }
+    let (value, dim) = parse(text).ok()?;
+    let (one, wanted) = if unit == "-" { (1.0, Dim::NONE) } else { parse_unit(unit).ok()? };
+    (dim == wanted).then_some(value / one)
+}
+
 /// Dimension of a unit expression such as `"N/m"`; `"-"` and the empty text are pure numbers.
 ///
 /// # Errors

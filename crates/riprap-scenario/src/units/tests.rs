@@ -130,6 +130,19 @@ fn tells_thousands_from_a_decimal_comma() {
 }
 
 #[test]
+fn a_value_in_a_unit_has_its_dimension() {
+    assert_eq!(value_in("36 km/h", "m/s"), Some(10.0));
+    assert_eq!(value_in(" -2.5 ", "m/s"), Some(-2.5));
+    assert_eq!(value_in("3", "-"), Some(3.0));
+    assert_eq!(value_in("200 mm", "cm").map(|v| (v * 1e6).round()), Some(2e7));
+    for (text, unit) in
+        [("0 kg", "m/s"), ("1 Pa", "-"), ("1 s", "m"), ("inf", "m"), ("NaN", "m"), ("much", "m")]
+    {
+        assert_eq!(value_in(text, unit), None, "{text} {unit}");
+    }
+}
+
+#[test]
 fn describes_dimensions() {
     assert_eq!(dimension("N/m").unwrap().describe(), "a force per length");
     assert_eq!(dimension("-").unwrap(), Dim::NONE);
