@@ -328,6 +328,11 @@ impl<'a> References<'a> {
                 }
             }
         }
+        for name in scenario.interfaces_of_bridges() {
+            if !interfaces.contains(&name.as_str()) {
+                self.unknown("interface", name, interfaces.iter().copied());
+            }
+        }
         let phases: Vec<&str> = scenario.phases.iter().map(|p| p.name.as_str()).collect();
         for phase in scenario.bolts.iter().filter_map(|bolt| bolt.phase.as_ref()) {
             if !phases.contains(&phase.as_str()) {

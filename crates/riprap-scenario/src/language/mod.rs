@@ -177,6 +177,17 @@ pub struct Scenario {
     pub checks: Vec<Check>,
 }
 
+impl Scenario {
+    /// Names of the interfaces that rock bridges and cuts along excavations have.
+    pub(crate) fn interfaces_of_bridges(&self) -> impl Iterator<Item = &crate::quantity::Name> {
+        self.blocks.iter().filter_map(|block| block.cut.as_ref()).flat_map(|cut| {
+            let bridges = cut.joints.as_ref().and_then(|joints| joints.bridges.as_ref());
+            let along = cut.along.as_ref().and_then(|along| along.interface.as_ref());
+            bridges.into_iter().chain(along)
+        })
+    }
+}
+
 /// System of units of bare numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Words)]
 pub enum Units {

@@ -8,14 +8,11 @@ use crate::quantity::{Name, Span};
 use crate::rule::no_effect;
 use crate::vectors::InSpace;
 
-/// Whether the rock bridges of some blocks, or cuts along excavations, have this interface.
+/// Whether the rock bridges of some blocks, or cuts along excavations, have this interface, or one by a wrong name: it may be this one.
 fn is_of_bridges(name: &Name, scenario: &Scenario) -> bool {
-    let mut cuts = scenario.blocks.iter().filter_map(|block| block.cut.as_ref());
-    cuts.any(|cut| {
-        let bridges = cut.joints.as_ref().and_then(|joints| joints.bridges.as_ref());
-        let along = cut.along.as_ref().and_then(|along| along.interface.as_ref());
-        bridges.into_iter().chain(along).any(|of| of.as_str() == name.as_str())
-    })
+    scenario
+        .interfaces_of_bridges()
+        .any(|of| of.as_str() == name.as_str() || scenario.interfaces.get(of.as_str()).is_none())
 }
 
 impl Rules {
