@@ -6,6 +6,7 @@ mod blocks;
 mod muckpile;
 mod plot;
 mod runout;
+mod search;
 mod shell;
 mod strength;
 mod view;
@@ -14,6 +15,7 @@ pub use blocks::{ProbeContact, Removable};
 pub use muckpile::Muckpile;
 pub use plot::Plot;
 pub use runout::Runout;
+pub use search::{Bisect, Safety};
 pub use shell::{Completions, Man};
 pub use strength::Strength;
 pub use view::{Paraview, Report, View};
@@ -171,7 +173,7 @@ pub struct Check {
     #[arg(long)]
     pub json: bool,
     /// Report how N ranks would share the model out, and what they would send each other
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000), allow_negative_numbers = true)]
     pub ranks: Option<u32>,
 }
 
@@ -205,7 +207,7 @@ pub struct Run {
 #[derive(Debug, Args)]
 pub struct How {
     /// Threads; the results are bitwise identical for any number [default: all cores]
-    #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(short = 'j', long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), allow_negative_numbers = true)]
     pub threads: Option<u16>,
     /// No progress output, only warnings and errors
     #[arg(short, long)]
@@ -217,7 +219,7 @@ pub struct How {
 pub struct Ranks {
     /// Compute as N ranks, threads of this process: the results are bitwise identical for any number. To try out how a
     /// model is shared out; on one machine --threads is faster
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024), allow_negative_numbers = true)]
     pub ranks: Option<u16>,
 }
 
@@ -297,112 +299,6 @@ pub struct Cases {
     pub merge: bool,
 }
 
-/// Find the value of a key at which the scene starts to fail, or at which a result has a wanted value.
-///
-/// Runs the scene repeatedly, halving the interval each time: that of its [bisect] table, or with --vary the --range of any key, until a
-/// result is as wanted. Results are the names of checks and histories, and `safety`, the factor of safety.
-#[derive(Debug, Args)]
-#[command(visible_alias = "find")]
-#[command(after_help = "\
-Examples:
-  riprap bisect slope.toml
-  riprap find slope.toml --vary bolts.0.pretension --range '0 kN..400 kN' --until 'safety = 1.3'
-  riprap find slide.toml --vary materials.rock.density --range '2 t/m3..3 t/m3' --until 'slip = 5 cm'
-
-Without --vary the scene says what to look for:
-  [bisect]
-  key = \"interfaces.default.friction_angle\"
-  low = \"30 deg\"
-  high = \"45 deg\"
-  tolerance = \"0.1 deg\"
-  fails_when = { field = \"model.max_displacement\", above = \"0.1 m\" }")]
-pub struct Bisect {
-    #[command(flatten)]
-    pub scene: Scene,
-    #[command(flatten)]
-    pub how: How,
-    /// Key whose value is searched for
-    #[arg(long, value_name = "KEY", requires_all = ["range", "until"])]
-    pub vary: Option<String>,
-    /// Values of the key, at one of which the result is below, at the other above what is wanted
-    #[arg(long, value_name = "A..B", allow_hyphen_values = true, requires = "vary")]
-    pub range: Option<String>,
-    /// The result and what it is to be
-    #[arg(long, value_name = "RESULT=VALUE", requires = "vary", value_parser = riprap::run::study::find::Wanted::read)]
-    pub until: Option<riprap::run::study::find::Wanted>,
-    /// Width of the final range of the key, with its unit [default: a hundredth of the range]
-    #[arg(long, value_name = "WIDTH", requires = "vary")]
-    pub width: Option<String>,
-    /// Print each run and the result as JSON lines
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Find the factor of safety of a scene, or the limit value of one of its keys.
-///
-/// Strength reduction: cohesion, tension and tan(friction angle) of the interfaces are divided by a factor F, found by doubling
-/// and bisection; the factor of safety is the largest F with which the model reaches equilibrium. The phases of the scene are run
-/// first; each trial continues from the last stable state, as a static phase. With --quantity a key takes the place of F: a load, a
-/// water level, an angle, a thickness; each trial then starts from the beginning. Writes a table of the trials and a run of the mechanism into a folder.
-#[derive(Debug, Args)]
-#[command(after_help = "\
-Examples:
-  riprap safety slope.toml
-  riprap safety slope.toml --interfaces plane --width 0.002
-  riprap safety slope.toml --groups wedge
-  riprap safety arch.toml --quantity blocks.arch.arch.thickness --range '1 m..1.15 m' --width '2 mm'
-
-A trial is stable when the unbalanced-force ratio falls below --balance, failing when a block has moved more than --moved
-and the kinetic energy keeps growing, and undecided otherwise; the answer is then a wider range.")]
-pub struct Safety {
-    #[command(flatten)]
-    pub scene: Scene,
-    #[command(flatten)]
-    pub how: How,
-    /// Width of the final range; of a quantity with its unit [default: 0.01; a hundredth of the range]
-    #[arg(long, value_name = "F")]
-    pub width: Option<String>,
-    /// Interfaces whose strength is reduced, separated by commas [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "quantity")]
-    pub interfaces: Vec<String>,
-    /// Materials: only strengths between a block of one of them and any other are reduced [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "quantity")]
-    pub materials: Vec<String>,
-    /// Groups of blocks: only strengths between a block of one of them and any other are reduced [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',', conflicts_with = "quantity")]
-    pub groups: Vec<String>,
-    /// Search for the limit value of this key instead of the factor of safety
-    #[arg(long, value_name = "KEY", requires = "range")]
-    pub quantity: Option<String>,
-    /// Values of the key that bracket the limit; either end may be the stable one
-    #[arg(long, value_name = "A..B", allow_hyphen_values = true, requires = "quantity")]
-    pub range: Option<String>,
-    /// Displacement above which a trial may count as failing, with its unit [default: a thousandth of a block]
-    #[arg(long, value_name = "LENGTH")]
-    pub moved: Option<String>,
-    /// Unbalanced-force ratio below which a trial is stable
-    #[arg(long, value_name = "RATIO", default_value_t = 1e-5)]
-    pub balance: f64,
-    /// Steps after which a trial counts as undecided
-    #[arg(long, value_name = "N", default_value_t = 100_000)]
-    pub steps: u64,
-    /// Run the scene from its start with reduced strengths in every trial: slower, and with another stress path
-    #[arg(long, conflicts_with = "quantity")]
-    pub from_start: bool,
-    /// How trials seek their equilibrium: by relaxation (explicit) or by Newton's method (implicit), or so where the model can take it (automatic)
-    #[arg(long, value_name = "KIND", default_value = "automatic", value_parser = ["automatic", "explicit", "implicit"])]
-    pub integration: String,
-    /// Folder for the results [default: the scene's name with .safety, in the working folder]
-    #[arg(short, long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Replace existing results
-    #[arg(long)]
-    pub force: bool,
-    /// Print each trial and the answer as JSON lines
-    #[arg(long)]
-    pub json: bool,
-}
-
 /// Give each named result of a scene its error: value, +-, and the share of each cause.
 ///
 /// Results are the checks of the scene and its histories at their end. The scene is run as it stands and with one thing changed at a
@@ -422,7 +318,7 @@ pub struct Trust {
     #[command(flatten)]
     pub how: How,
     /// Wall time for all runs: what is forecast to take longer is left out, and reported
-    #[arg(long, value_name = "TIME", default_value = "10min")]
+    #[arg(long, value_name = "TIME", default_value = "10min", allow_hyphen_values = true)]
     pub budget: String,
     /// Causes to leave out, separated by commas
     #[arg(long, value_name = "CAUSES", value_delimiter = ',', value_parser = riprap::run::study::trust::Cause::read)]
@@ -463,7 +359,7 @@ pub struct Compare {
 ///
 /// Prints one line per check and a summary `N passed, N failed, N skipped`. Skipped are checks
 /// that the scene marks as known failures: they are run and shown with their reason. Exits with
-/// code 1 when a check failed, 2 when no scene has checks.
+/// code 1 when a check failed, 2 when a scene cannot be read or none has checks.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -480,7 +376,7 @@ pub struct Verify {
     #[arg(long)]
     pub strict: bool,
     /// Scenes to run in parallel [default: all cores]
-    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..), allow_negative_numbers = true)]
     pub jobs: Option<u16>,
     /// Print one JSON object per check
     #[arg(long)]
@@ -585,6 +481,50 @@ mod tests {
         assert_eq!(run.scene.change.set, [("a.b".to_owned(), "\"x=1\"".to_owned())]);
         assert!(Cli::try_parse_from(["riprap", "run", "a.toml", "--set", "a.b"]).is_err());
         assert!(Cli::try_parse_from(["riprap", "run", "a.toml", "--threads", "0"]).is_err());
+    }
+
+    /// Values that are words or files; all others may be negative, and are then answered by what reads them.
+    const WORDS: [&str; 21] = [
+        "WHEN",
+        "KEY=VALUE",
+        "NAME",
+        "NAMES",
+        "TEMPLATE",
+        "DIR",
+        "FOLDER",
+        "FILE",
+        "K/N",
+        "KEY",
+        "RESULT=VALUE",
+        "KIND",
+        "CAUSES",
+        "GROUP",
+        "HISTORY",
+        "TEXT",
+        "FAMILY",
+        "FIELD",
+        "VECTOR",
+        "AXIS",
+        "PROJECTION",
+    ];
+
+    #[test]
+    fn options_that_take_numbers_take_negative_ones() {
+        for verb in Cli::command().get_subcommands() {
+            for option in verb.get_arguments().filter(|a| !a.is_positional()) {
+                let names: Vec<&str> = option
+                    .get_value_names()
+                    .unwrap_or_default()
+                    .iter()
+                    .map(|n| n.as_str())
+                    .collect();
+                let word = names.first().is_none_or(|name| WORDS.contains(name) || *name == "A");
+                let open =
+                    option.is_allow_hyphen_values_set() || option.is_allow_negative_numbers_set();
+                let takes = option.get_action().takes_values();
+                assert!(!takes || word || open, "{} --{}", verb.get_name(), option.get_id());
+            }
+        }
     }
 
     #[test]

@@ -26,10 +26,10 @@ pub struct Removable {
     #[command(flatten)]
     pub scene: Scene,
     /// Factor of safety that support is to give, and below which blocks are taken out between rounds
-    #[arg(long, value_name = "F", default_value_t = 1.0)]
+    #[arg(long, value_name = "F", default_value_t = 1.0, allow_negative_numbers = true, value_parser = super::plot::factor)]
     pub factor: f64,
     /// Rounds: after each the blocks below the factor are taken out, and those that they have held are examined
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
     pub rounds: u32,
     /// Phase at whose beginning [default: the last]
     #[arg(long, value_name = "NAME")]
@@ -60,7 +60,7 @@ pub struct ProbeContact {
     pub scene: Scene,
     /// Distance below which blocks are listed and features count as touching in the source's contact
     /// types, for example '1 mm' [default: a thousandth of the smaller block]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub threshold: Option<String>,
     /// Only this pair of blocks, by name
     #[arg(long, num_args = 2, value_names = ["A", "B"])]

@@ -21,28 +21,28 @@ pub struct Muckpile {
     #[arg(value_name = "RUN")]
     pub run: PathBuf,
     /// Way from which on a block counts as thrown [default: half the edge of the cube of its volume]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub moved: Option<String>,
     /// Direction of the throw in the plan [default: the mean one]
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     pub along: Option<String>,
     /// Cell of the grid over the plan [default: a quarter of the edge of the cube of the mean thrown block]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub cell: Option<String>,
     /// Rock factor A of Kuz-Ram, 0.8 to 22
-    #[arg(long, value_name = "A")]
+    #[arg(long, value_name = "A", allow_negative_numbers = true)]
     pub rock_factor: Option<f64>,
     /// Explosive over the rock that it breaks, for Kuz-Ram [default: all charges over all thrown rock]
-    #[arg(long, value_name = "DENSITY", requires = "rock_factor")]
+    #[arg(long, value_name = "DENSITY", requires = "rock_factor", allow_hyphen_values = true)]
     pub powder_factor: Option<String>,
     /// Charge of a hole, for Kuz-Ram [default: the mean one]
-    #[arg(long, value_name = "MASS", requires = "rock_factor")]
+    #[arg(long, value_name = "MASS", requires = "rock_factor", allow_hyphen_values = true)]
     pub charge: Option<String>,
     /// Strength by weight relative to ANFO, %, for Kuz-Ram
-    #[arg(long, value_name = "S", default_value_t = 100.0)]
+    #[arg(long, value_name = "S", default_value_t = 100.0, allow_negative_numbers = true)]
     pub strength: f64,
     /// Uniformity n, for x80 of Kuz-Ram
-    #[arg(long, value_name = "N", requires = "rock_factor")]
+    #[arg(long, value_name = "N", requires = "rock_factor", allow_negative_numbers = true)]
     pub uniformity: Option<f64>,
     /// Folder for the results [default: the name of the run with .muckpile, in the working folder]
     #[arg(short, long, value_name = "DIR")]

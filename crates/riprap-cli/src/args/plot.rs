@@ -79,10 +79,10 @@ pub struct Plot {
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
     /// Width on paper
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub size: Option<String>,
     /// Pixels of PNG per inch [default: 192]
-    #[arg(long, value_name = "DPI", value_parser = factor)]
+    #[arg(long, value_name = "DPI", value_parser = factor, allow_negative_numbers = true)]
     pub dpi: Option<f64>,
     /// Font family of SVG; PNG and PDF have outlines of DejaVu Sans
     #[arg(long, value_name = "FAMILY")]
@@ -91,13 +91,13 @@ pub struct Plot {
     #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], allow_hyphen_values = true)]
     pub range: Option<Vec<String>>,
     /// Percentiles of the values at which the colours begin and end
-    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], conflicts_with = "range")]
+    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], conflicts_with = "range", allow_negative_numbers = true)]
     pub percentiles: Option<Vec<f64>>,
     /// Field that colours the blocks
     #[arg(long, alias = "field", value_name = "FIELD", default_value = "displacement")]
     pub by: String,
     /// Time of the frame to draw; repeatable for blocks, sections, lines and heave [default: the last]
-    #[arg(long, value_name = "TIME")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true)]
     pub time: Vec<String>,
     /// Logarithmic colour scale
     #[arg(long)]
@@ -109,7 +109,7 @@ pub struct Plot {
     #[arg(long)]
     pub stress: bool,
     /// Approximate number of labelled isolines over the blocks
-    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(1..=50))]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(1..=50), allow_negative_numbers = true)]
     pub isolines: Option<u8>,
     /// Broken faces, on sections
     #[arg(long)]
@@ -118,7 +118,7 @@ pub struct Plot {
     #[arg(long, num_args = 4, value_names = ["LEFT", "BOTTOM", "RIGHT", "TOP"], allow_hyphen_values = true)]
     pub window: Option<Vec<String>>,
     /// Factor that exaggerates displacements
-    #[arg(long, value_name = "FACTOR", value_parser = factor)]
+    #[arg(long, value_name = "FACTOR", value_parser = factor, allow_negative_numbers = true)]
     pub exaggerate: Option<f64>,
     /// Normal of a section; heave profiles run along the other horizontal axis
     #[arg(long, value_parser = word::<Normal>(), value_name = "AXIS", default_value = "y")]
@@ -139,7 +139,7 @@ pub struct Plot {
     #[arg(long)]
     pub surface: bool,
     /// Uplift that defines the crater rim [default: 0.02 of the depth of the charge]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub uplift: Option<String>,
     /// Only fragments that contain a block of this group, or of this condition, for example 'rock and not ore'
     #[arg(long, value_name = "GROUP")]
@@ -159,7 +159,7 @@ fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
 }
 
 /// Reads a positive number.
-fn factor(text: &str) -> Result<f64, String> {
+pub(super) fn factor(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(v) if v.is_finite() && v > 0.0 => Ok(v),
         Ok(_) | Err(_) => Err("write a positive number, for example 20".to_owned()),

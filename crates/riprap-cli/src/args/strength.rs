@@ -29,10 +29,16 @@ pub struct Strength {
     #[arg(long, value_name = "HISTORY")]
     pub load: Option<String>,
     /// Area that the load acts on; in the plane a length
-    #[arg(long, value_name = "AREA", conflicts_with = "disk", requires = "load")]
+    #[arg(
+        long,
+        value_name = "AREA",
+        conflicts_with = "disk",
+        requires = "load",
+        allow_hyphen_values = true
+    )]
     pub area: Option<String>,
     /// Brazilian test: diameter of the disk and, in space, its thickness
-    #[arg(long, value_name = "D[,T]", requires = "load", conflicts_with_all = ["shear", "confining"])]
+    #[arg(long, value_name = "D[,T]", requires = "load", conflicts_with_all = ["shear", "confining"], allow_hyphen_values = true)]
     pub disk: Option<String>,
     /// History of the strain, for the modulus
     #[arg(long, value_name = "HISTORY", conflicts_with = "shortening")]
@@ -41,16 +47,16 @@ pub struct Strength {
     #[arg(long, value_name = "HISTORY", requires = "length")]
     pub shortening: Option<String>,
     /// Length that the shortening is divided by
-    #[arg(long, value_name = "LENGTH", requires = "shortening")]
+    #[arg(long, value_name = "LENGTH", requires = "shortening", allow_hyphen_values = true)]
     pub length: Option<String>,
     /// Confining stress, in shear the normal stress: a history, or a value with its unit
-    #[arg(long, value_name = "HISTORY|STRESS", value_parser = |text: &str| Ok::<_, String>(Confining::read(text)))]
+    #[arg(long, value_name = "HISTORY|STRESS", value_parser = |text: &str| Ok::<_, String>(Confining::read(text)), allow_hyphen_values = true)]
     pub confining: Option<Confining>,
     /// The tests shear a joint
     #[arg(long)]
     pub shear: bool,
     /// Shares of the peak between which the modulus is measured
-    #[arg(long, value_name = "A..B", default_value = "0.2..0.5")]
+    #[arg(long, value_name = "A..B", default_value = "0.2..0.5", allow_hyphen_values = true)]
     pub between: String,
     /// Write the tests to this file as CSV
     #[arg(short, long, value_name = "FILE")]

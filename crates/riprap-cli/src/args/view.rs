@@ -34,7 +34,7 @@ pub struct View {
     #[arg(long)]
     pub no_open: bool,
     /// Port to listen on; if it is in use the next free one is taken [default: 8470]
-    #[arg(short, long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(short, long, value_name = "PORT", value_parser = clap::value_parser!(u16).range(1..), allow_negative_numbers = true)]
     pub port: Option<u16>,
 }
 
@@ -56,7 +56,7 @@ pub struct Report {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Maximum number of frames in the replay
-    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u16).range(2..=1000))]
+    #[arg(long, value_name = "N", default_value_t = 40, value_parser = clap::value_parser!(u16).range(2..=1000), allow_negative_numbers = true)]
     pub frames: u16,
     /// Author, shown at the top
     #[arg(long, value_name = "NAME", default_value = "", hide_default_value = true)]
@@ -86,7 +86,7 @@ pub struct Paraview {
     #[arg(long, value_name = "FIELD", default_value = "displacement")]
     pub by: String,
     /// Factor that exaggerates displacements, 1 or more
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = exaggeration)]
+    #[arg(long, value_name = "FACTOR", default_value_t = 1.0, value_parser = exaggeration, allow_negative_numbers = true)]
     pub exaggerate: f64,
 }
 

@@ -23,6 +23,10 @@ pub fn run(args: &Trust, style: Style) -> Result<(), Failure> {
     let (scene, case) = scenes::chosen(&args.scene)?;
     scenes::prepare_case(&scene, &case, &args.scene.change, style, args.how.quiet || args.json)?;
     let budget = quantity(&args.budget, Dim::TIME, "time", "--budget 10min")?;
+    if budget < 0.0 {
+        let text = format!("--budget is a wall time, and {} is below zero", args.budget);
+        return Err(Failure::Input(text));
+    }
     let rules = Rules { budget, without: args.without.clone() };
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "trust", args.force);
     make_folder(&folder, existing)?;
