@@ -372,6 +372,9 @@ pub struct Verify {
     /// Scenes that are in the program: the name of a file or folder under scenes/, or all; repeatable
     #[arg(long, value_name = "NAME")]
     pub shipped: Vec<String>,
+    /// Set a key of each scene, as for `riprap run`; repeatable
+    #[arg(long, value_name = "KEY=VALUE", value_parser = key_value)]
+    pub set: Vec<(String, String)>,
     /// Count known failures as failed
     #[arg(long)]
     pub strict: bool,

@@ -25,13 +25,15 @@ pub fn chosen(scene: &args::Scene) -> Result<(Scene, Case), Failure> {
 /// Reads a scene. A file that is not there is answered with the one beside it that was meant, if there is one.
 pub fn load(file: &Path, change: &Change) -> Result<Scene, Failure> {
     Scene::load(file, &change.set).map_err(|error| match meant(file) {
-        Some(meant) => Failure::Input(format!(
-            "{} does not exist; did you mean {}?",
-            file.display(),
-            meant.display()
-        )),
+        Some(_) => Failure::Input(missing(file)),
         None => Failure::from(error),
     })
+}
+
+/// What is said of a file that is not there, with the one beside it that was meant, if there is one.
+pub fn missing(file: &Path) -> String {
+    let meant = meant(file).map(|meant| format!("; did you mean {}?", meant.display()));
+    format!("{} does not exist{}", file.display(), meant.unwrap_or_default())
 }
 
 /// The scene whose name is nearest to that of a file which does not exist.

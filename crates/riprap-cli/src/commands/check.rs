@@ -31,7 +31,8 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     let expected = forecast(&model.setup, &model.plan).map_err(|e| match e {
         ForecastError::Build(e) => Failure::Input(e.to_string()),
         ForecastError::Step(e) => Failure::step(&e, &prepared.parsed),
-        ForecastError::Physics(e) => Failure::Physics(e.to_string()),
+        // Nothing was run: a scene that cannot begin is bad input.
+        ForecastError::Physics(e) => Failure::Input(e.to_string()),
     })?;
     if args.json {
         let mut warnings: Vec<_> = model

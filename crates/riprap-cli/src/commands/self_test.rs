@@ -42,7 +42,11 @@ impl Shipped {
     pub fn named(names: &[String]) -> Result<Self, Failure> {
         let mut wanted = Vec::new();
         for name in names {
-            let found: Vec<&str> = scenes().filter(|path| means(name, path)).collect();
+            let mut found: Vec<&str> = scenes().filter(|path| means(name, path)).collect();
+            if found.is_empty() {
+                // The last word of a folder's path, as `engineering` of verify/engineering.
+                found.extend(scenes().filter(|path| is_below(name, path)));
+            }
             if found.is_empty() {
                 return Err(unknown(name));
             }
@@ -108,17 +112,21 @@ fn means(name: &str, path: &str) -> bool {
         || of_folder(name)
 }
 
+/// Whether a scene is in a folder of that name, somewhere on its path. Long ones are run by their names only.
+fn is_below(name: &str, path: &str) -> bool {
+    let name = name.trim_matches('/');
+    !name.is_empty() && path.contains(&format!("/{name}/")) && !path.contains("/long/")
+}
+
 fn unknown(name: &str) -> Failure {
-    let short = |path: &'static str| {
-        let path = path.trim_end_matches(".toml");
-        path.rsplit_once('/').map_or(path, |(_, scene)| scene)
+    let words = |path: &'static str| path.trim_end_matches(".toml").split('/');
+    let meant = match nearest(name, scenes().flat_map(words)) {
+        Some(near) => format!("; did you mean {near}?"),
+        None => ".".to_owned(),
     };
-    let mut text = format!("the program has no scene {name:?}");
-    if let Some(near) = nearest(name, scenes().map(short)) {
-        text.push_str(&format!("; did you mean {near}?"));
-    }
-    text.push_str(" Names are those of files and folders under scenes/, for example planar/slide, verify/planar or all");
-    Failure::Input(text)
+    Failure::Input(format!(
+        "the program has no scene {name:?}{meant} Names are those of files and folders under scenes/, for example planar/slide, verify/planar or all"
+    ))
 }
 
 pub fn run() -> Result<(), Failure> {
@@ -126,7 +134,7 @@ pub fn run() -> Result<(), Failure> {
     let interrupt = Interrupt::listen()?;
     let begun = std::time::Instant::now();
     let executor = Executor { threads: cores(), stop: &|| interrupt.asked() };
-    let tally = verify::verify(&shipped.scenes, true, &executor, |result| {
+    let tally = verify::verify(&shipped.scenes, &[], true, &executor, |result| {
         screen::line(&check_line(&shipped.told(result), true));
     });
     let seconds = begun.elapsed().as_secs_f64();
@@ -149,6 +157,19 @@ mod tests {
         assert_eq!(found("scenes/planar/slide.toml"), 1);
         assert!(found("verify/planar") > 30 && found("all") > 150);
         assert_eq!(found("slid"), 0);
+        let shipped = |name: &str| Shipped::named(&[name.to_owned()]).map(|s| s.scenes.len());
+        let count = |name: &str| shipped(name).unwrap();
+        assert_eq!(count("engineering"), count("verify/engineering"));
+        assert_eq!(count("implicit/"), count("verify/implicit"));
+        // The folder itself goes before one of its name inside another.
+        assert!(count("planar") < count("verify/planar") + count("planar"));
+        for name in ["engin", "long", ""] {
+            assert!(shipped(name).is_err(), "{name}");
+        }
+        let Err(Failure::Input(text)) = Shipped::named(&["zzzz".to_owned()]) else {
+            panic!("a name that is none was taken");
+        };
+        assert!(text.contains("\"zzzz\". Names"), "{text}");
         let Err(Failure::Input(text)) = Shipped::named(&["slidee".to_owned()]) else {
             panic!("a name that is none was taken");
         };
@@ -161,7 +182,7 @@ mod tests {
         assert_eq!(shipped.scenes.len(), SCENES.len());
         let quick = &shipped.scenes[2..4];
         let mut told = Vec::new();
-        let tally = verify::verify(quick, true, &Executor::ALONE, |result| {
+        let tally = verify::verify(quick, &[], true, &Executor::ALONE, |result| {
             told.push(shipped.told(result).scene);
         });
         assert!(tally.passed > 20 && tally.failed == 0, "{tally}");

@@ -7,11 +7,14 @@ use crate::args::Verify;
 use crate::commands::{check_line, cores};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::screen;
+use crate::{scenes, screen};
 
 pub fn run(args: &Verify) -> Result<(), Failure> {
     let mut scenes = Vec::new();
     for path in &args.paths {
+        if !path.exists() {
+            return Err(Failure::Input(scenes::missing(path)));
+        }
         let found = verify::scenes_under(path)
             .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
         if found.is_empty() {
@@ -28,7 +31,7 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
     let interrupt = Interrupt::listen()?;
     let threads = args.jobs.map_or_else(cores, usize::from);
     let executor = Executor { threads, stop: &|| interrupt.asked() };
-    let tally = verify::verify(&scenes, args.strict, &executor, |result| {
+    let tally = verify::verify(&scenes, &args.set, args.strict, &executor, |result| {
         let result = match &shipped {
             Some(shipped) => shipped.told(result),
             None => result,
@@ -46,7 +49,10 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
     if interrupt.asked() {
         return Err(Failure::Interrupted("not all scenes were run".to_owned()));
     }
-    if tally.failed > 0 {
+    if tally.failed > 0 && tally.failed == tally.unread {
+        // Which, and why, has been said in its line.
+        Err(Failure::Input("no check failed, but not all scenes can be read".to_owned()))
+    } else if tally.failed > 0 {
         Err(Failure::Checks)
     } else if tally.passed + tally.skipped == 0 {
         Err(Failure::Input(

@@ -61,8 +61,8 @@ fn wrong_scenes_point_at_the_place() {
         ] {
             let said = bench.run(&[verb, &file]);
             if verb == "verify" {
-                // A scene that cannot be read is a failed check, so that the others are still run.
-                said.expect(1).says(&parts);
+                // In a line of its own, so that others are still run.
+                said.expect(2).says(&parts);
             } else {
                 said.expect(2).warns(&parts);
             }
@@ -136,6 +136,34 @@ fn verify_closes_with_its_counts() {
     assert_eq!((&value["check"], &value["status"]), (&"free fall".into(), &"passed".into()));
     std::fs::create_dir(bench.path("none")).unwrap();
     bench.run(&["verify", "none"]).expect(2);
+    let heavy = ["--set", "space.planar.gravity=['0 m/s2', '-11 m/s2']"];
+    bench.run(&[&["verify", "fall.toml"], &heavy[..]].concat()).expect(1);
+    bench.run(&["verify", "fall.toml", "--set", "materials.rock.density=3 t/m3"]).expect(0);
+    bench.run(&["verify", "fall.toml", "--set", "materials.rock.densty=3 t/m3"]).expect(2);
+    // Bad input is none of the checks: the others are run, and one that fails goes before it.
+    bench.run(&["verify", "nowhere.toml"]).expect(2).warns(&["nowhere.toml does not exist"]);
+    bench.run(&["verify", "fal.toml"]).expect(2).warns(&["did you mean fall.toml?"]);
+    bench.file("cut.toml", FALL.replace("density", "densty"));
+    bench
+        .run(&["verify", "cut.toml", "fall.toml"])
+        .expect(2)
+        .says(&["the scene can be read", "1 passed, 1 failed, 0 skipped"])
+        .warns(&["no check failed, but not all scenes can be read"]);
+    bench.run(&["verify", "cut.toml", "known.toml", "--strict"]).expect(1);
+    // A scene that cannot begin is bad input too, of `run` the end of the run.
+    bench.file(
+        "held.toml",
+        FALL.replace("on = { block = \"floor\" }", "on = { blocks = [\"floor\", \"stone\"] }")
+            .replace(
+                "until = { time = \"0.2 s\" }\ntime_step = \"10 us\"",
+                "until = { steps = 1 }",
+            ),
+    );
+    bench
+        .run(&["check", "held.toml"])
+        .expect(2)
+        .warns(&["(t = 0.000000e0 s): no two blocks interact"]);
+    bench.run(&["run", "held.toml", "-q"]).expect(1);
 }
 
 #[test]

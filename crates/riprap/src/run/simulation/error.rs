@@ -40,11 +40,11 @@ pub enum RunError {
     },
     /// The time step is not a number above zero.
     #[error(
-        "no valid time step at step {step} (t = {time:.6e} s), computed as {dt:e} s: {}",
+        "no valid time step at step {step} (t = {time:.6e} s){}",
         if *.dt == f64::INFINITY {
-            "no two blocks interact, so there is no stable step; give `time_step`, or `until.time`"
+            ": no two blocks interact, so there is no stable step; give `time_step`, or `until.time`".to_owned()
         } else {
-            "a block is too fast, or an input of the stable step is not finite"
+            format!(", computed as {dt:e} s: a block is too fast, or an input of the stable step is not finite", dt = .dt)
         }
     )]
     NoStep {

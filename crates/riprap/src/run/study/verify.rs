@@ -21,6 +21,8 @@ pub struct Tally {
     pub failed: usize,
     /// Known to fail.
     pub skipped: usize,
+    /// Those of the failed that are no checks: scenes that cannot be read, models that cannot be built.
+    pub unread: usize,
 }
 
 impl Tally {
@@ -74,7 +76,7 @@ fn has_checks(path: &Path) -> bool {
 }
 
 /// Runs every case of `scenes` on one thread each and hands the results to `report`, scene by scene and case by case in the order of
-/// the files; `strict` counts known failures as failed.
+/// the files; `set` changes keys of all of them, `strict` counts known failures as failed.
 ///
 /// # Examples
 ///
@@ -86,12 +88,13 @@ fn has_checks(path: &Path) -> bool {
 ///
 /// let path = Path::new("scenes/verify/planar/rest.toml");
 /// # let path = &Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
-/// let tally = verify(&scenes_under(path)?, false, &Executor::ALONE, |result| println!("{}", result.words));
+/// let tally = verify(&scenes_under(path)?, &[], false, &Executor::ALONE, |result| println!("{}", result.words));
 /// assert!(tally.passed > 0 && tally.failed == 0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn verify(
     scenes: &[PathBuf],
+    set: &[(String, String)],
     strict: bool,
     executor: &Executor<'_>,
     mut report: impl FnMut(CheckResult),
@@ -99,10 +102,10 @@ pub fn verify(
     // A case to run, or why the scene cannot be read.
     let mut work: Vec<Result<(Scene, Case), Box<CheckResult>>> = Vec::new();
     for path in scenes {
-        match Scene::load(path, &[]) {
+        match Scene::load(path, set) {
             Ok(scene) => work.extend(scene.cases.iter().map(|c| Ok((scene.clone(), c.clone())))),
             Err(wrong) => {
-                let result = broken(path, "", ("the scene can be read", wrong.render()));
+                let result = broken(path, "", (READ, wrong.render()));
                 work.push(Err(Box::new(result)));
             }
         }
@@ -118,11 +121,16 @@ pub fn verify(
                 result.status = Status::Failed;
             }
             tally.add(&result);
+            tally.unread += usize::from(result.check == READ || result.check == BUILT);
             report(result);
         }
     });
     tally
 }
+
+/// Said of a scene that is bad input.
+const READ: &str = "the scene can be read";
+const BUILT: &str = "the model can be built";
 
 /// What was to be, and why it is not.
 type Broken = (&'static str, String);
@@ -136,7 +144,7 @@ fn verify_case(scene: &Scene, case: &Case, executor: &Executor<'_>) -> Vec<Check
     }
     let prepared = match scene.prepare(case) {
         Ok(prepared) => prepared,
-        Err(wrong) => return vec![broken(("the model can be built", wrong.render()))],
+        Err(wrong) => return vec![broken((BUILT, wrong.render()))],
     };
     let of_limit = prepared.model.bisect.as_ref().map_or_else(Vec::new, |b| b.checks.clone());
     let failing = prepared.model.monte_carlo.as_ref();
