@@ -26,6 +26,12 @@ impl Polyhedron {
     /// Whether a segment comes within `slack` (m) of all faces on their inner side.
     #[must_use]
     pub fn meets_segment(&self, from: Vec3, to: Vec3, slack: f64) -> bool {
+        self.part_of_segment(from, to, slack).is_some()
+    }
+
+    /// The part of a segment that lies within `slack` (m) of all faces on their inner side, as shares of its length.
+    #[must_use]
+    pub fn part_of_segment(&self, from: Vec3, to: Vec3, slack: f64) -> Option<[f64; 2]> {
         let along = to - from;
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
         for face in 0..self.faces.len() {
@@ -36,10 +42,10 @@ impl Polyhedron {
             } else if rate < 0.0 {
                 enter = enter.max(-height / rate);
             } else if height > 0.0 {
-                return false;
+                return None;
             }
         }
-        enter <= leave
+        (enter <= leave).then_some([enter, leave])
     }
 
     /// Whether a plane through a point comes within `slack` (m) of the solid.

@@ -4,13 +4,17 @@ use riprap_geom::Vec3;
 
 use super::shapes::volume;
 use crate::model::builder::Builder;
+use crate::scenario::read::with_unit;
+use crate::scenario::{Name, Span};
 use crate::spatial::charge;
 use crate::spatial::divisible::Divisible;
 use crate::spatial::region::{Bounds, Extent};
-use crate::spatial::setup::{Place, Region, Shape};
+use crate::spatial::setup::{CavityPressure, Place, Region, Shape};
 
 /// Places nearer than this share of a block's size are in it.
 const NEAR: f64 = 1e-9;
+/// Share of a hole that may be in no block without a word: coordinates that are given in whole centimetres.
+const IN_AIR: f64 = 0.005;
 /// Cells of one block that are looked at around one charge.
 const MOST_CELLS: usize = 2_000_000;
 
@@ -43,6 +47,58 @@ impl Builder<'_> {
             }
         };
         blocks.find(|(_, block)| holds(&block.shape)).map(|(block, _)| block)
+    }
+
+    /// Where the source that a charge comes from stands in the scene.
+    pub(super) fn span_of_source(&self, name: &str) -> Span {
+        let said = self.parsed.scenario.sources.iter().map(|(said, _)| said);
+        let of_name = |said: &&Name| name == said.text || name.starts_with(&format!("{said}."));
+        said.into_iter().find(of_name).map_or(0..0, |said| said.span.clone())
+    }
+
+    /// Says so where a part of a hole is in no block: its charge acts in the blocks all the same.
+    pub(super) fn warn_of_air(&mut self, name: &str, place: &Place, push: &CavityPressure) {
+        let Place::Line { from, to } = place else { return };
+        let length = from.distance(*to);
+        let outside = self.outside(*from, *to);
+        if outside <= IN_AIR * length {
+            return;
+        }
+        let help = match push {
+            CavityPressure::Gas { mass, .. } => format!(
+                "all of its charge, {}, acts in the blocks that the rest touches; check its coordinates, or give the charge of the part in the rock",
+                with_unit(*mass, "kg")
+            ),
+            CavityPressure::Pressure { .. } => {
+                "it pushes on the blocks that the rest touches; check its coordinates".to_owned()
+            }
+        };
+        let message = format!(
+            "{} of the {} of `{name}` lie outside all blocks",
+            with_unit(outside, "m"),
+            with_unit(length, "m")
+        );
+        self.warn_at("source.air", self.span_of_source(name), message, help);
+    }
+
+    /// Length of a segment that is in no block, m; glued parts count as their box.
+    fn outside(&self, from: Vec3, to: Vec3) -> f64 {
+        let slack = NEAR * from.distance(to);
+        let blocks = self.touching(&Region::Line(from, to));
+        let mut parts: Vec<[f64; 2]> = blocks
+            .iter()
+            .filter_map(|&b| {
+                let solid = Extent::of(&self.spatial.blocks[b as usize].shape).solid(Vec3::ZERO);
+                solid.part_of_segment(from, to, slack)
+            })
+            .collect();
+        parts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let (mut reached, mut outside) = (0.0_f64, 0.0);
+        for [enter, leave] in parts {
+            outside += (enter - reached).max(0.0);
+            reached = reached.max(leave);
+        }
+        (outside + (1.0 - reached)) * from.distance(to)
     }
 
     /// Given blocks that touch a region.

@@ -154,13 +154,6 @@ impl Builder<'_> {
         }
     }
 
-    /// Where the source that a charge comes from stands in the scene.
-    fn span_of_source(&self, name: &str) -> Span {
-        let said = self.parsed.scenario.sources.iter().map(|(said, _)| said);
-        let of_name = |said: &&Name| name == said.text || name.starts_with(&format!("{said}."));
-        said.into_iter().find(of_name).map_or(0..0, |said| said.span.clone())
-    }
-
     fn pressure(&mut self, name: &Name, cavity: &PressureCavity) {
         let mut read = self.reading(format!("sources.{name}.pressure_cavity"), cavity);
         let delay = read.delay();
@@ -181,6 +174,7 @@ impl Builder<'_> {
         push: CavityPressure,
         hole: Hole,
     ) {
+        self.warn_of_air(&name, &place, &push);
         self.directory.sources.push(name.clone());
         self.spatial.sources.push(Source { name, place, delay, push, hole });
     }

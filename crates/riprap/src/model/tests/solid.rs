@@ -11,6 +11,7 @@ use riprap_geom::Vec3;
 
 mod bodies;
 mod graded;
+mod holes;
 mod parts;
 mod turn;
 
