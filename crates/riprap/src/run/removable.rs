@@ -2,7 +2,8 @@
 //!
 //! No step is made. The blocks are those of a phase as it begins, with its removals made and its laws and water in place; the planes are the
 //! joints that each of them shares with others, and contacts that touch. A block with a held, moved or viscous face goes on beyond
-//! the model, and one that is fixed or terrain is ground: neither is finite in the sense of the theory.
+//! the model, and one that is fixed or terrain is ground: neither is finite in the sense of the theory. A roller, and a support that holds some
+//! directions, is a smooth plane that a block does not leave to either side, as a plane of symmetry.
 //!
 //! The resultant is the weight and the push of the water on all faces. The factor of safety is the shear strength of the planes that a
 //! block slides along over the force along its way: each plane by its law under the mean pressure on it, none where the law is elastic.
@@ -26,7 +27,7 @@ use crate::laws::behaviour::Law;
 use crate::laws::block_theory::{self as theory, Mode};
 use crate::plan::{Phase, Plan};
 use crate::setup::Setup;
-use crate::spatial::setup::{BoundaryKind, InterfaceLaw};
+use crate::spatial::setup::{BoundaryKind, InterfaceLaw, Motion};
 use crate::spatial::view::View;
 
 /// What is asked for.
@@ -129,6 +130,8 @@ pub struct Answer {
     pub inside: usize,
     /// Blocks that are ground at the beginning.
     pub ground: usize,
+    /// Blocks among the others that end at rollers, or are held in some directions.
+    pub rollers: usize,
     /// Things of the scene that do not count.
     pub not_counted: Vec<String>,
 }
@@ -209,6 +212,7 @@ pub fn removable(
         blocks: Vec::new(),
         inside: 0,
         ground: 0,
+        rollers: 0,
         not_counted: not_counted(&view),
     };
     for round in 1..=rules.rounds.max(1) {
@@ -222,6 +226,8 @@ pub fn removable(
             let examined = || all.iter().filter(|(b, _)| !view.world.is_glued(*b));
             let count = |kind| examined().filter(|(_, block)| block.kind == kind).count();
             (answer.inside, answer.ground) = (count(Kind::Inside), count(Kind::Ground));
+            let rolls = |b: usize| !rock.ground[b] && !rock.rollers[b].is_empty();
+            answer.rollers = examined().filter(|(b, _)| rolls(*b)).count();
         }
         let falls =
             |block: &Block| block.kind <= Kind::Safe && block.factor_of_safety < rules.factor;
@@ -306,6 +312,17 @@ fn not_counted(view: &View<'_>) -> Vec<String> {
     things.into_iter().filter(|(count, _)| *count > 0).map(|(_, word)| word.to_owned()).collect()
 }
 
+/// Along a face with this condition a block goes freely, and away from it to neither side.
+const ROLLER: BoundaryKind = BoundaryKind::Held { normal: true, shear: false };
+
+/// The axes along which a block is held that others leave free; `None` for one that is held along all, or driven.
+fn held_axes(motion: &Motion) -> Option<Vec<Vec3>> {
+    let Motion::Fixed { translation, .. } = motion else { return None };
+    let axes = translation.iter().zip(Vec3::AXES);
+    let held: Vec<Vec3> = axes.filter(|(holds, _)| **holds).map(|(_, axis)| axis).collect();
+    (held.len() < 3).then_some(held)
+}
+
 /// Whether the rock goes on beyond a face with this condition.
 fn goes_on(kind: &BoundaryKind) -> Option<()> {
     match kind {
@@ -344,6 +361,8 @@ struct Rock<'a> {
     gone: Vec<bool>,
     /// Whether the block is no finite one.
     ground: Vec<bool>,
+    /// Unit normals of the planes that each block does not leave to either side.
+    rollers: Vec<Vec<Vec3>>,
     /// Free faces of each block: outward unit normal and area (m²).
     free: Vec<Vec<(Vec3, f64)>>,
 }
@@ -357,19 +376,26 @@ impl<'a> Rock<'a> {
         for (k, touch) in touches.iter().enumerate() {
             touch.ends.iter().for_each(|b| of[*b].push(k));
         }
-        let mut ground: Vec<bool> =
-            (0..count).map(|b| world.motion[b].is_some() || world.is_terrain(b)).collect();
+        let mut rollers: Vec<Vec<Vec3>> = (0..count)
+            .map(|b| world.motion[b].as_deref().and_then(held_axes).unwrap_or_default())
+            .collect();
+        let fixed = |b: usize| world.motion[b].as_deref().is_some_and(|m| held_axes(m).is_none());
+        let mut ground: Vec<bool> = (0..count).map(|b| fixed(b) || world.is_terrain(b)).collect();
         let mut free = vec![Vec::new(); count];
         for face in &world.faces {
             let b = face.block as usize;
             let boundary = face.boundary.map(|k| &world.setup.boundaries[usize::from(k)]);
+            let roller = boundary.is_some_and(|f| ROLLER == f.kind);
+            if roller {
+                rollers[b].push(face.frame[0]);
+            }
             let beyond = boundary.is_some_and(|f| goes_on(&f.kind).is_some() || f.in_situ);
-            ground[b] |= beyond;
+            ground[b] |= beyond && !roller;
             if !beyond && !face.parted {
                 free[b].push((face.frame[0], face.area));
             }
         }
-        Self { view, touches, of, gone: vec![false; count], ground, free }
+        Self { view, touches, of, gone: vec![false; count], ground, rollers, free }
     }
 
     /// Takes blocks out; what they have covered of others is free.
@@ -451,7 +477,8 @@ impl Rock<'_> {
     /// How a force (N) would move a block, and what it slides along.
     fn way(&self, b: usize, force: Vec3) -> Way {
         let touching: Vec<(Vec3, &Touch)> = self.inward(b).collect();
-        let normals: Vec<Vec3> = touching.iter().map(|(n, _)| *n).collect();
+        let sides = self.rollers[b].iter().flat_map(|n| [*n, -*n]);
+        let normals: Vec<Vec3> = touching.iter().map(|(n, _)| *n).chain(sides).collect();
         let (different, of) = theory::planes(&normals);
         let motion = theory::motion(&different, force);
         let pressed: Vec<(usize, f64)> = match motion.mode {
@@ -466,10 +493,12 @@ impl Rock<'_> {
                 && different[*k].dot(motion.direction).abs() < ALONG
         });
         let all = pressed.iter().copied().chain(along.map(|k| (k, 0.0)));
-        let planes = all.map(|(k, pressing)| {
+        let planes = all.filter_map(|(k, pressing)| {
             let parts = of.iter().zip(&touching).filter(|(p, _)| **p == k);
             let parts: Vec<&Touch> = parts.map(|(_, (_, touch))| *touch).collect();
-            self.plane(different[k], &parts, pressing)
+            // A roller that does not press bears nothing.
+            let tells = pressing > 0.0 || !parts.is_empty();
+            tells.then(|| self.plane(different[k], &parts, pressing))
         });
         Way { motion, way_out: theory::way_out(&different), planes: planes.collect() }
     }

@@ -80,7 +80,11 @@ impl Block {
     /// How it goes: `falls`, `slides on 35/090`, `slides on 50/050 and 50/130`; with ` along` for planes that do not press.
     #[must_use]
     pub fn way(&self) -> String {
-        let planes: Vec<String> = self.planes.iter().map(Plane::attitude).collect();
+        let told = |plane: &Plane| match plane.interfaces[..] {
+            [] => format!("{} (roller)", plane.attitude()),
+            [_, ..] => plane.attitude(),
+        };
+        let planes: Vec<String> = self.planes.iter().map(told).collect();
         match self.mode {
             "held" => "stays".to_owned(),
             "falling" if planes.is_empty() => "falls".to_owned(),
@@ -169,6 +173,14 @@ impl Answer {
             self.inside,
             self.ground,
         );
+        if self.rollers > 0 {
+            text.push_str(&format!(
+                "\n{} of the blocks that are no ground end{} at rollers, as at planes of symmetry, or {} held in some directions",
+                self.rollers,
+                if self.rollers == 1 { "s" } else { "" },
+                if self.rollers == 1 { "is" } else { "are" }
+            ));
+        }
         if !self.not_counted.is_empty() {
             text.push_str(&format!("\nnot counted: {}", self.not_counted.join(", ")));
         }

@@ -144,6 +144,76 @@ fn a_block_on_a_plane_dry_and_drowned() {
     assert!(wet.blocks[0].factor_of_safety > dry.blocks[0].factor_of_safety);
 }
 
+/// Half of a symmetric wedge: its plane rises by `rise` over 1 m from the plane of symmetry at y = 0, their line dips by 35 deg. `holds` is what
+/// holds that side.
+fn half_wedge(rise: f64, holds: &str) -> String {
+    let (s, c) = 35.0_f64.to_radians().sin_cos();
+    let body = |section: [[f64; 2]; 3]| {
+        let at = |u: f64, [y, v]: [f64; 2]| {
+            format!("[\"{:.12} m\", \"{y} m\", \"{:.12} m\"]", u * c + v * s, -u * s + v * c)
+        };
+        let ends = [0.0, 2.0].map(|u| section.map(|corner| at(u, corner)).join(", "));
+        ends.join(", ")
+    };
+    let plain = slide("");
+    let (head, rest) = plain.split_once("[[blocks]]").unwrap();
+    let tail = rest.split_once("[[supports]]").unwrap().1;
+    format!(
+        r#"{head}
+        [[blocks]]
+        name = "slope"
+        material = "rock"
+        polyhedron.vertices = [{}]
+        [[blocks]]
+        name = "block"
+        material = "rock"
+        polyhedron.vertices = [{}]
+        {holds}
+        [[supports]]{tail}"#,
+        body([[0.0, 0.0], [1.0, 0.0], [1.0, rise]]),
+        body([[0.0, 0.0], [1.0, rise], [0.0, rise]]),
+    )
+}
+
+#[test]
+fn a_block_goes_along_a_roller_as_along_a_plane_of_symmetry() {
+    let (s, c) = 35.0_f64.to_radians().sin_cos();
+    let face = "[[boundaries]]\non = { plane = \"y-min\", block = \"block\" }\n";
+    let roller = format!("{face}roller = {{}}\n");
+    let support = "[[supports]]\non.block = \"block\"\nfixed = { x = false, z = false }\n";
+    for (rise, holds) in [(1.0, roller.as_str()), (0.4, &roller), (1.0, support)] {
+        let answer = text(&half_wedge(rise, holds), &Rules::default()).unwrap();
+        let [block] = &answer.blocks[..] else { panic!("{answer:?}") };
+        // The whole wedge of two planes: each is pressed by W c / (2 sin of half their angle).
+        let weight = 2600.0 * 9.81 * rise;
+        let slant = (1.0 + rise * rise).sqrt();
+        let bears = 2e3 * 2.0 * slant + weight * c * slant * 30.0_f64.to_radians().tan();
+        near(block.factor_of_safety, bears / (weight * s), 1e-9);
+        near(block.trend_and_plunge()[1], 35.0, 1e-9);
+        assert_eq!((block.mode, answer.rollers, answer.ground), ("wedge", 1, 1), "{answer:?}");
+        assert!(
+            block.way().ends_with("90/000 (roller)") || block.way().ends_with("90/180 (roller)")
+        );
+        assert!(answer.words().ends_with("or is held in some directions"), "{}", answer.words());
+    }
+    // What holds along the face too is rock that goes on.
+    for holds in ["held = {}", "viscous = {}"] {
+        let answer =
+            text(&half_wedge(1.0, &format!("{face}{holds}\n")), &Rules::default()).unwrap();
+        assert_eq!((answer.blocks.len(), answer.rollers, answer.ground), (0, 0, 2), "{holds}");
+    }
+    // Rollers beside the block on the plane take nothing from it.
+    let plain = text(&slide(""), &Rules::default()).unwrap();
+    let sides = ["y-min", "y-max"].map(|side| {
+        format!("[[boundaries]]\non = {{ plane = \"{side}\", block = \"block\" }}\nroller = {{}}\n")
+    });
+    let between = slide("").replacen("[[supports]]", &format!("{}[[supports]]", sides.concat()), 1);
+    let between = text(&between, &Rules::default()).unwrap();
+    assert_eq!(between.rollers, 1);
+    assert_eq!(between.blocks[0].factor_of_safety, plain.blocks[0].factor_of_safety);
+    assert_eq!(between.blocks[0].way(), "slides on 35/090");
+}
+
 /// The block in the middle of the roof of a brick, between planes that dip to the sides or to each other.
 fn roof(directions: [&str; 2]) -> Block {
     let [east, west] = directions;
