@@ -261,7 +261,14 @@ fn expected_text(f: &Forecast, before: f64) -> String {
             "  time step  none in the first, static phase; {} is stable in a dynamic phase",
             si(stable, "s")
         ),
-        (None, _) => format!("  time step  {}", si(f.time_step, "s")),
+        (None, _) => match f.longest_step {
+            Some(longest) => format!(
+                "  time step  {} at first, then longer towards equilibrium, at most {}",
+                si(f.time_step, "s"),
+                si(longest, "s")
+            ),
+            None => format!("  time step  {}", si(f.time_step, "s")),
+        },
     };
     if let Some(block) = &f.governing_block {
         text.push_str(&format!(", governed by block {block}"));

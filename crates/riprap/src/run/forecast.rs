@@ -14,7 +14,9 @@ use super::simulation::{RunError, Simulation, Stage};
 use crate::dynamics::TimeFunction;
 use crate::exec::Exec;
 use crate::model::memory::{self, Parts};
-use crate::plan::{Integration, Phase, PhaseKind, Plan, Relaxing, SAFETY_IN_SPACE, TimeStep};
+use crate::plan::{
+    Integration, Phase, PhaseKind, Plan, Relaxing, SAFETY_IN_SPACE, STATIC_STEP, TimeStep,
+};
 use crate::planar;
 use crate::setup::Setup;
 use crate::spatial::read::outlook::can_give_way;
@@ -50,6 +52,8 @@ pub struct Forecast {
     pub governing_block: Option<String>,
     /// Time step of the first phase as it will be used, s.
     pub time_step: f64,
+    /// Longest step that the first phase takes as it nears its equilibrium, s, where that is another: in a static implicit phase.
+    pub longest_step: Option<f64>,
     /// `time_step` over the stable one; absent in a static phase of deformable blocks, whose iterations have no length, and in an implicit phase.
     pub share_of_stable: Option<f64>,
     /// Blocks at the start, after splitting and the removal of charges.
@@ -184,6 +188,7 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         stable_time_step: Some(stable.dt).filter(|dt| bounded && dt.is_finite()),
         governing_block,
         time_step: dt,
+        longest_step: longest(&simulation).filter(|longest| *longest > dt),
         share_of_stable: timed.then(|| dt / stable.dt),
         blocks,
         contacts,
@@ -353,6 +358,16 @@ fn moved(view: &View<'_>) -> Option<String> {
         | BoundaryKind::Traction { .. } => false,
     })?;
     Some(format!("the boundary `{}`", found.name))
+}
+
+/// The longest step of the first phase where steps grow on the way to its equilibrium, s.
+fn longest(simulation: &Simulation) -> Option<f64> {
+    let phase = simulation.plan().phases.first()?;
+    let grow = phase.kind == PhaseKind::Static && simulation.engine().is_implicit();
+    grow.then(|| match phase.time_step {
+        TimeStep::Given { dt } => dt,
+        TimeStep::Auto { .. } => STATIC_STEP,
+    })
 }
 
 /// How a phase relaxes, if it does.
