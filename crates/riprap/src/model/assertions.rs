@@ -7,6 +7,7 @@ use crate::plan::{Check, Expected, Part, Reduce, Window};
 use crate::scenario::language::{self, Criterion, Reduce as Said};
 use crate::scenario::quantity::{Any, Raw, When};
 use crate::scenario::units::Dim;
+use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Name, Quantity, units};
 
 /// A search for the value of a key at which the scene fails.
@@ -330,6 +331,12 @@ impl Builder<'_> {
             along: criterion.along.as_ref(),
         };
         let used = self.number(&criterion.field, place)?;
+        if self.space == InSpace::Spatial && criterion.field.as_str() == "pair.broken" {
+            let message = "`pair.broken` is 0 again once a broken joint has been released";
+            let help =
+                "`pair.broken_points` never decreases: field = \"pair.broken_points\", above = 0.5";
+            self.warn_at("check.released", &criterion.field, message, help);
+        }
         let window = match criterion.reduce {
             Some(reduce) => {
                 let reduce = self.reduce(reduce, None, used.unit, &criterion.field)?;
