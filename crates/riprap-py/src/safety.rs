@@ -107,7 +107,7 @@ pub fn safety(
         let ran = with_look(py, None, |look| job::run(job, &target, existing, threads, look))?;
         ran.map_err(|wrong| errors::job_after(py, &wrong, &kept))?;
     }
-    let more = [answer.mechanism_words(), answer.far_words()];
+    let more = [answer.mechanism_words(), answer.far_words(), answer.lost_words()];
     let words = more.into_iter().flatten().fold(answer.words(), |all, one| format!("{all}\n{one}"));
     Ok((text, table, words))
 }

@@ -103,7 +103,7 @@ fn tell(answer: &Answer, folder: &Path, json: bool) -> Result<(), Failure> {
             "trials inside the range were undecided; increase --steps, or examine the run of the mechanism",
         );
     }
-    if let Some(text) = answer.far_words() {
+    for text in [answer.far_words(), answer.lost_words()].into_iter().flatten() {
         print_line("warning", &text);
     }
     Ok(())

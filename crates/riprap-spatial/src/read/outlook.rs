@@ -9,9 +9,12 @@ use crate::contact::deformable::search::shown;
 use crate::contact::limit::InverseInertia;
 use crate::contact::limit::share_on_ground;
 use crate::contact::{constants, joined, make_shapes, roles};
+use crate::joint::patch;
 use crate::kernel::{Role, limits};
+use crate::laws::mohr_coulomb::Strength;
 use crate::query::view::View;
 use crate::state::contact_scratch::ContactScratch;
+use crate::state::patches::flag;
 use crate::state::world::World;
 
 /// A block that can meet others, and the softest law under which it can.
@@ -188,6 +191,34 @@ pub fn can_give_way(world: &World) -> bool {
     setup.found_contacts
         && (joints.any(|(row, joined)| joined && row.joint.strength.is_some())
             || bonds.any(|bond| bond.strength.is_some()))
+}
+
+/// Points of joints that have failed so far and had a strength that failing takes away: cohesion, tension, friction above the residual one.
+#[must_use]
+pub fn lost_points(world: &World) -> u64 {
+    let setup = &world.setup;
+    let loses = |s: &Option<Strength>| {
+        let more = |s: &Strength| {
+            s.tension > 0.0 || s.cohesion > s.residual_cohesion || s.friction > s.residual_friction
+        };
+        s.as_ref().is_some_and(more)
+    };
+    let patches = world.patches.flags.iter().zip(&world.patches.class);
+    let patches = patches.filter(|(_, class)| {
+        loses(&patch::joint(&setup.interfaces, &world.classes[**class as usize]).strength)
+    });
+    let there: u64 = patches.map(|(flags, _)| u64::from((flags & flag::BROKEN).count_ones())).sum();
+    let facets = world.deform.iter().flat_map(|deform| {
+        let bond = |row: u16| setup.interfaces[usize::from(row)].bond.as_ref();
+        let breaks =
+            deform.facets.iter().filter(move |f| bond(f.row).is_some_and(|b| loses(&b.strength)));
+        breaks.map(|f| deform.failed_points(f))
+    });
+    let released = world.failed.count(|ends| {
+        let of = ends.map(|b| usize::from(setup.blocks[b as usize].material));
+        loses(&setup.interfaces[usize::from(setup.row_of(of))].joint.strength)
+    });
+    there + facets.sum::<u64>() + released
 }
 
 /// Interfaces that no joint of the model has, with what they say that joints alone read: `interfaces.NAME` and keys. None where

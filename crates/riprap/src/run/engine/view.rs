@@ -184,6 +184,26 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Points of joints that have failed so far and lost strength by it.
+    #[must_use]
+    pub fn lost_points(&self) -> u64 {
+        match self {
+            Self::Planar(v) => {
+                let loses = |bond: &&planar::world::Bond| {
+                    let law = &v.world.setup.interfaces[usize::from(bond.row)].bond;
+                    law.as_ref().is_some_and(|law| {
+                        let s = &law.strength;
+                        s.tension > 0.0
+                            || s.cohesion > s.residual_cohesion
+                            || s.friction > s.residual_friction
+                    })
+                };
+                v.world.bonds.iter().filter(loses).map(planar::world::Bond::failed_points).sum()
+            }
+            Self::Spatial(v) => spatial::read::outlook::lost_points(v.world),
+        }
+    }
+
     /// Unbalanced-force ratio.
     #[must_use]
     pub fn unbalanced(&self) -> f64 {

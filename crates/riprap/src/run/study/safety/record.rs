@@ -114,6 +114,24 @@ impl Answer {
         ))
     }
 
+    /// How many points of joints had failed before the first trial that counts.
+    #[must_use]
+    pub fn lost_words(&self) -> Option<String> {
+        // Of a factor the first one, from which the others go on; of a quantity each begins anew.
+        let trial = match self.quantity {
+            None => self.trials.first(),
+            Some(_) => self.trials.iter().find(|trial| Some(trial.value) == self.stable_at),
+        };
+        let lost = trial?.lost_before;
+        let s = if lost == 1 { "" } else { "s" };
+        (lost > 0).then(|| {
+            format!(
+                "{lost} point{s} of joints had failed before the first trial, in the phases of the scene, and what they lost is not in this answer: \
+                 gravity that is there at once breaks joints that bear it when it comes slowly; give the first phase a `gravity_ramp`"
+            )
+        })
+    }
+
     /// Writes `safety.json` and `safety.csv` into `folder`.
     ///
     /// # Errors

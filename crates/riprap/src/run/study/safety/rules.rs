@@ -73,6 +73,8 @@ pub struct Trial {
     pub note: String,
     /// Whether it came to rest although a block has moved by what counts as moved ([`Rules::moved`]).
     pub far: bool,
+    /// Points of joints that had failed when it began, in the phases of the scene, and lost strength by it; 0 where it goes on from another trial.
+    pub lost_before: u64,
     /// Number of the phase of the scene in which it failed already.
     #[serde(skip)]
     pub phase: Option<usize>,

@@ -122,12 +122,14 @@ impl Maker<'_> {
         let plan = left_open(plan, rules);
         let mut simulation = Simulation::new(setup, plan, exec).map_err(JobError::from)?;
         let before = self.run(&mut simulation)?;
+        let lost = simulation.view().lost_points();
         let Some(watch) = before.failing else {
             let stopped = before.ended.is_some() || before.endless;
             let mut done =
                 self.judge(self.after(&simulation.snapshot(), last)?, before.ended, stopped)?;
             done.sought |= before.sought;
             done.strays |= before.strays;
+            done.trial.lost_before = lost;
             if changed && before.far && done.trial.state == State::Stable {
                 // Rubble at rest is no model that stands.
                 done.trial.state = State::Undecided;
@@ -146,6 +148,7 @@ impl Maker<'_> {
         let note = format!("in phase `{name}` of the scene");
         let mut done = self.told(&simulation, &watch, State::Failing, from, note);
         done.trial.phase = Some(phase);
+        done.trial.lost_before = lost;
         done.sought |= before.sought;
         Ok(done)
     }
@@ -315,6 +318,7 @@ impl Maker<'_> {
                 seconds: self.begun.elapsed().as_secs_f64(),
                 note,
                 far: state == State::Stable && watch.has_moved(None),
+                lost_before: 0,
                 phase: None,
             },
             sought: seeks(simulation),
