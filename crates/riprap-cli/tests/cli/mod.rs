@@ -9,5 +9,6 @@ mod guards;
 mod many;
 mod runs;
 mod templates;
+mod told;
 mod verbs;
 mod words;

@@ -35,6 +35,20 @@ pub struct Chain {
     pub force: Vec<f64>,
 }
 
+impl Chain {
+    /// Force (N) of the bar nearest to yielding again among those that have yielded, and the force at which it does; `None` where none has.
+    #[must_use]
+    pub fn hardened(&self) -> Option<[f64; 2]> {
+        let yielded =
+            (0..self.bars.len()).filter(|&k| self.yielded[k] > 0.0 && self.bars[k].stiffness > 0.0);
+        let forces = yielded.map(|k| {
+            let bar = &self.bars[k];
+            [self.force[k].abs(), bar.yields + bar.hardening * self.yielded[k]]
+        });
+        forces.max_by(|[a, b], [c, d]| (a / b).total_cmp(&(c / d)))
+    }
+}
+
 /// What a step of a chain has cost, J, and how well it is in equilibrium.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Losses {

@@ -412,6 +412,16 @@ impl<'a> View<'a> {
         found.map(|(name, left)| (name.to_owned(), left))
     }
 
+    /// The bolt that bears least of the force up to which it has yielded: its name, its force and that one, N.
+    #[must_use]
+    pub fn relieved_bolt(&self) -> Option<(String, [f64; 2])> {
+        either!(self, v => {
+            let forces = v.world.bolts.iter().filter_map(|b| Some((b.number, b.chain.hardened()?)));
+            let least = forces.min_by(|(_, a), (_, b)| (a[0] / a[1]).total_cmp(&(b[0] / b[1])));
+            least.map(|(k, forces)| (v.world.setup.bolts[k as usize].name.clone(), forces))
+        })
+    }
+
     /// Fragments now; `None` where no joints hold blocks together.
     #[must_use]
     pub fn fragments(&self) -> Option<Fragments> {

@@ -10,6 +10,9 @@ use crate::run::{meeting, overruled, rough};
 /// Share of the largest energy exchanged from which on what edits have added is reported.
 const MADE: f64 = 0.05;
 
+/// Share of the force up to which a bolt has yielded below which it bears clearly less.
+const BORNE: f64 = 0.99;
+
 /// Share of implicit steps with unsettled friction above which it is reported.
 const UNSETTLED: f64 = 0.01;
 
@@ -65,7 +68,22 @@ impl Simulation {
             rubbed: self.rubbed(),
         };
         self.cursor.ends.push(end.clone());
+        let swung =
+            if judged && !self.engine.is_implicit() { self.swung_bolt(&end.phase) } else { None };
+        self.cursor.chosen.extend(swung);
         Some(end)
+    }
+
+    /// That a bolt has yielded by more than what it bears at rest asks for, in words: relaxation swings beyond its equilibrium.
+    fn swung_bolt(&self, phase: &str) -> Option<String> {
+        let (name, [force, borne]) = self.view().relieved_bolt()?;
+        (force < BORNE * borne).then(|| {
+            format!(
+                "bolt `{name}` has yielded up to {borne:.4e} N and bears {force:.4e} N at the end of the static phase `{phase}`: where relaxation has \
+                 swung beyond its equilibrium the bolt is too long; compare with `integration = \"implicit\"`, or let the weight come slowly \
+                 (`gravity_ramp`)"
+            )
+        })
     }
 
     /// Share that friction has taken of what drives an implicit static phase, if it may have locked in forces.
