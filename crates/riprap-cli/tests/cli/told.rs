@@ -2,7 +2,8 @@
 
 use super::bench::Bench;
 
-/// A block glued to a plane that dips by 35 deg, F = (c A + W cos a tan phi)/(W sin a) = 1.235, under gravity that is there at once.
+/// A slab glued to a plane that dips by 35 deg, under gravity that is there at once. F = (c A + W cos a tan phi)/(W sin a) = 1.235 with the same
+/// stress everywhere, 1.21 where the lower points begin.
 const GLUED: &str = r#"
 riprap = 1
 title = "a block glued to a plane"
@@ -14,7 +15,7 @@ density = "2600 kg/m3"
 normal_stiffness = "1 GPa/m"
 shear_stiffness = "0.3 GPa/m"
 friction_angle = "30 deg"
-cohesion = "6 kPa"
+cohesion = "0.3 kPa"
 [[blocks]]
 name = "plane"
 material = "rock"
@@ -22,7 +23,7 @@ brick = { size = ["6 m", "3 m", "1 m"], corner = ["-3 m", "-1 m", "-1 m"] }
 [[blocks]]
 name = "block"
 material = "rock"
-brick = { size = ["2 m", "1 m", "1 m"], corner = ["-1 m", "0 m", "0 m"] }
+brick = { size = ["2 m", "1 m", "5 cm"], corner = ["-1 m", "0 m", "0 m"] }
 [[supports]]
 on.block = "plane"
 fixed = {}
@@ -31,51 +32,55 @@ name = "load"
 until = { time = "0.3 s" }
 "#;
 
+/// The keys of its phase that seek an equilibrium by Newton's method.
+const SETTLES: &str =
+    "kind = \"static\"\nintegration = \"implicit\"\nuntil = { unbalanced = 1e-6, steps = 100 }";
+
+/// The block with other keys of its phase.
+fn glued(phase: &str) -> String {
+    GLUED.replace("until = { time = \"0.3 s\" }", phase)
+}
+
 #[test]
 fn joints_that_broke_before_the_first_trial_are_told() {
     let bench = Bench::new();
     bench.file("glued.toml", GLUED);
     let words = ["safety", "glued.toml", "-q", "--force"];
-    let broken = bench.run(&words);
-    broken.warns(&["points of joints had failed before the first trial", "gravity_ramp"]);
-    for slow in [
-        "phases.load.gravity_ramp=0.2 s",
-        "phases.load={ name = 'load', kind = 'static', integration = 'implicit', until = { unbalanced = 1e-6, steps = 100 } }",
-    ] {
-        let words = [&words[..], &["--set", slow]].concat();
+    bench
+        .run(&words)
+        .warns(&["points of joints had failed before the first trial", "`gravity_ramp`"]);
+    let slow = "gravity_ramp = \"0.2 s\"\nuntil = { time = \"0.3 s\" }";
+    for phase in [slow, SETTLES] {
+        bench.file("glued.toml", glued(phase));
         let said = bench.run(&words).expect(0).says(&["factor of safety: 1.2"]);
-        assert!(!said.err.contains("had failed"), "{slow}: {}", said.err);
+        assert!(!said.err.contains("had failed"), "{phase}: {}", said.err);
     }
     // What has no cohesion loses none.
-    let words = [&words[..], &["--set", "interfaces.default.cohesion=0 Pa"]].concat();
-    let said =
-        bench.run(&[&words[..], &["--set", "interfaces.default.friction_angle=45 deg"]].concat());
+    let plain = GLUED.replace("30 deg", "45 deg").replace("0.3 kPa", "0 Pa");
+    bench.file("glued.toml", plain);
+    let said = bench.run(&words);
     assert!(!said.err.contains("had failed"), "{}", said.err);
 }
 
 #[test]
 fn steps_that_grow_towards_an_equilibrium_are_told_with_the_longest() {
     let bench = Bench::new();
-    bench.file("glued.toml", GLUED);
-    let set = |phase: &str| {
-        let phase = format!("phases.load={{ name = 'load', {phase} }}");
-        bench.run(&["check", "glued.toml", "--set", &phase]).expect(0).out
+    let line = |phase: &str| {
+        bench.file("glued.toml", glued(phase));
+        let out = bench.run(&["check", "glued.toml"]).expect(0).out;
+        out.lines().find(|l| l.contains("time step")).unwrap_or_default().to_owned()
     };
-    let line =
-        |out: &str| out.lines().find(|l| l.contains("time step")).unwrap_or_default().to_owned();
-    let implicit =
-        "kind = 'static', integration = 'implicit', until = { unbalanced = 1e-6, steps = 100 }";
     let grows = "at first, then longer towards equilibrium, at most";
-    assert!(line(&set(implicit)).ends_with(&format!("{grows} 1 s")), "{}", set(implicit));
-    let given = format!("{implicit}, time_step = '40 s'");
-    assert!(line(&set(&given)).ends_with(&format!("{grows} 40 s")), "{}", set(&given));
+    let (usual, given) = (line(SETTLES), line(&format!("{SETTLES}\ntime_step = \"40 s\"")));
+    assert!(usual.ends_with(&format!("{grows} 1 s")), "{usual}");
+    assert!(given.ends_with(&format!("{grows} 40 s")), "{given}");
     // One that is as long as the first is all there is, as in a phase that is no search for an equilibrium.
     for one in [
-        format!("{implicit}, time_step = '1 ms'"),
-        "integration = 'implicit', until = { time = '1 s' }".to_owned(),
-        "kind = 'static', until = { unbalanced = 1e-6, steps = 100 }".to_owned(),
+        &format!("{SETTLES}\ntime_step = \"1 ms\""),
+        "integration = \"implicit\"\nuntil = { time = \"1 s\" }",
+        "kind = \"static\"\nuntil = { unbalanced = 1e-6, steps = 100 }",
     ] {
-        assert!(!line(&set(&one)).contains(grows), "{}", set(&one));
+        assert!(!line(one).contains(grows), "{one}: {}", line(one));
     }
 }
 
@@ -135,7 +140,7 @@ name = "as low as the closed form, within the length of the pieces"
 field = "block.displacement.z"
 of = "key"
 value = "-28.66 mm"
-relative = 0.01
+relative = 0.02
 "#;
 
 #[test]

@@ -178,7 +178,7 @@ fn half_wedge(rise: f64, holds: &str) -> String {
 #[test]
 fn a_block_goes_along_a_roller_as_along_a_plane_of_symmetry() {
     let (s, c) = 35.0_f64.to_radians().sin_cos();
-    let face = "[[boundaries]]\non = { plane = \"y-min\", block = \"block\" }\n";
+    let face = "[[boundaries]]\non = { block = \"block\", side = \"y-min\" }\n";
     let roller = format!("{face}roller = {{}}\n");
     let support = "[[supports]]\non.block = \"block\"\nfixed = { x = false, z = false }\n";
     for (rise, holds) in [(1.0, roller.as_str()), (0.4, &roller), (1.0, support)] {
@@ -205,7 +205,7 @@ fn a_block_goes_along_a_roller_as_along_a_plane_of_symmetry() {
     // Rollers beside the block on the plane take nothing from it.
     let plain = text(&slide(""), &Rules::default()).unwrap();
     let sides = ["y-min", "y-max"].map(|side| {
-        format!("[[boundaries]]\non = {{ plane = \"{side}\", block = \"block\" }}\nroller = {{}}\n")
+        format!("[[boundaries]]\non = {{ block = \"block\", side = \"{side}\" }}\nroller = {{}}\n")
     });
     let between = slide("").replacen("[[supports]]", &format!("{}[[supports]]", sides.concat()), 1);
     let between = text(&between, &Rules::default()).unwrap();
