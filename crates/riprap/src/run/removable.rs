@@ -590,5 +590,6 @@ fn dip(normal: Vec3) -> (f64, f64) {
 /// Degrees clockwise from north (y) of what a vector points to from above.
 fn azimuth(v: Vec3) -> f64 {
     let angle = libm::atan2(v.x, v.y).to_degrees();
-    if angle < 0.0 { angle + 360.0 } else { angle }
+    // North is 0 from either side, not -0.
+    if angle < 0.0 { angle + 360.0 } else { angle + 0.0 }
 }
