@@ -67,19 +67,19 @@ fn negative_values_are_answered_by_what_reads_them() {
     let bench = Bench::with_scene();
     bench.run(&["run", "fall.toml", "-q"]).expect(0);
     for (words, said) in [
-        (&["safety", "fall.toml", "--width", "-1"][..], "positive"),
-        (&["safety", "fall.toml", "--balance", "-1"], "positive"),
-        (&["safety", "fall.toml", "--moved", "-1 mm"], "positive"),
+        (&["safety", "fall.toml", "--width", "-1"][..], "above zero"),
+        (&["safety", "fall.toml", "--balance", "-1"], "above zero"),
+        (&["safety", "fall.toml", "--moved", "-1 mm"], "above zero"),
         (&["trust", "fall.toml", "--budget", "-1s"], "budget"),
         (&["removable", "fall.toml", "--factor", "-1"], "positive number"),
-        (&["probe-contact", "fall.toml", "--threshold", "-1 mm"], "threshold"),
+        (&["probe-contact", "fall.toml", "--threshold", "-1 mm"], "is not a valid length"),
         (&["run", "fall.toml", "--threads", "-1"], "-1 is not in 1.."),
         (&["plot", "fall.run", "blocks", "--time", "-1 s"], "there is no frame at t = -1 s"),
         (&["plot", "fall.run", "--size", "-5 mm"], "from 1 mm to 100 m"),
         (&["plot", "fall.run", "blocks", "--percentiles", "-1", "2"], "two shares from 0 to 100"),
         (&["muckpile", "fall.run", "--cell", "-1 m"], "cell"),
         (&["strength", "fall.run", "--stress", "height", "--confining", "-5 MPa"], "Pa"),
-        (&["strength", "fall.run", "--load", "height", "--area", "-1 m"], "area"),
+        (&["strength", "fall.run", "--load", "height", "--area", "-1 m"], "above zero"),
     ] {
         let said_of = bench.run(words).expect(2);
         assert!(!said_of.err.contains("tip:"), "{words:?}: {}", said_of.err);
