@@ -26,6 +26,9 @@ const TEMPLATES: [string, string][] = [
   ["pit", "block"],
   ["house_wall", "block"],
   ["vault", "block"],
+  ["dome", "block"],
+  ["buttress", "block"],
+  ["pit_ramp", "block"],
 ];
 
 for (const [name, field] of TEMPLATES) {

@@ -133,9 +133,12 @@ impl<'a> References<'a> {
                 let rounds = group.and_then(|g| g.excavation.as_ref()?.rounds);
                 number.parse().is_ok_and(|k: u64| k > 0 && rounds.is_some_and(|n| k <= n))
             })
-            || name.strip_suffix("_lintels").is_some_and(|of| {
-                let walls = self.scenario.blocks.iter().filter(|b| b.name.as_str() == of);
-                walls.flat_map(|b| &b.masonry).any(|wall| !wall.openings.is_empty())
+            || self.scenario.blocks.iter().any(|block| {
+                let part = name.strip_prefix(block.name.as_str());
+                block.masonry.as_ref().is_some_and(|wall| {
+                    part == Some("_lintels") && !wall.openings.is_empty()
+                        || part == Some("_buttresses") && !wall.buttresses.is_empty()
+                })
             })
             || self.scenario.blocks.iter().any(|b| b.mesh.is_some() || b.polygons.is_some())
     }

@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::files::{Polygons, Traces};
 use super::joints::{CutAlong, JointPlanes, JointSet};
-use super::masonry::{Masonry, Vault};
+use super::masonry::{Dome, Masonry, Vault};
 use super::points::Point;
 use super::solids::{Brick, Grid, Mechanics, Mesh, Part, Polyhedron, Terrain};
 use crate::quantity::{
@@ -38,7 +38,8 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
     "mesh",
     "terrain",
     "masonry",
-    "vault"
+    "vault",
+    "dome"
 ))]
 #[keys(excludes(
     "cut",
@@ -61,7 +62,7 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 #[keys(excludes(
     "mass",
     "inertia",
-    when = "polygons | wall | arch | cut | voronoi | pour | grid | masonry | vault | mesh & !mesh.glued",
+    when = "polygons | wall | arch | cut | voronoi | pour | grid | masonry | vault | dome | mesh & !mesh.glued",
     help = "they are those of one body: give the material its density, or write a [[blocks]] for each shape"
 ))]
 #[keys(excludes(
@@ -72,7 +73,7 @@ pub(crate) const MAX_BLOCKS: u64 = 1_000_000;
 ))]
 #[keys(excludes(
     "copies",
-    when = "polygons | wall | arch | cut | voronoi | pour | grid | masonry | vault | mesh & !mesh.glued",
+    when = "polygons | wall | arch | cut | voronoi | pour | grid | masonry | vault | dome | mesh & !mesh.glued",
     help = "`copies` is for single shapes; write another [[blocks]] with `shift`"
 ))]
 pub struct Block {
@@ -131,6 +132,9 @@ pub struct Block {
     /// A barrel vault or an arch of wedge-shaped stones.
     #[key(space = "spatial", instead = "use `arch`")]
     pub vault: Option<Vault>,
+    /// A spherical dome of wedge-shaped stones.
+    #[key(space = "spatial", instead = "use `arch`")]
+    pub dome: Option<Dome>,
     /// Fixed ground with one height per place.
     #[key(space = "spatial", instead = "use a fixed `polygon`")]
     pub terrain: Option<Terrain>,
@@ -193,6 +197,8 @@ pub enum Geometry<'a> {
     Masonry(&'a Masonry),
     /// `vault`
     Vault(&'a Vault),
+    /// `dome`
+    Dome(&'a Dome),
 }
 
 impl Geometry<'_> {
@@ -214,6 +220,7 @@ impl Geometry<'_> {
             | Geometry::Polygons(_)
             | Geometry::Masonry(_)
             | Geometry::Vault(_)
+            | Geometry::Dome(_)
             | Geometry::Grid(_) => true,
             Geometry::Mesh(mesh) => mesh.glued != Some(true),
         }
@@ -242,6 +249,7 @@ impl Block {
             self.terrain.as_ref().map(|g| ("terrain", Geometry::Terrain(g))),
             self.masonry.as_ref().map(|g| ("masonry", Geometry::Masonry(g))),
             self.vault.as_ref().map(|g| ("vault", Geometry::Vault(g))),
+            self.dome.as_ref().map(|g| ("dome", Geometry::Dome(g))),
         ]
         .into_iter()
         .flatten()

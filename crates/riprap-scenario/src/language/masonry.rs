@@ -1,4 +1,4 @@
-//! Masonry in space: walls with openings, and vaults.
+//! Masonry in space: walls with openings and buttresses, vaults, domes.
 
 use riprap_keys::{Keys, Words};
 use serde::Deserialize;
@@ -29,6 +29,25 @@ pub struct Masonry {
     /// Doors and windows.
     #[serde(default)]
     pub openings: Vec<WallOpening>,
+    /// Piers that lean against it, on its side y = 0; in the group `NAME_buttresses` of a wall NAME.
+    #[serde(default)]
+    pub buttresses: Vec<Buttress>,
+}
+
+/// A pier against a wall, one stone in a row: every second stone reaches through the wall.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Buttress {
+    /// Distance of its left side from the corner of the wall, m.
+    pub left: Quantity<NotNegativeLength>,
+    /// Width along the wall, m.
+    pub width: Quantity<PositiveLength>,
+    /// Depth at its foot, from the wall outward, m.
+    pub foot: Quantity<PositiveLength>,
+    /// Depth at its top, m: at most that of the foot. Its outer face is plane between them.
+    pub top: Quantity<PositiveLength>,
+    /// Height, m: whole rows. Default that of the wall.
+    pub height: Option<Quantity<PositiveLength>>,
 }
 
 /// How rows of a wall in space stand on each other.
@@ -102,4 +121,26 @@ pub enum VaultBond {
     Rings,
     /// Every second row is shifted by half a stone.
     Running,
+}
+
+/// A spherical dome of wedge-shaped stones between rays from its centre, in rings; joints between the stones of a ring go on in the next.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Dome {
+    /// Centre of the sphere [x, y, z], m. Default the origin.
+    pub centre: Option<Point3>,
+    /// Radius of the sphere between inner and outer corners, m.
+    pub radius: Quantity<PositiveLength>,
+    /// Thickness, m; less than twice the radius.
+    pub thickness: Quantity<PositiveLength>,
+    /// Angle from the crown to the springing: 90 deg is a half sphere.
+    pub half_angle: Quantity<HalfAngle>,
+    /// Angle from the crown to the rim of an oculus. Default none: one stone of as many sides as a ring has stones closes the dome, half a ring wide.
+    pub oculus: Option<Quantity<HalfAngle>>,
+    /// Number of rings.
+    #[key(min = 1, max = 10_000)]
+    pub rings: u32,
+    /// Number of stones in a ring.
+    #[key(min = 3, max = 1_000)]
+    pub voussoirs: u32,
 }

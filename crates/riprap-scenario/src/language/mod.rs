@@ -51,13 +51,13 @@ pub use loads::{
     BodyLoad, Control, EdgeLoad, Fixed, Load, Motion, MotionComponents, Nodes, PointLoad, Support,
     Target,
 };
-pub use masonry::{Lintel, Masonry, MasonryBond, Vault, VaultBond, WallOpening};
+pub use masonry::{Buttress, Dome, Lintel, Masonry, MasonryBond, Vault, VaultBond, WallOpening};
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Leavers, Phase, Relaxation, Reset, Rest, Until};
 pub use points::{Point, Point3};
 pub use regions::{
     AlongSet, BenchesProfile, CircleProfile, Cylinder, DrawnProfile, Excavation, Group, HalfSpace,
-    HorseshoeProfile, Near, NearFace, Prism, SizeRange, Sphere,
+    HorseshoeProfile, Near, NearFace, Prism, Ramp, SizeRange, Sphere,
 };
 pub use samples::{Beta, Correlation, MeasuredValues, Moments, MonteCarlo, RandomValue, Sampling};
 pub use solids::{

@@ -5,7 +5,9 @@ use serde::Deserialize;
 
 use super::points::{Point, Point3};
 use super::solids::BoxRegion;
-use crate::quantity::{Angle, Length, Name, Plain, PositiveLength, Quantity, Vector};
+use crate::quantity::{
+    Angle, Length, Name, NotNegativeLength, Plain, PositiveLength, PositivePlain, Quantity, Vector,
+};
 
 /// A named set of blocks, besides the groups that blocks name themselves: all that one of its keys holds. A block lies where its
 /// centroid lies at the start.
@@ -207,6 +209,24 @@ pub struct BenchesProfile {
     pub count: u64,
     /// Width of the floor to the right of the line, m.
     pub floor: Quantity<PositiveLength>,
+    /// Ramps, as rock that is left along the foot of a face.
+    #[serde(default)]
+    pub ramps: Vec<Ramp>,
+}
+
+/// A way down a bench, along its face: from the beginning of the line to `start` it is as high as the bench, then it falls to its foot.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Ramp {
+    /// Number of the bench that it leads down, 1 the lowest.
+    #[key(default = 1, min = 1, max = 100)]
+    pub bench: Option<u64>,
+    /// Where it begins to fall, from the beginning of the line, m. Default 0 m.
+    pub start: Option<Quantity<NotNegativeLength>>,
+    /// Width, m: at most that of the berm (of the floor for the lowest bench).
+    pub width: Quantity<PositiveLength>,
+    /// Fall over length along the line: 0.1 is 10 %.
+    pub grade: Quantity<PositivePlain>,
 }
 
 /// Sizes of blocks.

@@ -1,12 +1,12 @@
 //! Rules of blocks and their shapes.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{Rules, above};
 use crate::diagnostic::short;
 use crate::language::{
-    Around, Block, BoxRegion, Cut, Excavation, Geometry, Graded, Grid, Group, MAX_BLOCKS, Place,
-    Polygon, Polyhedron, Rotate, span_of,
+    Around, BenchesProfile, Block, BoxRegion, Cut, Dome, Excavation, Geometry, Graded, Grid, Group,
+    MAX_BLOCKS, Place, Polygon, Polyhedron, Rotate, span_of,
 };
 use crate::quantity::{Length, Quantity, Span, Vector};
 use crate::vectors::InSpace;
@@ -76,6 +76,7 @@ impl Rules {
                     self.graded(graded);
                 }
             }
+            Geometry::Dome(dome) => self.dome(dome),
             Geometry::Polyhedron(shape) => self.polyhedron(span, of, shape),
             Geometry::Parts(parts) => {
                 for (number, part) in (1..).zip(parts) {
@@ -212,6 +213,30 @@ impl Rules {
         }
     }
 
+    fn dome(&mut self, said: &Dome) {
+        if !self.values_sound {
+            return;
+        }
+        if !above(2.0 * said.radius.si(), said.thickness.si()) {
+            let message = "the dome is as thick as the sphere is wide".to_owned();
+            let help = "give a thickness of less than twice the radius";
+            self.error("value.order", &said.thickness.span, message, help);
+        }
+        let half = said.half_angle.si();
+        if above(half, PI - 1e-6) {
+            let message = "a dome does not go round to the lowest point of its sphere".to_owned();
+            let help = "give a `half_angle` of less than 180 deg; 90 deg is a half sphere";
+            self.error("value.order", &said.half_angle.span, message, help);
+        }
+        if let Some(oculus) = &said.oculus
+            && !above(half, oculus.si())
+        {
+            let message = "the oculus reaches to the springing".to_owned();
+            let help = "give it an angle of less than `half_angle`";
+            self.error("value.order", &oculus.span, message, help);
+        }
+    }
+
     fn excavation(&mut self, said: &Excavation) {
         let place = |point: &[Quantity<Length>; 3]| point.each_ref().map(Quantity::si);
         if self.values_sound && place(&said.from) == place(&said.to) {
@@ -237,6 +262,40 @@ impl Rules {
             let message = format!("a face cannot rise by \"{}\"", shape.face_angle.raw);
             let help = "the angle of a face is above 0 deg and at most 90 deg (upright)";
             self.error("value.range", &shape.face_angle.span, message, help);
+        }
+        if let Some(shape) = &said.benches
+            && self.values_sound
+        {
+            let [from, to] = [place(&said.from), place(&said.to)];
+            let square: f64 = from.iter().zip(&to).map(|(a, b)| (b - a) * (b - a)).sum();
+            self.ramps(shape, square.sqrt());
+        }
+    }
+
+    /// Ramps down benches along a line of a length, m.
+    fn ramps(&mut self, said: &BenchesProfile, length: f64) {
+        for ramp in &said.ramps {
+            let bench = ramp.bench_or_default();
+            let (place, room) = match bench {
+                1 => ("floor", &said.floor),
+                _ => ("berm", &said.berm),
+            };
+            let most = room.si();
+            let end =
+                ramp.start.as_ref().map_or(0.0, Quantity::si) + said.height.si() / ramp.grade.si();
+            if bench > said.count {
+                let message = format!("there is no bench {bench} for a ramp");
+                let help = format!("`count` is {}: give `bench` at most that", said.count);
+                self.error("value.range", &ramp.width.span, message, &help);
+            } else if above(ramp.width.si(), most) {
+                let message = format!("the ramp is wider than the {place} it stands on");
+                let help = format!("give a width of at most {}, or a wider `{place}`", room.raw);
+                self.error("value.order", &ramp.width.span, message, &help);
+            } else if above(end, length) {
+                let message = format!("the ramp ends {end:.6} m along a line of {length:.6} m");
+                let help = "give a steeper `grade`, an earlier `start` or a longer line";
+                self.error("value.order", &ramp.grade.span, message, help);
+            }
         }
     }
 

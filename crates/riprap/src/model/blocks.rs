@@ -36,7 +36,8 @@ pub(super) fn places(block: &Block) -> Vec<Vec2> {
             | Geometry::Mesh(_)
             | Geometry::Terrain(_)
             | Geometry::Masonry(_)
-            | Geometry::Vault(_),
+            | Geometry::Vault(_)
+            | Geometry::Dome(_),
         ) => Vec::new(),
         Some(Geometry::Polygon(Polygon::Points(points))) => all(points),
         Some(Geometry::Rectangle(r)) => r.corner.iter().chain(&r.centre).map(global).collect(),
@@ -107,7 +108,8 @@ impl Builder<'_> {
             | Geometry::Mesh(_)
             | Geometry::Terrain(_)
             | Geometry::Masonry(_)
-            | Geometry::Vault(_) => return None,
+            | Geometry::Vault(_)
+            | Geometry::Dome(_) => return None,
             Geometry::Voronoi(v) => self.voronoi(block, v)?,
             Geometry::Pour(said) => self.poured(block, said)?,
         };

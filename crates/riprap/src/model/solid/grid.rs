@@ -55,7 +55,8 @@ pub(super) fn grid_of(block: &Block) -> Option<&GridBox> {
         | Geometry::Mesh(_)
         | Geometry::Terrain(_)
         | Geometry::Masonry(_)
-        | Geometry::Vault(_) => None,
+        | Geometry::Vault(_)
+        | Geometry::Dome(_) => None,
     }
 }
 

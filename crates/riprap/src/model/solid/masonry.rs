@@ -1,4 +1,6 @@
-//! Walls with openings, and vaults.
+//! Walls with openings and buttresses, vaults, domes.
+
+use std::f64::consts::TAU;
 
 use riprap_geom::shapes::{Arch, arch};
 use riprap_geom::{Vec2, Vec3};
@@ -6,7 +8,9 @@ use riprap_geom::{Vec2, Vec3};
 use super::global;
 use super::mesh::Made;
 use crate::model::builder::Builder;
-use crate::scenario::language::{self, Block, MasonryBond, Vault, VaultBond, WallOpening, span_of};
+use crate::scenario::language::{
+    self, Block, Buttress, Dome, MasonryBond, Vault, VaultBond, WallOpening, span_of,
+};
 use crate::scenario::read::with_unit;
 use crate::scenario::{Quantity, Span};
 use crate::spatial::setup::{Shape, Solid};
@@ -57,22 +61,22 @@ impl Builder<'_> {
     pub(super) fn masonry(
         &mut self,
         block: &Block,
-        said: &language::Masonry,
+        wall: &language::Masonry,
         shift: Vec3,
     ) -> Option<Made> {
-        let corner = said.corner.as_ref().map_or(Vec3::ZERO, global) + shift;
-        let [long, thick, high] = said.brick.each_ref().map(Quantity::si);
-        let length = said.length.si();
-        let mut read = self.reading(format!("blocks.{}.masonry", block.name), said);
+        let corner = wall.corner.as_ref().map_or(Vec3::ZERO, global) + shift;
+        let [long, thick, high] = wall.brick.each_ref().map(Quantity::si);
+        let length = wall.length.si();
+        let mut read = self.reading(format!("blocks.{}.masonry", block.name), wall);
         let (leaves, bond) = (read.leaves(), read.bond());
-        let count = (length / long + 1.0) * said.courses as f64 * leaves as f64;
+        let count = (length / long + 1.0) * wall.courses as f64 * leaves as f64;
         if count > MOST {
             let message = format!("the wall `{}` would have about {count:.0} bricks", block.name);
             let help = "use larger bricks, or a smaller wall";
             self.error_at("geometry.count", &block.name, message, help);
             return None;
         }
-        if !self.has_memory(block, count, &said.length.span) {
+        if !self.has_memory(block, count, &wall.length.span) {
             return None;
         }
         let depth = thick * leaves as f64;
@@ -83,15 +87,26 @@ impl Builder<'_> {
         };
         let mut gaps = Vec::new();
         let mut lintels = Vec::new();
-        for opening in &said.openings {
-            let of = self.opening_of_wall(said, opening, [length, high])?;
+        for opening in &wall.openings {
+            let of = self.opening_of_wall(wall, opening, [length, high])?;
             if let Some(lintel) = of.get(1) {
                 lintels.push(brick(lintel.along, [0.0, depth], lintel.rows));
             }
             gaps.extend(of);
         }
+        let mut piers = Vec::new();
+        for said in &wall.buttresses {
+            let (stones, headers) = self.buttress(wall, said, &gaps, [depth, high])?;
+            piers.extend(stones.iter().map(|outline| {
+                let ends = |p: Vec2| {
+                    [0.0, said.width.si()].map(|x| corner + Vec3::new(said.left.si() + x, p.x, p.y))
+                };
+                prism(&outline.map(ends))
+            }));
+            gaps.extend(headers);
+        }
         let mut shapes = Vec::new();
-        for row in 0..said.courses {
+        for row in 0..wall.courses {
             let odd = row % 2 == 1;
             let here = gaps.iter().filter(|gap| (gap.rows[0]..gap.rows[1]).contains(&row));
             let here: Vec<[f64; 2]> = here.map(|gap| gap.along).collect();
@@ -116,11 +131,76 @@ impl Builder<'_> {
         let bricks = shapes.len() as u32;
         let beams = (bricks..bricks + lintels.len() as u32).collect();
         shapes.extend(lintels);
+        let behind = shapes.len() as u32;
+        let leaning = (behind..behind + piers.len() as u32).collect();
+        shapes.extend(piers);
         let mut made = Made::of(shapes);
-        if !said.openings.is_empty() {
+        if !wall.openings.is_empty() {
             made.groups.push((format!("{}_lintels", block.name), beams));
         }
+        if !wall.buttresses.is_empty() {
+            made.groups.push((format!("{}_buttresses", block.name), leaning));
+        }
         Some(made)
+    }
+
+    /// A height (m) in rows of the height `high` (m); `None` after an error.
+    fn whole_rows(&mut self, height: f64, high: f64, span: &Span) -> Option<u64> {
+        let count = height / high;
+        let whole = count.round();
+        if (count - whole).abs() <= WHOLE {
+            return Some(whole as u64);
+        }
+        let message = format!("{} are {count:.6} rows", with_unit(height, "m"));
+        let fits = [count.floor(), count.floor() + 1.0].map(|n| with_unit(n * high, "m"));
+        let help = format!("give a height of whole rows: {} or {}", fits[0], fits[1]);
+        self.error_at("wall.rows", span.clone(), message, help);
+        None
+    }
+
+    /// Outlines of the stones of a buttress across the wall, [y, z] anticlockwise as seen along x (m), and what its headers take of the
+    /// rows of the wall; `None` after an error.
+    fn buttress(
+        &mut self,
+        wall: &language::Masonry,
+        said: &Buttress,
+        gaps: &[Gap],
+        [depth, high]: [f64; 2],
+    ) -> Option<(Vec<[Vec2; 4]>, Vec<Gap>)> {
+        let rows = match &said.height {
+            Some(height) => self.whole_rows(height.si(), high, &height.span)?,
+            None => wall.courses,
+        };
+        let (foot, top) = (said.foot.si(), said.top.si());
+        let along = [said.left.si(), said.left.si() + said.width.si()];
+        let meets =
+            |gap: &Gap| gap.rows[0] < rows && gap.along[0] < along[1] && gap.along[1] > along[0];
+        let fault = if along[1] > wall.length.si() * (1.0 + WHOLE) || rows > wall.courses {
+            Some("a buttress reaches beyond the wall")
+        } else if gaps.iter().any(meets) {
+            Some("a buttress stands before an opening, a lintel or another buttress")
+        } else if top > foot {
+            Some("a buttress is deeper at its top than at its foot")
+        } else {
+            None
+        };
+        if let Some(fault) = fault {
+            let help = "change `left`, `width`, `height`, `foot` or `top` of the buttress";
+            self.error_at("wall.buttress", said.left.span.clone(), fault.to_owned(), help);
+            return None;
+        }
+        let headers = |row: u64| row % 2 == 1;
+        let outlines = (0..rows).map(|row| {
+            let [low, up] = [row, row + 1].map(|r| r as f64 / rows as f64);
+            let [z0, z1] = [row, row + 1].map(|r| r as f64 * high);
+            let [y0, y1] = [low, up].map(|share| -(foot + share * (top - foot)));
+            let inner = if headers(row) { depth } else { 0.0 };
+            // Seen along x, y points to the left.
+            [Vec2::new(y0, z0), Vec2::new(y1, z1), Vec2::new(inner, z1), Vec2::new(inner, z0)]
+        });
+        let taken = (0..rows).filter(|row| headers(*row));
+        let taken = taken.map(|row| Gap { rows: [row, row + 1], along });
+        Some((outlines.collect(), taken.collect()))
     }
 
     /// An opening, and the lintel over it; `None` after an error.
@@ -130,18 +210,7 @@ impl Builder<'_> {
         said: &WallOpening,
         [length, high]: [f64; 2],
     ) -> Option<Vec<Gap>> {
-        let mut rows = |height: f64, span: &Span| {
-            let count = height / high;
-            let whole = count.round();
-            if (count - whole).abs() <= WHOLE {
-                return Some(whole as u64);
-            }
-            let message = format!("{} are {count:.6} rows", with_unit(height, "m"));
-            let fits = [count.floor(), count.floor() + 1.0].map(|n| with_unit(n * high, "m"));
-            let help = format!("give a height of whole rows: {} or {}", fits[0], fits[1]);
-            self.error_at("wall.rows", span.clone(), message, help);
-            None
-        };
+        let mut rows = |height: f64, span: &Span| self.whole_rows(height, high, span);
         let sill = match &said.sill {
             Some(sill) => rows(sill.si(), &sill.span)?,
             None => 0,
@@ -218,17 +287,57 @@ impl Builder<'_> {
             let half = row % 2 == 1 && bond == VaultBond::Running;
             let first = if half { 0.5 * stone } else { stone };
             for [start, end] in pieces(length, first, stone, Vec::new()) {
-                shapes.push(prism(outline, |p| [place(p, start), place(p, end)]));
+                let ends = outline.iter().map(|p| [place(*p, start), place(*p, end)]);
+                shapes.push(prism(&ends.collect::<Vec<_>>()));
+            }
+        }
+        Some(shapes)
+    }
+
+    /// The stones of a dome, in local coordinates, from its crown down: frusta of pyramids with their tip at the centre, whose faces are plane.
+    pub(super) fn dome(&mut self, block: &Block, said: &Dome, shift: Vec3) -> Option<Vec<Shape>> {
+        let (rings, around) = (said.rings, said.voussoirs);
+        let count = f64::from(rings) * f64::from(around);
+        if count > MOST {
+            let message = format!("the dome `{}` would have {count:.0} stones", block.name);
+            self.error_at("geometry.count", &block.name, message, "use fewer stones");
+            return None;
+        }
+        if !self.has_memory(block, count, &block.name.span) {
+            return None;
+        }
+        let centre = said.centre.as_ref().map_or(Vec3::ZERO, global) + shift;
+        let half = 0.5 * said.thickness.si();
+        let radii = [said.radius.si() - half, said.radius.si() + half];
+        let spring = said.half_angle.si();
+        let key = 0.5 * spring / (f64::from(rings) + 0.5);
+        let crown = said.oculus.as_ref().map_or(key, Quantity::si);
+        // A corner of a ring's upper edge, inside and outside.
+        let ends = |ring: u32, k: u32| {
+            let polar = crown + (spring - crown) * f64::from(ring) / f64::from(rings);
+            let azimuth = TAU * f64::from(k % around) / f64::from(around);
+            let level = libm::sin(polar);
+            let [x, y] = [libm::cos(azimuth), libm::sin(azimuth)].map(|part| level * part);
+            radii.map(|radius| centre + radius * Vec3::new(x, y, libm::cos(polar)))
+        };
+        let mut shapes = Vec::new();
+        if said.oculus.is_none() {
+            let rim: Vec<[Vec3; 2]> = (0..around).rev().map(|k| ends(0, k)).collect();
+            shapes.push(prism(&rim));
+        }
+        for ring in 0..rings {
+            for k in 0..around {
+                let stone = [(ring, k), (ring, k + 1), (ring + 1, k + 1), (ring + 1, k)];
+                shapes.push(prism(&stone.map(|(ring, k)| ends(ring, k))));
             }
         }
         Some(shapes)
     }
 }
 
-/// A prism over an outline that is anticlockwise as seen along it; `ends` are the places of a corner at its two ends, m.
-fn prism(outline: &[Vec2], ends: impl Fn(Vec2) -> [Vec3; 2]) -> Shape {
-    let n = outline.len() as u32;
-    let corners: Vec<[Vec3; 2]> = outline.iter().map(|p| ends(*p)).collect();
+/// A prism or a frustum: places of the corners of its two ends (m), anticlockwise as seen from the first end to the second.
+fn prism(corners: &[[Vec3; 2]]) -> Shape {
+    let n = corners.len() as u32;
     let vertices = corners.iter().map(|c| c[0]).chain(corners.iter().map(|c| c[1])).collect();
     let mut faces = vec![(0..n).collect(), (n..2 * n).rev().collect()];
     for k in 0..n {

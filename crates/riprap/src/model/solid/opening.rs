@@ -1,4 +1,4 @@
-//! Tunnels, shafts and pits: a profile along a line, its walls as joints, and bolts across them.
+//! Tunnels, shafts and pits: a profile along a line, its walls as joints, ramps, and bolts across walls.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -9,9 +9,9 @@ use riprap_geom::{Vec2, Vec3};
 use super::global;
 use crate::model::builder::Builder;
 use crate::scenario::language::{
-    BenchesProfile, CircleProfile, CutAlong, Excavation, Group, HorseshoeProfile, span_of,
+    BenchesProfile, CircleProfile, CutAlong, Excavation, Group, HorseshoeProfile, Ramp, span_of,
 };
-use crate::scenario::{Diagnostic, Name};
+use crate::scenario::{Diagnostic, Name, Quantity};
 use crate::spatial::setup::{Bridges, Ended};
 
 /// A count that is whole up to this is whole.
@@ -31,6 +31,72 @@ pub(in crate::model) struct Opening {
     walls: Vec<bool>,
     /// Equal parts along the line.
     rounds: u32,
+    ramps: Vec<Way>,
+}
+
+/// A ramp: rock that is left between the face of a bench and a plane beside it.
+#[derive(Clone, Debug, PartialEq)]
+struct Way {
+    /// Foot of the face in the profile, m.
+    toe: Vec2,
+    /// Height of the bench, and how far its face goes back on it, m.
+    height: f64,
+    back: f64,
+    /// m.
+    width: f64,
+    /// Where along the line it begins to fall and where it is down, m.
+    fall: [f64; 2],
+}
+
+impl Way {
+    fn new(said: &Ramp, of: &BenchesProfile) -> Self {
+        let (height, back) = height_and_back(of);
+        let below = (said.bench_or_default() - 1) as f64;
+        let start = said.start.as_ref().map_or(0.0, Quantity::si);
+        Self {
+            toe: Vec2::new(-below * (back + of.berm.si()), below * height),
+            height,
+            back,
+            width: said.width.si(),
+            fall: [start, start + height / said.grade.si()],
+        }
+    }
+
+    /// Whether a point of the profile, m, at a distance along the line, m, is in it or on its face.
+    fn holds(&self, point: Vec2, distance: f64) -> bool {
+        let [start, end] = self.fall;
+        let top = self.height * ((end - distance) / (end - start)).clamp(0.0, 1.0);
+        let from = point - self.toe;
+        let across = from.x + from.y * self.back / self.height;
+        let slack = WHOLE * self.width;
+        (0.0..top).contains(&from.y) && (-slack..=self.width).contains(&across)
+    }
+
+    /// Its top and its free side: corners in the profile, m, with the distance along the line, m.
+    fn sides(&self) -> Vec<Vec<(Vec2, f64)>> {
+        let [start, end] = self.fall;
+        let corner =
+            |across: f64, up: f64| self.toe + Vec2::new(across - up * self.back / self.height, up);
+        let (wide, high) = (self.width, self.height);
+        let edge = |at: f64, up: f64| [(corner(0.0, up), at), (corner(wide, up), at)];
+        let [a, b] = edge(start, high);
+        let [c, d] = edge(end, 0.0);
+        let mut side = vec![(corner(wide, 0.0), 0.0), d, b];
+        let mut all = vec![vec![a, b, d, c]];
+        if start > 0.0 {
+            let [e, f] = edge(0.0, high);
+            side.push(f);
+            all.push(vec![e, f, b, a]);
+        }
+        all.push(side);
+        all
+    }
+}
+
+/// Height of a bench and how far its face goes back on it, m.
+fn height_and_back(said: &BenchesProfile) -> (f64, f64) {
+    let (height, angle) = (said.height.si(), said.face_angle.si());
+    (height, height * libm::cos(angle) / libm::sin(angle))
 }
 
 /// A regular polygon with the area of a circle, which stands on a side.
@@ -64,8 +130,7 @@ fn horseshoe(said: &HorseshoeProfile) -> Vec<Vec2> {
 
 /// The corners, and which sides are faces of benches.
 fn benches(said: &BenchesProfile) -> (Vec<Vec2>, Vec<bool>) {
-    let (height, angle) = (said.height.si(), said.face_angle.si());
-    let back = height * libm::cos(angle) / libm::sin(angle);
+    let (height, back) = height_and_back(said);
     let count = said.count as usize;
     let top = count as f64 * height;
     let mut corners = vec![Vec2::new(said.floor.si(), 0.0), Vec2::new(said.floor.si(), top)];
@@ -113,7 +178,10 @@ impl Opening {
         }
         let walls = faces.unwrap_or_else(|| vec![true; profile.len()]);
         let rounds = said.rounds_or_default() as u32;
-        Some(Self { from, axes, length: from.distance(to), profile, walls, rounds })
+        let ramps =
+            said.benches.iter().flat_map(|of| of.ramps.iter().map(|ramp| Way::new(ramp, of)));
+        let ramps = ramps.collect();
+        Some(Self { from, axes, length: from.distance(to), profile, walls, rounds, ramps })
     }
 
     /// A point of the profile, m, at a distance along the line, m.
@@ -126,10 +194,16 @@ impl Opening {
     pub(in crate::model) fn round_of(&self, point: Vec3) -> Option<u32> {
         let arm = point - self.from;
         let [u, v, distance] = self.axes.map(|axis| arm.dot(axis));
+        let place = Vec2::new(u, v);
         let inside = (0.0..=self.length).contains(&distance)
-            && polygon::contains(&self.profile, Vec2::new(u, v));
+            && polygon::contains(&self.profile, place)
+            && !self.on_ramp(place, distance);
         let part = (f64::from(self.rounds) * distance / self.length) as u32;
         inside.then_some(part.min(self.rounds - 1))
+    }
+
+    fn on_ramp(&self, place: Vec2, distance: f64) -> bool {
+        self.ramps.iter().any(|ramp| ramp.holds(place, distance))
     }
 
     /// Number of its parts along the line.
@@ -169,7 +243,11 @@ impl Opening {
         };
         let parts =
             (0..=self.rounds).map(|k| across(self.length * f64::from(k) / f64::from(self.rounds)));
-        sides.chain(parts).collect()
+        let ramps = self.ramps.iter().flat_map(Way::sides).map(|side| {
+            let corners = side.iter().map(|(corner, distance)| self.at(*corner, *distance));
+            Joint::polygon(&corners.collect::<Vec<_>>())
+        });
+        sides.chain(parts).chain(ramps).collect()
     }
 
     /// Places of bolts on the wall of the profile (m), with the direction into the rock, for walls at most `half_angle` (rad) from
@@ -226,7 +304,8 @@ impl Opening {
         let count = ((self.length - first) / rows - WHOLE).ceil().max(1.0);
         let lines = (0..count as u64).flat_map(|k| {
             let distance = first + k as f64 * rows;
-            row.iter().map(move |(place, into)| {
+            let free = row.iter().filter(move |(place, _)| !self.on_ramp(*place, distance));
+            free.map(move |(place, into)| {
                 (self.at(*place, distance), self.at(*place + length * *into, distance))
             })
         });
@@ -358,6 +437,7 @@ mod tests {
             profile: (0..sides).map(corner).collect(),
             walls: vec![true; sides],
             rounds: 3,
+            ramps: Vec::new(),
         }
     }
 

@@ -96,6 +96,7 @@ fn unturned_corners(block: &Block, grids: &Grids) -> Vec<Vec3> {
             vec![corner, corner + Vec3::new(said.length.si(), 0.0, 0.0)]
         }
         Some(Geometry::Vault(said)) => [&said.from, &said.to].map(|p| global(p) + shift).into(),
+        Some(Geometry::Dome(said)) => vec![said.centre.as_ref().map_or(Vec3::ZERO, global) + shift],
         Some(Geometry::Pour(p)) => {
             let corners = p.region.iter();
             corners.map(|c| Vec3::from(c.xyz()) + shift).collect()
@@ -152,6 +153,7 @@ impl Builder<'_> {
                     continue;
                 }
                 Some(Geometry::Vault(said)) => self.vault(block, said, shift),
+                Some(Geometry::Dome(said)) => self.dome(block, said, shift),
                 Some(Geometry::Parts(said)) => {
                     self.parts(block, said, shift).map(|shape| vec![shape])
                 }

@@ -268,6 +268,11 @@ fn a_joint_set_holds_the_blocks_along_its_joints() {
 
 #[test]
 fn faults_of_excavations_are_told() {
+    let ramp = |said: &str| {
+        format!(
+            "excavation = {{ {LINE}, benches = {{ height = \"1 m\", face_angle = \"60 deg\", berm = \"1 m\", count = 2, floor = \"2 m\", ramps = [{{ {said} }}] }} }}"
+        )
+    };
     for (group, words) in [
         (
             format!("excavation = {{ {LINE}, polygon = [[\"0 m\", \"0 m\"], [\"1 m\", \"1 m\"], [\"1 m\", \"0 m\"], [\"0 m\", \"1 m\"]] }}"),
@@ -281,6 +286,10 @@ fn faults_of_excavations_are_told() {
             format!("excavation = {{ {LINE}, benches = {{ height = \"4 m\", face_angle = \"100 deg\", berm = \"1 m\", count = 1, floor = \"1 m\" }} }}"),
             "a face cannot rise by",
         ),
+        (ramp("width = \"3 m\", grade = 1"), "wider than the floor it stands on"),
+        (ramp("width = \"2 m\", grade = 1, bench = 3"), "no bench 3 for a ramp"),
+        (ramp("width = \"1.5 m\", grade = 1, bench = 2"), "wider than the berm it stands on"),
+        (ramp("width = \"2 m\", grade = 0.05"), "the ramp ends 20"),
         (format!("excavation = {{ {LINE} }}"), "circle"),
         (
             "sphere = { centre = [\"14 m\", \"4 m\", \"4 m\"], radius = \"1 m\" }".to_owned(),
@@ -325,4 +334,39 @@ fn faults_of_walls_and_vaults_are_told() {
         "vault = { from = [\"0 m\", \"0 m\", \"0 m\"], to = [\"0 m\", \"1 m\", \"1 m\"], radius = \"2 m\", thickness = \"0.2 m\", half_angle = \"60 deg\", voussoirs = 5 }",
     );
     assert!(vault.contains("is not level"), "{vault}");
+    let pier = |said: &str| {
+        made(&format!(
+            "masonry = {{ length = \"2 m\", brick = [\"0.4 m\", \"0.2 m\", \"0.2 m\"], courses = 5, openings = [{{ left = \"1 m\", width = \"0.5 m\", height = \"0.4 m\" }}], buttresses = [{{ {said} }}] }}"
+        ))
+    };
+    for (said, words) in [
+        (
+            "left = \"1.8 m\", width = \"0.4 m\", foot = \"1 m\", top = \"0.5 m\"",
+            "reaches beyond the wall",
+        ),
+        (
+            "left = \"0.8 m\", width = \"0.4 m\", foot = \"1 m\", top = \"0.5 m\"",
+            "stands before an opening",
+        ),
+        ("left = \"0 m\", width = \"0.4 m\", foot = \"0.5 m\", top = \"1 m\"", "deeper at its top"),
+        (
+            "left = \"0 m\", width = \"0.4 m\", foot = \"1 m\", top = \"0.5 m\", height = \"0.5 m\"",
+            "2.5",
+        ),
+    ] {
+        let told = pier(said);
+        assert!(told.contains(words), "{said}: {told}");
+    }
+    for (said, words) in [
+        ("thickness = \"4 m\", half_angle = \"90 deg\"", "thick as the sphere"),
+        ("thickness = \"0.2 m\", half_angle = \"180 deg\"", "lowest point"),
+        (
+            "thickness = \"0.2 m\", half_angle = \"60 deg\", oculus = \"60 deg\"",
+            "reaches to the springing",
+        ),
+    ] {
+        let told =
+            made(&format!("dome = {{ radius = \"2 m\", {said}, rings = 3, voussoirs = 8 }}"));
+        assert!(told.contains(words), "{said}: {told}");
+    }
 }
