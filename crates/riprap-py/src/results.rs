@@ -27,7 +27,9 @@ pub fn removable(
     let rules = Rules { factor, rounds, phase };
     let found = py.detach(|| blocks_of(job.setup, job.plan, &rules, Exec::serial()));
     let answer = found.map_err(|wrong| match wrong {
-        RemovableError::Build(_) | RemovableError::Run(_) => errors::run(py, &wrong.to_string()),
+        RemovableError::Build(_) | RemovableError::Run(_) | RemovableError::Picture(_) => {
+            errors::run(py, &wrong.to_string())
+        }
         RemovableError::Planar | RemovableError::Phase { .. } | RemovableError::Factor => {
             PyValueError::new_err(wrong.to_string())
         }

@@ -18,6 +18,7 @@ use super::Scene;
 Examples:
   riprap removable wedge.toml
   riprap removable tunnel.toml --factor 1.5 --rounds 10 --out blocks.csv
+  riprap removable wedge.toml --picture wedge.blocks && riprap view wedge.blocks
   riprap removable wedge.toml --set 'interfaces.default.friction_angle=30 deg' --json
 
 Types of Goodman & Shi: I key block; II held by the strength of its joints; III held by its weight; IV tapered, not removable.
@@ -40,6 +41,12 @@ pub struct Removable {
     /// Write the blocks, tapered ones too, to this file as CSV
     #[arg(short, long, value_name = "FILE")]
     pub out: Option<PathBuf>,
+    /// Write a picture of the blocks, coloured by type, motion and factor of safety, into this run folder: for `riprap view`
+    #[arg(long, value_name = "RUN")]
+    pub picture: Option<PathBuf>,
+    /// Write into a folder of --picture that exists
+    #[arg(long, requires = "picture")]
+    pub force: bool,
     /// Print as JSON
     #[arg(long)]
     pub json: bool,

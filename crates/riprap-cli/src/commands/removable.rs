@@ -1,6 +1,7 @@
 //! `riprap removable`: removable blocks and key blocks.
 
 use riprap::exec::Exec;
+use riprap::record::folder::Existing;
 use riprap::run::removable::{Answer, Block, Kind, RemovableError, Rules, removable};
 
 use crate::args::Removable;
@@ -12,14 +13,23 @@ use crate::{scenes, screen};
 
 /// `riprap removable`.
 pub fn run(args: &Removable, style: Style) -> Result<(), Failure> {
-    let job = scenes::prepare(&args.scene, style, args.json)?.job();
-    let rules = Rules { factor: args.factor, rounds: args.rounds, phase: args.phase.clone() };
-    let answer = removable(job.setup, job.plan, &rules, Exec::serial()).map_err(|e| match e {
+    let prepared = scenes::prepare(&args.scene, style, args.json)?;
+    let scene = prepared.parsed.clone();
+    let job = prepared.job();
+    let failure = |error| match error {
         RemovableError::Planar | RemovableError::Phase { .. } | RemovableError::Factor => {
-            Failure::Input(e.to_string())
+            Failure::Input(error.to_string())
         }
-        RemovableError::Build(_) | RemovableError::Run(_) => Failure::Physics(e.to_string()),
-    })?;
+        RemovableError::Build(_) | RemovableError::Run(_) => Failure::Physics(error.to_string()),
+        RemovableError::Picture(error) => Failure::of_job(error, &scene),
+    };
+    let rules = Rules { factor: args.factor, rounds: args.rounds, phase: args.phase.clone() };
+    let (setup, plan) = (job.setup.clone(), job.plan.clone());
+    let answer = removable(setup, plan, &rules, Exec::serial()).map_err(failure)?;
+    if let Some(folder) = &args.picture {
+        let existing = if args.force { Existing::Force } else { Existing::Refuse };
+        answer.show(job, folder, existing).map_err(failure)?;
+    }
     let json = args.json.then(|| serde_json::json!(answer));
     let csv = || answer.table().map_err(|e| e.to_string());
     say(json, args.out.as_deref(), csv, || {

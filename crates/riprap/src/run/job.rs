@@ -5,11 +5,14 @@
 
 mod ranks;
 mod steer;
+mod still;
 #[cfg(test)]
 mod tests;
 mod times;
 
 pub use ranks::{resume_among, resume_ranks, run_among, run_ranks};
+pub(super) use still::picture;
+pub use still::preview;
 
 use std::path::{Path, PathBuf};
 use std::time::{Instant, SystemTime};
@@ -19,8 +22,6 @@ use thiserror::Error;
 use super::checks::{CheckResult, Watch};
 use super::drive::{Control, Drive, DriveError, Ending, Look, Pause};
 use super::engine::{BuildError, Kind};
-#[cfg(feature = "scenario")]
-use super::forecast::doubts;
 use super::given_step::{self, RefusedStep};
 use super::origin::Origin;
 use super::recorder::{Checkpoint, KIND, RecordError, Recorder};
@@ -28,7 +29,7 @@ use super::simulation::{PhaseEnd, RunError, Simulation, Unconverged};
 use crate::exec::{Exec, ExecError};
 use crate::ledger::{Balance, COLUMNS};
 use crate::peers::Traffic;
-use crate::plan::{Check, Every, Plan};
+use crate::plan::{Check, Plan};
 use crate::record::checkpoint::{self, CheckpointError};
 use crate::record::folder::{Existing, FolderError};
 use crate::record::manifest::{Machine, ManifestError, utc};
@@ -175,34 +176,6 @@ pub fn run(
     look: &mut dyn FnMut(&mut Look<'_>) -> Control,
 ) -> Result<Outcome, JobError> {
     Live::begin(job, folder, existing, threads)?.finish(look)
-}
-
-/// Writes the model as it stands before its first step into `folder`, to be looked at. It stays in use as long as what is
-/// returned lives.
-///
-/// # Errors
-/// As [`run`].
-pub fn preview(mut job: Job, folder: &Path) -> Result<Live, JobError> {
-    job.manifest.preview = true;
-    job.checks.clear();
-    if job.plan.frames == Some(Every::Never) {
-        job.plan.frames = None;
-    }
-    let mut live = Live::begin(job, folder, Existing::Force, 1)?;
-    let first = Pause { step: Some(0), time: None };
-    live.advance(first, &mut |_| Control::Continue)?;
-    // The page lists what `riprap check` would say of a scene.
-    #[cfg(feature = "scenario")]
-    {
-        let stable = live.drive.stable();
-        let simulation = live.drive.simulation();
-        let doubts = doubts(simulation, simulation.plan(), stable);
-        live.manifest.warnings.extend(doubts);
-    }
-    if let Some(recorder) = live.drive.recorder() {
-        recorder.folder.write_manifest(&live.manifest)?;
-    }
-    Ok(live)
 }
 
 /// Goes on with the run in `folder` from its last good checkpoint.

@@ -11,6 +11,7 @@
 //!
 //! Blocks below the wanted factor are taken out, and what they uncover is looked at in the next round: progressive failure.
 
+mod picture;
 mod record;
 #[cfg(test)]
 mod tests;
@@ -20,6 +21,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::engine::{BuildError, View as Either};
+use super::job::JobError;
 use super::simulation::{RunError, Simulation};
 use crate::Vec3;
 use crate::exec::Exec;
@@ -161,6 +163,9 @@ pub enum RemovableError {
     /// Forces that cannot be found.
     #[error(transparent)]
     Run(#[from] RunError),
+    /// A picture that cannot be written.
+    #[error(transparent)]
+    Picture(#[from] JobError),
 }
 
 /// The removable blocks of a model.

@@ -2,6 +2,9 @@ use std::path::{Path, PathBuf};
 
 use super::{Answer, Block, Kind, RemovableError, Rules, removable};
 use crate::exec::Exec;
+use crate::record::Manifest;
+use crate::record::folder::{Existing, block_file};
+use crate::record::vtu;
 use crate::run::scene::Scene;
 use crate::scenario::Source;
 
@@ -275,4 +278,33 @@ fn what_cannot_be_asked_is_told() {
     let flat = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/verify/planar/rest.toml");
     let flat = of(&Scene::load(&flat, &[]).unwrap(), &Rules::default());
     assert!(matches!(flat, Err(RemovableError::Planar)));
+}
+
+#[test]
+fn a_picture_holds_what_was_found() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/spatial/wedge.toml");
+    let scene = Scene::load(&path, &[]).unwrap();
+    let job = scene.prepare(&scene.plain()).unwrap().job();
+    let (setup, plan) = (job.setup.clone(), job.plan.clone());
+    let answer = removable(setup, plan, &Rules::default(), Exec::serial()).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let run = folder.path().join("wedge.blocks");
+    answer.show(job.clone(), &run, Existing::Refuse).unwrap();
+    let frame = vtu::read(&run.join(block_file(1))).unwrap();
+    let column = |name: &str| {
+        let found = frame.cell_columns.iter().find(|column| column.name == name);
+        found.unwrap_or_else(|| panic!("no {name}")).data.clone()
+    };
+    let count = |name: &str, value: f64| column(name).iter().filter(|v| **v == value).count();
+    // One block that slides on two planes, one that its weight holds, nine that are ground.
+    assert_eq!([0.0, 1.0, 2.0, 3.0].map(|kind| count("removable_type", kind)), [9, 0, 1, 1]);
+    assert_eq!([0.0, 1.0, 3.0].map(|mode| count("removable_mode", mode)), [9, 1, 1]);
+    let driven: Vec<f64> =
+        column("removable_factor").into_iter().filter(|f| f.is_finite()).collect();
+    assert_eq!(driven, [answer.blocks[0].factor_of_safety]);
+    let fields = Manifest::read(&run).unwrap().fields;
+    assert!(fields.iter().any(|field| field.name == "removable_support" && field.unit == "N"));
+    // What is there stays.
+    let again = answer.show(job, &run, Existing::Refuse).unwrap_err().to_string();
+    assert!(again.contains("already contains a run"), "{again}");
 }
