@@ -19,7 +19,7 @@ import { View } from "./view";
 /** A running run is asked for news this often, in ms. */
 const NEWS = 1000;
 /** Settings that need other answers, not only another drawing. */
-const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "bolts", "stress", "supports", "joints"];
+const REFETCH: (keyof Settings)[] = ["field", "rangeMode", "vectors", "contacts", "cracks", "bolts", "chains", "stress", "supports", "joints"];
 
 interface Pane {
   view: View;
@@ -85,6 +85,8 @@ export class App {
 
   private chooseField(runs: Run[]): void {
     const names = runs.flatMap((r) => namesOf(r));
+    // A picture of removable blocks is looked at for them.
+    if (names.includes("removable_type")) this.choices.now.field = "removable_type";
     if (!names.includes(this.choices.now.field)) this.choices.now.field = names.find((n) => n !== "block") ?? "";
     this.choices.now.map = defaultMap(this.choices.now.field);
   }
@@ -249,7 +251,7 @@ export class App {
       // Of the frame that is wanted: another may be on its way.
       const wanted = this.timeline.moments[this.timeline.at];
       await Promise.all(this.panes.map(({ view }) => view.show(wanted ? view.run.frameAt(wanted) : Math.max(0, view.frame), now)));
-      if (changed.includes("contacts")) this.panel?.refill();
+      if (changed.includes("contacts") || changed.includes("chains")) this.panel?.refill();
     } else {
       for (const { view } of this.panes) view.apply(now, changed.includes("exaggeration"));
     }
@@ -376,6 +378,7 @@ export class App {
       { keys: ["w"], label: "w", what: "water table", act: () => choices.set({ water: !choices.now.water }) },
       { keys: ["j"], label: "j", what: "joints: by set, by interface, not", act: nextJoints },
       { keys: ["c"], label: "c", what: "contacts", act: () => choices.set({ contacts: !choices.now.contacts }) },
+      { keys: ["n"], label: "n", what: "force chains: tubes as thick as the contact force", act: () => choices.set({ chains: !choices.now.chains }) },
       { keys: ["k"], label: "k", what: "cracks (in space)", act: () => choices.set({ cracks: !choices.now.cracks }) },
       { keys: ["r"], label: "r", what: "bolts: rods, red in tension, blue in compression", act: () => choices.set({ bolts: !choices.now.bolts }) },
       { keys: ["i"], label: "i", what: "charges: stars where they are (in space)", act: () => choices.set({ charges: !choices.now.charges }) },

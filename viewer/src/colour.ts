@@ -22,7 +22,12 @@ export const MAPS: Record<string, (t: number) => string> = {
 };
 
 /** Fields whose values are kinds, not amounts. */
-export const KINDS = new Set(["block", "material", "level", "held", "surface"]);
+export const KINDS = new Set(["block", "material", "level", "held", "surface", "removable_type", "removable_mode"]);
+/** Colours of kinds that are better or worse, by their numbers. */
+const RANKED: Record<string, string[]> = {
+  removable_type: ["#a8adb3", "#d62728", "#f2a33a", "#59a14f", "#6f9bd1"],
+  removable_mode: ["#a8adb3", "#59a14f", "#f2a33a", "#e0662b", "#a3123a"],
+};
 /** Field names that have a sign by nature. */
 const SIGNED = /\.(x|y|z)$|^rotation$|^spin$|pressure|sigma/;
 
@@ -46,7 +51,9 @@ export function rgb(css: string): [number, number, number] {
   return [r!, g!, b!];
 }
 
-export function kindColour(value: number): string {
+export function kindColour(value: number, field = ""): string {
+  const ranked = RANKED[field];
+  if (ranked) return ranked[Math.round(value)] ?? ranked[0]!;
   return schemeTableau10[((Math.round(value) % 10) + 10) % 10]!;
 }
 
@@ -57,6 +64,8 @@ export class Scale {
   high = 1;
   log = false;
   kinds = false;
+  /** The field whose kinds they are. */
+  field = "";
   private readonly data = new Uint8Array(4 * 2 * STEPS);
 
   constructor() {
@@ -72,7 +81,7 @@ export class Scale {
   paint(map: string): void {
     const at = MAPS[map] ?? interpolateYlGnBu;
     for (let i = 0; i < 2 * STEPS; i++) {
-      const css = this.kinds ? kindColour(i) : at(i / (STEPS - 1));
+      const css = this.kinds ? kindColour(i % 250, this.field) : at(i / (STEPS - 1));
       const colour = i < STEPS ? rgb(css) : NONE;
       this.data.set([...colour, 255], 4 * i);
     }

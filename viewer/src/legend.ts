@@ -4,7 +4,7 @@ import { kindColour, type Scale } from "./colour";
 import { el } from "./dom";
 import { scaleFor, short, ticks, quantity } from "./format";
 import { RULER } from "./line";
-import { CHARGES, FACES, PRESSED, PULLED, STATES } from "./marks";
+import { CHAINS, CHARGES, FACES, PRESSED, PULLED, STATES } from "./marks";
 import type { Run } from "./run";
 import type { Settings } from "./settings";
 import { WARNED, type View } from "./view";
@@ -27,7 +27,7 @@ export function legendOf(view: View, settings: Settings): LegendText {
       const kinds = [...new Set(view.values)].filter(Number.isFinite).sort((a, b) => a - b);
       // Of more kinds two would have one colour.
       if (kinds.length <= 10) {
-        out.marks = kinds.map((k, i) => ({ at: i, text: kindName(view.run, settings.field, k), colour: kindColour(k) }));
+        out.marks = kinds.map((k, i) => ({ at: i, text: kindName(view.run, settings.field, k), colour: kindColour(k, settings.field) }));
       }
     } else {
       const unit = scaleFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), view.unit);
@@ -49,6 +49,10 @@ export function legendOf(view: View, settings: Settings): LegendText {
     const { largest, smallest, unit } = view.boltForces;
     out.notes.push({ text: `bolts up to ${quantity(largest, unit, 3)}`, colour: "#d01c1c" });
     if (smallest !== null && smallest < 0) out.notes.push({ text: `bolts down to ${quantity(smallest, unit, 3)}`, colour: "#1d5fd0" });
+  }
+  if (view.chained) {
+    const { count, longest, unit } = view.chained;
+    out.notes.push({ text: `forces of ${count} contacts up to ${quantity(longest, unit, 3)}`, colour: CHAINS });
   }
   if (view.stressShown?.range) {
     const { range: [low, high], longest, unit, beyond } = view.stressShown;
@@ -89,6 +93,10 @@ export function kindName(run: Run, field: string, value: number): string {
       return value > 0 ? "held or driven" : "free";
     case "surface":
       return value > 0 ? "at the surface" : "inside";
+    case "removable_type":
+      return ["inside, or ground", "key block", "held by strength", "held by weight", "tapered"][value] ?? short(value);
+    case "removable_mode":
+      return ["not removable", "stays", "slides on one plane", "slides on two planes", "falls"][value] ?? short(value);
     case "level":
       return value > 0 ? `split ${short(value)} times` : "not split";
     default:

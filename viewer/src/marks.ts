@@ -253,6 +253,65 @@ export class Bolts {
   }
 }
 
+/** Forces below this share of the largest are no part of chains. */
+export const WEAK = 0.02;
+
+/** Tubes from the middle of a block over a contact to the middle of the other, as thick and dark as the force; they show through the blocks. */
+export class Chains {
+  private mesh: THREE.InstancedMesh | null = null;
+  readonly object = new THREE.Group();
+  private readonly material = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
+
+  clear(): void {
+    if (!this.mesh) return;
+    this.object.remove(this.mesh);
+    this.mesh.geometry.dispose();
+    this.mesh.dispose();
+    this.mesh = null;
+  }
+
+  /** Draws those of the contacts at `places`, the thickest `thick` wide; `middle` is where a block is drawn, null where it is not. How many contacts. */
+  draw(contacts: Packet<ContactInfo>, places: Float32Array, middle: (block: number) => THREE.Vector3 | null, thick: number): number {
+    this.clear();
+    const forces = contacts.f32("forces");
+    const sides = [contacts.u32("blockA"), contacts.u32("blockB")] as const;
+    const longest = contacts.info.longest ?? 0;
+    const tubes: { from: THREE.Vector3; to: THREE.Vector3; share: number }[] = [];
+    let drawn = 0;
+    for (let i = 0; 3 * i < forces.length; i++) {
+      const share = Math.hypot(forces[3 * i]!, forces[3 * i + 1]!, forces[3 * i + 2]!) / longest;
+      if (!(share > WEAK) || !Number.isFinite(places[3 * i]!)) continue;
+      const at = new THREE.Vector3().fromArray(places, 3 * i);
+      const ends = sides.flatMap((side) => middle(side[i] ?? NOBODY) ?? []);
+      tubes.push(...ends.map((to) => ({ from: at, to, share })));
+      drawn += ends.length > 0 ? 1 : 0;
+    }
+    const mesh = new THREE.InstancedMesh(new THREE.CylinderGeometry(0.5, 0.5, 1, 8).rotateZ(-Math.PI / 2), this.material, tubes.length);
+    const one = new THREE.Object3D();
+    const way = new THREE.Vector3();
+    const colour = new THREE.Color();
+    // The largest last, so that none is hidden by a smaller one.
+    tubes.sort((a, b) => a.share - b.share).forEach(({ from, to, share }, n) => {
+      way.subVectors(to, from);
+      const long = way.length();
+      one.position.addVectors(from, to).multiplyScalar(0.5);
+      if (long > 0) one.quaternion.setFromUnitVectors(AHEAD, way.divideScalar(long));
+      one.scale.set(long, thick * share, thick * share);
+      one.updateMatrix();
+      mesh.setMatrixAt(n, one.matrix);
+      mesh.setColorAt(n, colour.set("#f7c873").lerp(new THREE.Color(CHAINS), share));
+    });
+    mesh.frustumCulled = false;
+    mesh.renderOrder = 4;
+    this.mesh = mesh;
+    this.object.add(mesh);
+    return drawn;
+  }
+}
+
+/** Colour of the largest force of chains. */
+export const CHAINS = "#8c1313";
+
 /** Colour of charges. */
 export const CHARGES = "#ff7a00";
 

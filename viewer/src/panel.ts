@@ -292,10 +292,10 @@ export class Panel {
     if (stress) {
       rows.push(el("div.checks", {}, check("stress", now.stress, (stress) => choices.set({ stress }), "Principal stresses as crosses: blue in compression, red in tension (a)")));
     }
-    if (now.vectors || now.stress) {
-      const size = el("input", { type: "range", min: "-1", max: "1", step: "0.05", value: String(Math.log10(now.vectorSize)), "aria-label": "length of arrows and crosses" });
+    if (now.vectors || now.stress || now.chains) {
+      const size = el("input", { type: "range", min: "-1", max: "1", step: "0.05", value: String(Math.log10(now.vectorSize)), "aria-label": "size of arrows, crosses and chains" });
       size.addEventListener("input", () => choices.set({ vectorSize: 10 ** Number(size.value) }));
-      rows.push(row("Length", size));
+      rows.push(row("Size", size));
     }
     if (!contacts) return [...rows, ...hint];
     rows.push(
@@ -303,6 +303,7 @@ export class Panel {
         "div.checks",
         {},
         check("contacts", now.contacts, (contacts) => choices.set({ contacts }), "Points at contacts, coloured by state (c)"),
+        check("force chains", now.chains, (chains) => choices.set({ chains }), "Tubes from block to block, as thick and dark as the contact force (n)"),
         this.dimension === 3
           ? check("cracks", now.cracks, (cracks) => choices.set({ cracks }), "Broken and open faces between glassy blocks (k)")
           : null,

@@ -40,6 +40,8 @@ export interface Settings {
   states: boolean[];
   cracks: boolean;
   bolts: boolean;
+  /** Tubes through contacts, as thick as their forces. */
+  chains: boolean;
   /** Stars at charges. */
   charges: boolean;
   speed: number;
@@ -75,6 +77,7 @@ export const DEFAULTS: Settings = {
   states: [false, true, true, true, true, true, true, true],
   cracks: false,
   bolts: true,
+  chains: false,
   charges: true,
   speed: 10,
   loop: true,

@@ -7,7 +7,7 @@ import { ConditionMarks, type Note } from "./conditions";
 import { quantity, short } from "./format";
 import { JointMarks } from "./joints";
 import { piecesAlong, Ruler, type Piece } from "./line";
-import { Arrows, Bolts, Charges, Contacts, Picked, contactPlaces } from "./marks";
+import { Arrows, Bolts, Chains, Charges, Contacts, Picked, contactPlaces } from "./marks";
 import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run, type StressInfo } from "./run";
 import { normalInPlane, normalOf, type Cut } from "./section";
 import type { Settings } from "./settings";
@@ -63,6 +63,7 @@ export class View {
     new THREE.PointsMaterial({ color: WARNED, size: 10, sizeAttenuation: false, depthTest: false, transparent: true }),
   );
   private readonly bolts = new Bolts();
+  private readonly chains = new Chains();
   private readonly charges = new Charges();
   private readonly stress = new StressMarks();
   private readonly conditions = new ConditionMarks();
@@ -80,6 +81,8 @@ export class View {
   driven = 0;
   /** Forces of the bolts that are drawn. */
   boltForces: BoltInfo | null = null;
+  /** Contacts that force chains are drawn of, the largest force and its unit. */
+  chained: { count: number; longest: number; unit: string } | null = null;
   /** Principal stresses that are drawn as crosses, with the number of blocks beyond the longest. */
   stressShown: StressShown | null = null;
   private last: Fetched | null = null;
@@ -101,7 +104,7 @@ export class View {
     this.warnedDots.frustumCulled = false;
     this.warnedDots.renderOrder = 4;
     this.stage.scene.add(this.warnedDots);
-    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.warnedMark, this.bolts, this.charges, this.stress, this.conditions, this.joints, this.ruler]) {
+    for (const one of [...Object.values(this.arrows), ...Object.values(this.marks), this.pickedMark, this.supportMark, this.drivenMark, this.warnedMark, this.bolts, this.chains, this.charges, this.stress, this.conditions, this.joints, this.ruler]) {
       this.stage.scene.add(one.object);
     }
   }
@@ -155,7 +158,7 @@ export class View {
     const { field, vectors, rangeMode } = settings;
     const { held } = this.run.summary;
     const ofContacts = vectors === "contact force" || vectors === "seepage flow";
-    const needContacts = (settings.contacts || settings.cracks || ofContacts) && (!held || held.contacts);
+    const needContacts = (settings.contacts || settings.cracks || settings.chains || ofContacts) && (!held || held.contacts);
     const needVectors = vectors !== "" && !ofContacts && this.run.hasField(vectors) && (!held || held.vectors.includes(vectors));
     const none = Promise.resolve(null);
     const withField = field !== "" && this.run.hasField(field);
@@ -220,13 +223,14 @@ export class View {
     this.tune(settings);
     blocks.paint(this.values, this.scale);
     blocks.reveal(look, this.values);
-    blocks.glass = (settings.cracks || settings.joints !== "") && !this.flat;
+    blocks.glass = (settings.cracks || settings.chains || settings.joints !== "") && !this.flat;
     const { planes } = blocks;
     for (const marks of Object.values(this.marks)) marks.end(planes);
     this.charges.object.visible = settings.charges;
     this.drawArrows(settings);
     this.drawContacts(settings);
     this.drawBolts(settings);
+    this.drawChains(settings);
     const stress = settings.stress ? last.stress : null;
     this.stressShown = this.stress.draw(stress, blocks, (b, target) => this.shiftOf(b, 1, target), settings, this.modelSize() / 250);
     this.drawPicked();
@@ -245,6 +249,26 @@ export class View {
     }
     const shift = (b: number, target: THREE.Vector3) => this.shiftOf(b, settings.exaggeration - 1, target);
     this.bolts.draw(bolts, this.blocks!, shift, this.modelSize() / 250);
+  }
+
+  private drawChains(settings: Settings): void {
+    const contacts = settings.chains ? this.last!.contacts : null;
+    this.chained = null;
+    this.chains.clear();
+    const longest = contacts?.info.longest ?? 0;
+    if (!contacts?.has("forces") || !(longest > 0)) return;
+    const blocks = this.blocks!;
+    const places = this.contactPlaces(settings);
+    const place = new THREE.Vector3();
+    for (let k = 0; k < places.length; k += 3) if (blocks.isAway(place.fromArray(places, k))) places[k] = NaN;
+    const middle = (b: number) => {
+      if (b >= blocks.count || !blocks.isShown(b)) return null;
+      const at = this.shiftOf(b, settings.exaggeration, new THREE.Vector3());
+      return at.add(new THREE.Vector3().fromArray(blocks.middles, 3 * b));
+    };
+    const thick = 0.015 * this.modelSize() * settings.vectorSize;
+    const count = this.chains.draw(contacts, places, middle, thick);
+    this.chained = { count, longest, unit: contacts.info.forceUnit ?? "" };
   }
 
   private drawSupports(settings: Settings): void {
@@ -333,6 +357,7 @@ export class View {
   private tune(settings: Settings): void {
     const { scale, last } = this;
     scale.kinds = KINDS.has(settings.field);
+    scale.field = settings.field;
     if (!this.values) {
       scale.kinds = false;
       scale.plain("#b9a88c");
