@@ -152,6 +152,9 @@ pub struct JointLaw {
     pub rebound: f64,
     /// Where those along the patch act.
     pub dashpots: Dashpots,
+    /// Depth of a found contact at which it presses twice as hard as its stiffness says, over the radius of the largest ball in the thinner block; 0:
+    /// pressures grow with the depth alone.
+    pub stiffening: f64,
 }
 
 impl JointLaw {

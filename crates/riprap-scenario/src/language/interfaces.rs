@@ -5,8 +5,8 @@ use serde::Deserialize;
 
 use crate::quantity::{
     AtLeastOne, FractureEnergy, FrictionAngle, JointRoughness, Modulus, Name, NotNegativePlain,
-    Poisson, PositiveLength, PositiveStrength, Quantity, Restitution, Speed, StiffnessPerArea,
-    Strength,
+    Poisson, PositiveLength, PositiveStrength, Quantity, Restitution, Share, Speed,
+    StiffnessPerArea, Strength,
 };
 use riprap_core::laws::bond::Softening;
 use riprap_core::laws::parameters::{
@@ -142,6 +142,11 @@ pub struct Interface {
     /// Share of its speed left by a flat impact, less by corners; in place of `damping_ratio`. Without either 0.2 in space.
     #[key(changes)]
     pub restitution: Option<Quantity<Restitution>>,
+    /// Depth of an overlap of rigid blocks at which it presses twice as hard as `normal_stiffness` says, over the radius of the largest ball in the
+    /// thinner block: p = k d (1 + (d/D)^2). Blocks that gas or a fast impact drives on an edge are stopped. Without it p = k d.
+    #[key(space = "spatial", instead = "give a larger `normal_stiffness`")]
+    #[key(read_by("joints"))]
+    pub stiffening_depth: Option<Quantity<Share>>,
     /// Points of a joint on which its dashpots and those of `damping.stiffness` act along it; across it on all closed ones.
     #[key(space = "spatial")]
     #[key(default, read_by("joints", "sliding"))]

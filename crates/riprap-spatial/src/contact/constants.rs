@@ -153,11 +153,12 @@ pub(super) fn present(world: &World, desk: &ContactScratch, pair: &FoundPair) ->
 
 /// The law between two blocks; `depths` are their inradii, m.
 pub(crate) fn law(setup: &Setup, ends: [u32; 2], depths: [f64; 2]) -> ContactLaw {
-    let Constants { stiffness, row, .. } = plain(setup, ends, depths);
-    of_row(&setup.interfaces[usize::from(row)]).with_stiffness(stiffness)
+    let found = plain(setup, ends, depths);
+    let row = of_row(&setup.interfaces[usize::from(found.row)]);
+    Constants { row: 0, ..found }.law(&[row])
 }
 
-/// The law of an interface but for its stiffness, which hangs on the blocks: residual strength and damping.
+/// The law of an interface but for its stiffness, which hangs on the blocks: residual strength and damping, and the growth of pressures at the depth of the smaller inradius.
 fn of_row(interface: &InterfaceLaw) -> ContactLaw {
     let joint = &interface.joint;
     // An elastic joint neither opens nor slides; a found contact under its law must open, and slides if it is told when.
@@ -171,5 +172,10 @@ fn of_row(interface: &InterfaceLaw) -> ContactLaw {
         cohesion,
         damping_ratio: joint.contact_damping,
         rebound: joint.rebound,
+        growth: if joint.stiffening > 0.0 {
+            1.0 / (joint.stiffening * joint.stiffening)
+        } else {
+            0.0
+        },
     }
 }

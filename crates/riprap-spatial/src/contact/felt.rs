@@ -238,6 +238,7 @@ mod tests {
         cohesion: 0.0,
         damping_ratio: 0.0,
         rebound: 0.0,
+        growth: 0.0,
     };
 
     /// A cube on one face: across 2 kn; along and tilting, with the coupling of both, the larger root of a matrix of two rows.

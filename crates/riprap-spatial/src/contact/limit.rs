@@ -177,6 +177,8 @@ struct Side<'a> {
     flat: Option<&'a FacePair>,
     /// Twice the larger stiffness, Pa/m.
     stiffness: f64,
+    /// Normal stiffness over that of a contact without depth.
+    grown: f64,
     /// What dashpots leave of the undamped stable step.
     loss: f64,
     negligible_impact: bool,
@@ -212,7 +214,9 @@ impl<'a> OfBlock<'a, '_> {
     fn pair(&mut self, k: usize, second: bool) {
         let StepLimit { world, desk, gravity, .. } = self.limit;
         let (pair, slot, constants) = (&world.found.pairs[k], &desk.slots[k], &desk.constants[k]);
-        let law = constants.law(&desk.rows);
+        // As stiff as it can be at the end of a step like the last one.
+        let coming = pair.depth + slot.nearing * world.last_dt;
+        let law = constants.law(&desk.rows).at_depth(coming);
         let most = match constants.kind {
             PairKind::Terrain(_) => {
                 let [near, stable] = self.ground;
@@ -239,6 +243,7 @@ impl<'a> OfBlock<'a, '_> {
             law,
             flat: constants.facing(&desk.facings),
             stiffness: 2.0 * law.normal_stiffness.max(law.shear_stiffness),
+            grown: law.tangent(coming),
             loss: stable_share(law.damping_ratio),
             negligible_impact,
             share: if negligible_impact { BOUNDED } else { SAFETY },
@@ -262,7 +267,7 @@ impl<'a> OfBlock<'a, '_> {
         let as_joint = side.pair.seated || side.negligible_impact;
         let alone = side.flat.map_or(f64::INFINITY, |flat| {
             if as_joint {
-                BOUNDED * 2.0 * side.loss / flat.square.sqrt()
+                BOUNDED * 2.0 * side.loss / (side.grown * flat.square).sqrt()
             } else {
                 let square = side.stiffness * flat.area * self.ease.of_area(flat.area);
                 meeting(SAFETY, side.loss) * 2.0 / square.sqrt()
@@ -449,15 +454,17 @@ impl Known<'_> {
         if pair.seated || matches!(constants.kind, PairKind::Terrain(_)) {
             return None;
         }
-        let [kn, _] = constants.stiffness;
+        let law = constants.law(self.rows);
+        let (grown, more) = (law.tangent(pair.depth), law.more_energy(pair.depth));
+        let kn = grown * law.normal_stiffness;
         let [i, j] = pair.ends.map(|b| self.inverse_masses[b as usize]);
         let ease = i + j;
         let flat = constants.facing(self.facings);
         let edge = 2.0 * kn * constants.largest.sqrt() * ease;
-        let square = flat.map_or(edge * constants.largest.sqrt(), |flat| flat.square);
+        let square = flat.map_or(edge * constants.largest.sqrt(), |flat| grown * flat.square);
         let mut energy = 0.5 * slot.nearing * slot.nearing / ease;
         if slot.touching {
-            energy += 0.5 * kn * slot.area * pair.depth * pair.depth;
+            energy += 0.5 * law.normal_stiffness * slot.area * pair.depth * pair.depth * more;
         } else {
             // An edge that is about to come down is let into the other block for longer than a face is.
             let longest = BOUNDED * 2.0 / square.sqrt();

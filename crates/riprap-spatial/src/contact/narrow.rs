@@ -71,6 +71,7 @@ pub(super) fn convex(
     law: &ContactLaw,
     mut each: impl FnMut(&Patch),
 ) -> Reached {
+    walker.growth = law.growth;
     let surface = match walker.find(pair) {
         Found::Touching(surface) => surface,
         Found::Apart(gap) => return Reached::Apart(gap - ROUNDING * gap),
@@ -97,6 +98,7 @@ pub(super) fn glued(
 ) -> Reached {
     let mut gap = f64::INFINITY;
     let mut touching = false;
+    (gluer.walker.growth, gluer.other.growth) = (law.growth, law.growth);
     gluer.place(placed);
     for a in 0..placed.blocks[0].pieces() {
         for b in 0..placed.blocks[1].pieces() {
@@ -140,6 +142,7 @@ impl OnGround<'_> {
         (law, asked): (&ContactLaw, &ContactInput),
         mut each: impl FnMut(&Patch),
     ) -> Reached {
+        under.stiffen(law.growth);
         let reached = match self.glued {
             Some(glued) => under.find_glued(self.terrain, glued, &self.pose, REACH),
             None => under.find(self.terrain, &self.body, REACH),

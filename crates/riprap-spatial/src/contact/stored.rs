@@ -65,10 +65,10 @@ fn on_ground(
     pair: &FoundPair,
     way: impl Fn(&ContactPatch) -> f64,
 ) -> f64 {
-    let [stiffness, _] = desk.constants[k].stiffness;
+    let law = desk.constants[k].law(&desk.rows);
     let energy = |patch: &ContactPatch| {
         let way = way(patch);
-        0.5 * stiffness * patch.area * way * way
+        0.5 * law.normal_stiffness * patch.area * way * way * law.more_energy(way)
     };
     pair.patches.iter().map(energy).sum()
 }

@@ -52,6 +52,7 @@ fn law(stiffness: f64, friction: f64) -> ContactLaw {
         cohesion: 0.0,
         damping_ratio: 0.0,
         rebound: 0.0,
+        growth: 0.0,
     }
 }
 

@@ -51,6 +51,8 @@ pub struct ContactLaw {
     pub damping_ratio: f64,
     /// Speed after an impact over that before it, in implicit steps.
     pub rebound: f64,
+    /// How fast pressures grow beyond the depth, `1/D²`, 1/m²: twice the pressure at the depth D; 0: they do not (`stiffening`).
+    pub growth: f64,
 }
 
 impl ContactLaw {
@@ -465,6 +467,9 @@ pub(crate) fn part(
 
 /// Energy of the pressure of a plane contact, J.
 fn energy(law: &ContactLaw, s: &Sums, c: &Contact) -> f64 {
+    if law.growth > 0.0 {
+        return 2.0 * law.normal_stiffness * s.stored;
+    }
     let centre = s.area_first / s.area;
     let second = spread(s, centre);
     let eccentricity = c.point - centre;

@@ -4,6 +4,8 @@
 const CORNER_DEPTH: f64 = 0.05;
 /// Energy of a cube's corner pressed in along its diagonal, over kn d⁴: (3 - sqrt 3)/8.
 const CORNER_ENERGY: f64 = 0.158_493_649_053_890_3;
+/// What stiffening adds to that energy, over `(d/D)²`: (sqrt 3 - 1)²/5.
+const CORNER_GROWTH: f64 = 0.107_179_676_972_449_1;
 /// Share of the smaller inradius from which a depth is worth a warning.
 const DEEP: f64 = 0.4;
 
@@ -21,6 +23,12 @@ pub fn corner_depth(mass: f64, speed: f64, normal_stiffness: f64) -> f64 {
 #[must_use]
 pub fn corner_speed(mass: f64, depth: f64, normal_stiffness: f64) -> f64 {
     depth * depth * (2.0 * CORNER_ENERGY * normal_stiffness / mass).sqrt()
+}
+
+/// Energy of a cube's corner at this depth (m) over that without stiffening; `growth` is `1/D²`, 1/m².
+#[must_use]
+pub fn corner_gain(depth: f64, growth: f64) -> f64 {
+    1.0 + CORNER_GROWTH * growth * depth * depth
 }
 
 /// How deep a force (N) presses the corner of a cube into a flat face, m: `F = (3 - sqrt 3)/2 kn d³`, the derivative of the same
@@ -75,6 +83,13 @@ mod tests {
         let force = (3.0 - 3f64.sqrt()) / 2.0 * 1e10 * under * under * under;
         assert!((force - 1e6).abs() < 1e-6, "{force}");
         assert!((depth - 4.214_434e-2).abs() < 1e-7, "{depth}");
+        // Force of the stiffened corner: (3 - sqrt 3)/2 kn d³ (1 + 1.2 h²/D²), its deepest point at h = (sqrt 3 - 1)/2 d.
+        let (d, growth) = (0.1_f64, 300.0);
+        let energy = |d: f64| CORNER_ENERGY * d.powi(4) * corner_gain(d, growth);
+        let slope = (energy(d + 1e-6) - energy(d - 1e-6)) / 2e-6;
+        let h = (3f64.sqrt() - 1.0) / 2.0 * d;
+        let wanted = (3.0 - 3f64.sqrt()) / 2.0 * d.powi(3) * (1.0 + 1.2 * growth * h * h);
+        assert!((slope / wanted - 1.0).abs() < 1e-8, "{slope} {wanted}");
         let stiffness = least_stiffness(2500.0, 2.0, 1.0);
         assert!((corner_depth(2500.0, 2.0, stiffness) - 0.05).abs() < 1e-12);
     }

@@ -6,7 +6,7 @@
 //! Only planes are needed: no overlap polyhedron is ever made.
 //!
 //! `shape` knows a block, `planes` those of a pair about a common origin, `peak` whether they touch and where to start,
-//! `frame` the plane of a piece, `piece` its polygon (`octagon` the same in vector registers), `face_clip` whether a face can have one, `sums` what pieces carry, `surface` all of them, `walls` what other blocks cover of it, `friction` the forces that follow;
+//! `frame` the plane of a piece, `piece` its polygon (`octagon` the same in vector registers), `face_clip` whether a face can have one, `sums` what pieces carry, `stiffening` what they carry beyond the depth, `surface` all of them, `walls` what other blocks cover of it, `friction` the forces that follow;
 //! `glued` is a block of convex parts, `terrain` one on a height field; `grid` finds boxes that touch, `image` names those of a periodic model; `limits` knows how long a step may be.
 //!
 //! Source: the pressure fields of Elandt, Drumwright, Sherman and Ruina (2019, arXiv 1904.11433), here with the exact depth
@@ -32,6 +32,7 @@ pub(crate) mod ridges;
 pub(crate) mod shape;
 pub(crate) mod slip;
 pub(crate) mod springs;
+mod stiffening;
 pub(crate) mod sums;
 pub(crate) mod surface;
 pub(crate) mod terrain;

@@ -165,6 +165,8 @@ pub struct Sums {
     pub area_second: [Vec3; 3],
     /// Integral of the normal, m².
     pub vector_area: Vec3,
+    /// Integral of the energy over `2 kn` per area of a flat contact, m⁴; 0 where pressures grow no faster than depths.
+    pub stored: f64,
     /// Twice the largest depth: how far the blocks lie in each other, m.
     pub depth: f64,
     /// Pieces that are not empty.
@@ -245,6 +247,7 @@ impl Sums {
                 sign * other.area_second[k] + at[k] * shift + shift[k] * at + a * shift[k] * shift;
         }
         self.vector_area += sign * other.vector_area;
+        self.stored += sign * other.stored;
     }
 }
 

@@ -120,6 +120,8 @@ pub struct Walker {
     radius: f64,
     /// Distance from the origin within which pieces lie, m: beyond covered faces that of both blocks together.
     pub(super) reach: f64,
+    /// How fast pressures grow beyond the depth ([`ContactLaw::growth`]), 1/m².
+    pub growth: f64,
     /// How far all faces are moved outward, m.
     pub(super) inflation: f64,
     /// Whether pieces are kept as they are made.
@@ -153,7 +155,7 @@ impl Walker {
     /// As [`Walker::find`] with all faces of both blocks `by` (m) further out: depths are larger by as much, and blocks that are less than twice
     /// that apart have a surface too. Its pieces are kept.
     pub(crate) fn find_inflated(&mut self, pair: &Pair, by: f64) -> Found {
-        (self.inflation, self.keeping) = (by, true);
+        (self.inflation, self.keeping, self.growth) = (by, true, 0.0);
         let found = self.find(pair);
         (self.inflation, self.keeping) = (0.0, false);
         found
@@ -312,6 +314,7 @@ impl Walker {
             && let Some(share) = self.make(&frame, piece, polygon)
         {
             let weight = self.sums.add(polygon, &frame, share);
+            let weight = weight + self.stiffen(polygon, &frame, share);
             if self.takes_the_lead(weight, piece) {
                 self.largest.copy(polygon);
                 self.largest_frame = frame;
@@ -365,12 +368,21 @@ impl Walker {
             } else {
                 self.sums.add(polygon, &frame, batch.share[lane])
             };
+            let weight = weight + self.stiffen(polygon, &frame, batch.share[lane]);
             if self.takes_the_lead(weight, self.queue[first + lane]) {
                 self.largest.copy(polygon);
                 self.largest_frame = frame;
             }
         }
         self.batch = Some(batch);
+    }
+
+    /// Adds what pressures that grow faster than depths have more; its weight, m³.
+    fn stiffen(&mut self, polygon: &Polygon, frame: &Frame, share: f64) -> f64 {
+        match self.growth > 0.0 {
+            true => self.sums.stiffen(self.growth, polygon, frame, share),
+            false => 0.0,
+        }
     }
 
     /// Numbers of the planes of a piece, counted in the two lists.
@@ -443,9 +455,11 @@ impl Walker {
         if faces(&self.met[..split]) < 2 || faces(&self.met[split..]) < 2 {
             return 0.0;
         }
+        // With the depth everything along the surface stiffens no more than across it.
+        let grown = law.tangent(sums.depth);
         match law.least_falling() {
-            Some(least) if lateral::is_narrow(sums, least) => {
-                lateral::falls(&self.rate(), sums.force)
+            Some(least) if lateral::is_narrow(sums, least / grown) => {
+                grown * lateral::falls(&self.rate(), sums.force)
             }
             Some(_) | None => 0.0,
         }

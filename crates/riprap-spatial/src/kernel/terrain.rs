@@ -214,6 +214,8 @@ pub(crate) struct Treader {
     above: Vec<f64>,
     kept: Vec<Kept>,
     pieces: usize,
+    /// How fast pressures grow beyond the depth, 1/m².
+    pub growth: f64,
     /// How far the surface and all faces of the block are moved outward, m.
     inflation: f64,
 }
@@ -375,7 +377,11 @@ impl Treader {
             self.facets.len() - 1
         });
         let polygon = &self.polygon;
-        let weight = self.facets[place].sums.add(polygon, &frame, 1.0);
+        let sums = &mut self.facets[place].sums;
+        let mut weight = sums.add(polygon, &frame, 1.0);
+        if self.growth > 0.0 {
+            weight += sums.stiffen(self.growth, polygon, &frame, 1.0);
+        }
         if self.kept.len() == self.pieces {
             self.kept.push(Kept::default());
         }

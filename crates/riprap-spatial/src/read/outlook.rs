@@ -26,6 +26,8 @@ pub struct Meets {
     pub row: u16,
     /// Its normal stiffness, Pa/m.
     pub stiffness: f64,
+    /// How fast its pressures grow beyond the depth, `1/D²`, 1/m².
+    pub growth: f64,
     /// Radius of the largest ball in the block, of a deformable one the distance of its centre from its surface, m.
     pub inradius: f64,
     /// Cube root of its volume, m.
@@ -44,13 +46,17 @@ impl Meets {
     /// Speed at which a corner goes in by the radius of the largest ball, where the run stops, m/s.
     #[must_use]
     pub fn stop_speed(&self) -> f64 {
-        limits::corner_speed(self.mass, self.inradius, self.stiffness)
+        let gain = limits::corner_gain(self.inradius, self.growth);
+        limits::corner_speed(self.mass, self.inradius, self.stiffness) * gain.sqrt()
     }
 
     /// How deep a corner goes in at the present speed over the radius of the largest ball.
     #[must_use]
     pub fn impact(&self) -> f64 {
-        limits::corner_depth(self.mass, self.speed, self.stiffness) / self.inradius
+        let under = |gain: f64| limits::corner_depth(self.mass, self.speed, gain * self.stiffness);
+        // Each look at least halves what the depth is off by.
+        let better = |depth: f64, _| under(limits::corner_gain(depth, self.growth));
+        (0..40).fold(under(1.0), better) / self.inradius
     }
 
     /// How deep its own weight presses it in under gravity (m/s²), flat on its largest face and standing on a corner, over its size.
@@ -118,6 +124,7 @@ fn rigid(world: &World) -> Vec<Meets> {
                 block: b as u32,
                 row: softest.0,
                 stiffness: softest.1.normal_stiffness,
+                growth: softest.1.growth,
                 inradius,
                 size: libm::cbrt(solid.mass / density),
                 mass: solid.mass,
@@ -169,6 +176,7 @@ fn deformable(view: &View<'_>) -> Vec<Meets> {
                 block: b as u32,
                 row,
                 stiffness,
+                growth: 0.0,
                 inradius: depth,
                 size: libm::cbrt(solid.mass / density),
                 mass: solid.mass,

@@ -232,7 +232,8 @@ impl Constants {
     /// The law.
     #[must_use]
     pub fn law(&self, rows: &[ContactLaw]) -> ContactLaw {
-        rows[usize::from(self.row)].with_stiffness(self.stiffness)
+        let row = rows[usize::from(self.row)].with_stiffness(self.stiffness);
+        ContactLaw { growth: row.growth / (self.inradius * self.inradius), ..row }
     }
 
     /// Faces that can come flat onto each other.

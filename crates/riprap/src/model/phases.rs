@@ -209,6 +209,11 @@ impl Builder<'_> {
                 "leave out `levels`",
             ),
             (
+                self.spatial.interfaces.iter().any(|row| row.joint.stiffening > 0.0),
+                "contacts that stiffen (`stiffening_depth`), whose stiffness changes between their looks",
+                "leave out `levels`",
+            ),
+            (
                 local.is_some_and(|local| local.si() > 0.0),
                 "local damping, a share of the force at each step: contacts of higher levels act once in several steps",
                 "use `damping.mass`, or leave out `levels`",

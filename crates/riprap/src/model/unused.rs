@@ -253,6 +253,9 @@ impl Builder<'_> {
         if let Some(wanted) = &said.restitution {
             self.no_effect(of, &[("restitution", true)], &wanted.span, help);
         }
+        if let Some(depth) = &said.stiffening_depth {
+            self.no_effect(of, &[("stiffening_depth", true)], &depth.span, help);
+        }
         // A joint that is elastic does not slide; a contact under its law does.
         let given = [
             ("friction_angle", said.elastic && said.friction_angle.is_some()),
@@ -285,6 +288,13 @@ impl Builder<'_> {
             let help = "a deformable block uses this interface; give its material a separate interface, or let the bonds soften \
                         (`brittle_bond.cohesive`)";
             self.error_at("mechanics.deformable", span.clone(), message, help);
+        }
+        if let Some(depth) = &said.stiffening_depth {
+            let message =
+                format!("`stiffening_depth` in {of} applies to contacts between rigid blocks only");
+            let help =
+                "a deformable block uses this interface; give its material a separate interface";
+            self.error_at("mechanics.deformable", depth.span.clone(), message, help);
         }
     }
 }

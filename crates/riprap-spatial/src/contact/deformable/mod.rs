@@ -67,6 +67,7 @@ pub(crate) fn between(
         cohesion,
         damping_ratio: joint.contact_damping,
         rebound: 0.0,
+        growth: 0.0,
     })
 }
 

@@ -356,6 +356,7 @@ fn lay_out(world: &World, work: &Workspace, desk: &mut TetContactScratch, terrai
                     cohesion: 0.0,
                     damping_ratio: 0.0,
                     rebound: 0.0,
+                    growth: 0.0,
                 },
             );
             PairConstants {

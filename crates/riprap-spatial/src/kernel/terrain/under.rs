@@ -25,6 +25,8 @@ pub struct Under {
     /// For what a piece has in common with earlier ones.
     common: Treader,
     normals: Vec<Vec3>,
+    /// How fast pressures grow beyond the depth, 1/m².
+    growth: f64,
     width: Width,
 }
 
@@ -51,6 +53,11 @@ impl Under {
         }
     }
 
+    /// Lets pressures grow beyond the depth so fast (1/m²) from now on.
+    pub fn stiffen(&mut self, growth: f64) {
+        self.growth = growth;
+    }
+
     fn begin(&mut self, pieces: usize) {
         self.facets.clear();
         self.centres.clear();
@@ -58,6 +65,9 @@ impl Under {
             let mut treader = Treader::default();
             treader.cutter.limit_width(self.width);
             self.treaders.push(treader);
+        }
+        for treader in self.treaders.iter_mut().chain([&mut self.common]) {
+            treader.growth = self.growth;
         }
     }
 

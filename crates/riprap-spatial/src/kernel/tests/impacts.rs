@@ -197,6 +197,7 @@ fn law(stiffness: f64, friction: f64, damping_ratio: f64) -> ContactLaw {
         cohesion: 0.0,
         damping_ratio,
         rebound: 0.0,
+        growth: 0.0,
     }
 }
 

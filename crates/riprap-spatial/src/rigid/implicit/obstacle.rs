@@ -24,6 +24,10 @@ pub fn obstacle(world: &World) -> Option<Obstacle> {
         let what = "contact detection is switched off (`space.spatial.found_contacts`)";
         return found(what.to_owned(), "switch it on");
     }
+    if let Some(row) = world.setup.interfaces.iter().find(|row| row.joint.stiffening > 0.0) {
+        let what = format!("contacts of `interfaces.{}` stiffen (`stiffening_depth`)", row.name);
+        return found(what, "leave out `stiffening_depth`");
+    }
     if let Some(source) = world.setup.sources.first() {
         return found(format!("source `{}` pushes from a cavity", source.name), "remove it");
     }

@@ -58,6 +58,7 @@ impl Builder<'_> {
             read.because(&rebound(contact_damping));
         }
         read.restitution();
+        let stiffening = read.stiffening_depth();
         JointLaw {
             stiffness,
             strength,
@@ -68,6 +69,7 @@ impl Builder<'_> {
             contact_damping,
             rebound: said.restitution.as_ref().map_or(0.0, Quantity::si),
             dashpots,
+            stiffening: stiffening.unwrap_or(0.0),
         }
     }
 }

@@ -112,6 +112,34 @@ fn what_implicit_phases_do_not_take_is_named_with_place_and_remedy() {
     assert_eq!(refused(&off.replace("\"implicit\"", "\"explicit\"")), "");
 }
 
+/// Contacts that stiffen: what knows the law, and what refuses it by name.
+#[test]
+fn contacts_that_stiffen_are_those_of_rigid_blocks_in_explicit_steps() {
+    let explicit = TWO.replace("\"implicit\"", "\"explicit\"");
+    let with = |text: &str, depth: &str| {
+        text.replace("friction_angle", &format!("stiffening_depth = {depth}\nfriction_angle"))
+    };
+    let good = with(&explicit, "0.2");
+    assert_eq!(refused(&good), "");
+    let Setup::Spatial(setup) = model(&good).expect("good").setup else { panic!("in space") };
+    assert_eq!(setup.interfaces[0].joint.stiffening, 0.2);
+    let said = refused(&with(TWO, "0.2"));
+    assert!(said.contains("contacts of `interfaces.default` stiffen"), "{said}");
+    for depth in ["0", "1.5", "\"5 cm\""] {
+        let said = refused(&with(&explicit, depth));
+        assert!(said.contains("stiffening_depth") && said.contains("t.toml:"), "{depth}: {said}");
+    }
+    let levels = good.replace("\"explicit\"", "\"explicit\"\nlevels = 3");
+    let said = refused(&levels);
+    assert!(said.contains("contacts that stiffen (`stiffening_depth`)"), "{said}");
+    let soft = good.replace("name = \"stone\"", "name = \"stone\"\nmechanics.deformable = {}");
+    let said = refused(&soft);
+    assert!(said.contains("applies to contacts between rigid blocks only"), "{said}");
+    let off = good.replace("[space.spatial]", "[space.spatial]\nfound_contacts = false");
+    let warnings = model(&off).expect("good").warnings;
+    assert!(warnings.iter().any(|w| w.message.contains("stiffening_depth")));
+}
+
 /// What bounds explicit steps of joints is nothing to implicit ones, and no cause for a warning.
 #[test]
 fn a_stable_step_is_named_for_explicit_phases_alone() {

@@ -101,7 +101,7 @@ impl std::fmt::Display for Deep {
             f,
             "blocks `{a}` and `{b}` were pressed {:.3e} m into each other, {:.0} % of the inscribed radius of the thinner one (step {}, t = {:.4e} \
              s): the contact is too soft for the load; use a larger `normal_stiffness` (for materials with a `brittle_bond` where one block is \
-             deformable: that of the bond, or a smaller `thickness`)",
+             deformable: that of the bond, or a smaller `thickness`), or `stiffening_depth` for contacts of rigid blocks",
             self.depth,
             100.0 * self.ratio,
             self.step,

@@ -161,7 +161,8 @@ pub enum RunError {
     #[error(
         "blocks `{first}` and `{second}` have been pressed {depth:.4e} m into each other at step {step} (t = {time:.6e} s), beyond the inscribed \
          radius of the thinner one ({reach:.4e} m): they would pass through each other. Possible remedies: a larger `normal_stiffness` between their \
-         materials (with a `brittle_bond` where one block is deformable: that of the bond, or a smaller `thickness`), or a smaller impact velocity; \
+         materials (with a `brittle_bond` where one block is deformable: that of the bond, or a smaller `thickness`), `stiffening_depth = 0.2` for \
+         contacts of rigid blocks, or a smaller impact velocity; \
          {ruled_out}"
     )]
     PassesThrough {
