@@ -18,6 +18,7 @@ use crate::kernel::ContactLaw;
 use crate::kernel::frame::Frame;
 use crate::kernel::piece::Polygon;
 use crate::kernel::sums::Sums;
+use crate::kernel::surface::Walker;
 
 /// Points of a triangle: its corners' shares, and the weight of the point as a share of the area.
 const POINTS: [([f64; 3], f64); 7] = {
@@ -58,6 +59,16 @@ impl ContactLaw {
     #[must_use]
     pub(crate) fn more_energy(&self, depth: f64) -> f64 {
         1.0 + 0.5 * self.growth * depth * depth
+    }
+}
+
+impl Walker {
+    /// Adds what pressures that grow faster than depths have more; its weight, m³.
+    pub(super) fn stiffen(&mut self, polygon: &Polygon, frame: &Frame, share: f64) -> f64 {
+        match self.growth > 0.0 {
+            true => self.sums.stiffen(self.growth, polygon, frame, share),
+            false => 0.0,
+        }
     }
 }
 

@@ -377,14 +377,6 @@ impl Walker {
         self.batch = Some(batch);
     }
 
-    /// Adds what pressures that grow faster than depths have more; its weight, m³.
-    fn stiffen(&mut self, polygon: &Polygon, frame: &Frame, share: f64) -> f64 {
-        match self.growth > 0.0 {
-            true => self.sums.stiffen(self.growth, polygon, frame, share),
-            false => 0.0,
-        }
-    }
-
     /// Numbers of the planes of a piece, counted in the two lists.
     fn numbers(&self, [f, g]: [u16; 2]) -> [usize; 2] {
         [f as usize, g as usize + self.planes.split]
