@@ -7,8 +7,7 @@
 //! is a hinge as long as its blocks stay nearly parallel; where they fold, the plane between them means nothing any more (at half a
 //! turn it is not even defined), so its last points fail and it goes. So does what a law lets slide by more than the faces are wide
 //! (`softening.slip` of a metre between bricks of half a metre): where the centre of one face has left the other, the points of the
-//! patch carry a block that hangs in the air. And so does a joint that is closed so deep that contact under its law has begun to stiffen, which the
-//! springs of a patch do not.
+//! patch carry a block that hangs in the air.
 //!
 //! Shear and torsion go on as springs of the found contact. What the patch carries across its plane and the pressure of found
 //! contact are reconciled there ([`crate::kernel::offset`]). Differences in stored energy are booked with edits.
@@ -67,7 +66,7 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
     let (seen, known) = (&*world, &*scratch);
     // Each patch by itself: what fails here changes nothing of another.
     let change = |p: usize| {
-        if is_folded(seen, p) || is_torn(seen, p) || is_crushed(seen, p) {
+        if is_folded(seen, p) || is_torn(seen, p) {
             Some((p, Change::Fails))
         } else if is_loose(seen, p) && is_past(seen, p) {
             Some((p, Change::Released))
@@ -251,20 +250,6 @@ fn is_torn(world: &World, p: usize) -> bool {
     let slip = mean_slip(&points);
     let sides = sides(world, p);
     (0..2).any(|k| slip[k].abs() > TORN * sides[k])
-}
-
-/// Whether a patch is closed deeper than contacts under its law press evenly, beside half the distance of the centroids.
-fn is_crushed(world: &World, p: usize) -> bool {
-    let list = &world.patches;
-    let class = &world.classes[list.class[p] as usize];
-    let joint = patch::joint(&world.setup.interfaces, class);
-    if joint.stiffening == 0.0 || !joint.behaviour.is_plain() {
-        return false;
-    }
-    let poses = Poses { bodies: &world.bodies, turned: &world.turned };
-    let points = poses.points(class, list.ends[p], list.flags[p] & flag::FINITE != 0);
-    let closing = -0.25 * points.at.iter().map(|at| at[0]).sum::<f64>();
-    closing > joint.stiffening * 0.5 * class.distance
 }
 
 /// Rotation of two blocks against each other, rad: exact where it is small, 0.3 rad less at half a turn.
