@@ -8,6 +8,7 @@ mod plot;
 mod runout;
 mod search;
 mod shell;
+mod shot;
 mod strength;
 mod view;
 
@@ -17,6 +18,7 @@ pub use plot::Plot;
 pub use runout::Runout;
 pub use search::{Bisect, Safety};
 pub use shell::{Completions, Man};
+pub use shot::Shot;
 pub use strength::Strength;
 pub use view::{Paraview, Report, View};
 
@@ -93,6 +95,7 @@ pub enum Verb {
     ProbeContact(ProbeContact),
     Verify(Verify),
     Plot(Plot),
+    Shot(Shot),
     View(View),
     Report(Report),
     Paraview(Paraview),

@@ -55,6 +55,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::ProbeContact(args) => commands::probe::run(&args, style),
         Verb::Verify(args) => commands::verify::run(&args),
         Verb::Plot(args) => commands::plot::run(&args),
+        Verb::Shot(args) => commands::shot::run(&args),
         Verb::View(args) => commands::view::run(&args, style),
         Verb::Report(args) => commands::report::run(&args),
         Verb::Paraview(args) => commands::paraview::run(&args),

@@ -34,7 +34,7 @@ pub(super) struct Words<'a> {
 }
 
 /// What the colours cover: a range that was asked for, else that of the values or of their percentiles.
-fn colours(values: &[f64], options: BlockOptions) -> (ColourMap, Scale) {
+pub(super) fn colours(values: &[f64], options: BlockOptions) -> (ColourMap, Scale) {
     if let Some([low, high]) = options.range {
         let signed = low < 0.0 && high > 0.0;
         let map = if signed { ColourMap::BlueRed } else { ColourMap::Light };
@@ -447,7 +447,7 @@ fn contacts(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
 }
 
 /// Names of kinds beside their colours, those that occur.
-fn chips(page: &mut Page, names: &[String], values: &[f64], [x, y]: [f64; 2]) {
+pub(super) fn chips(page: &mut Page, names: &[String], values: &[f64], [x, y]: [f64; 2]) {
     let there = |k: usize| values.contains(&(k as f64));
     let shown = names.iter().enumerate().filter(|(k, _)| there(*k));
     for (row, (k, name)) in shown.enumerate() {
@@ -459,7 +459,7 @@ fn chips(page: &mut Page, names: &[String], values: &[f64], [x, y]: [f64; 2]) {
     }
 }
 
-fn bar(
+pub(super) fn bar(
     page: &mut Page,
     (map, scale): (ColourMap, &Scale),
     field: &Chosen,

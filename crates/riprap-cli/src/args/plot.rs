@@ -150,7 +150,7 @@ pub struct Plot {
 }
 
 /// Reads a choice, with hyphens as words of a command have them.
-fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
+pub(super) fn word<T: Words + Send + Sync>() -> impl TypedValueParser<Value = T> {
     let words = T::WORDS
         .iter()
         .map(|(word, meaning)| PossibleValue::new(word.replace('_', "-")).help(*meaning));

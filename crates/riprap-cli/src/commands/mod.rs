@@ -17,6 +17,7 @@ pub mod safety;
 pub mod scratch;
 pub mod self_test;
 pub mod shell;
+pub mod shot;
 pub mod strength;
 pub mod sweep;
 pub mod trials;

@@ -147,18 +147,18 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
     unread
 }
 
-/// Values of the field that is drawn, with a unit of its kind or in SI.
-fn range(args: &Plot, frame: Which) -> Result<Option<[f64; 2]>, Failure> {
-    let Some([low, high]) = args.range.as_deref() else { return Ok(None) };
-    // Other pictures do not read it, which has its own note.
-    if !args.what.as_deref().is_none_or(|what| FLAT.contains(&what)) {
-        return Ok(None);
-    }
-    let unit = plot::unit(&args.run, frame, &args.by)?;
+/// Values of the field `by` of a run, with a unit of its kind or in SI.
+pub(super) fn range(
+    given: Option<&[String]>,
+    run: &Path,
+    frame: Which,
+    by: &str,
+) -> Result<Option<[f64; 2]>, Failure> {
+    let Some([low, high]) = given else { return Ok(None) };
+    let unit = plot::unit(run, frame, by)?;
     let value = |text: &String| {
         units::value_in(text, &unit).ok_or_else(|| {
             let of = if unit == "-" { "has no unit".to_owned() } else { format!("is in {unit}") };
-            let by = &args.by;
             Failure::Input(format!("--range: {text:?} is no value of `{by}`, which {of}"))
         })
     };
@@ -260,7 +260,14 @@ impl<'a> Asked<'a> {
         let options = BlockOptions {
             contacts: false,
             log: args.log,
-            range: range(args, frames.first().copied().unwrap_or(Which::Last))?,
+            // Other pictures do not read it, which has its own note.
+            range: match args.what.as_deref().is_none_or(|what| FLAT.contains(&what)) {
+                true => {
+                    let frame = frames.first().copied().unwrap_or(Which::Last);
+                    range(args.range.as_deref(), &args.run, frame, &args.by)?
+                }
+                false => None,
+            },
             percentiles: match args.percentiles.as_deref() {
                 Some([low, high]) => Some([*low, *high]),
                 Some(_) | None => None,

@@ -384,6 +384,9 @@ fn plots_are_drawn() {
     bench.run(&["plot", "fall.run", "hieght"]).expect(2).warns(&["did you mean `height`"]);
     bench.run(&["plot", "fall.run", "blocks", "--time", "soon"]).expect(2);
     bench.run(&["plot", "nowhere"]).expect(2);
+    bench.run(&["shot", "fall.run"]).expect(2).warns(&["the run is in the plane"]);
+    bench.run(&["shot", "fall.run", "-o", "a.svg"]).expect(2).warns(&["a.svg is no PNG"]);
+    bench.run(&["shot", "fall.run", "--cut", "y"]).expect(2).warns(&["--at"]);
     let strip = ["--time", "0 s", "--time", "0.2 s", "--vectors", "velocity"];
     let words = [&["plot", "fall.run", "blocks", "--exaggerate", "2"], &strip[..]].concat();
     bench.run(&words).expect(0);
