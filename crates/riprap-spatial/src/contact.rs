@@ -37,7 +37,6 @@ use std::collections::BTreeMap;
 
 use crate::broad::covered::NO_FACE;
 use crate::broad::search::Blocks;
-use crate::exec::Exec;
 use crate::joint::classes::stiffness;
 use crate::kernel::glued::Glued;
 use crate::kernel::offset::{Carried, Offset};
@@ -58,7 +57,7 @@ use crate::state::world::World;
 pub(crate) use acting::{act, note_left, place, sum};
 use held::Joints;
 pub use relaw::change_laws;
-pub(crate) use release::{release, release_loose};
+pub(crate) use release::{is_loose, release, release_loose};
 pub(crate) use stored::{begin, stored};
 
 /// Steps between two looks at joints that have failed since.
@@ -421,16 +420,19 @@ pub(crate) fn pose(
 /// Makes the list of pairs of the state, and what follows from it. `were`: the roles until now, where they have been found again.
 fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     let desk = &mut scratch.desk;
-    if world.found.roles.contains(&Role::Active) {
-        desk.covered = covered::covered(world, &desk.shapes, Vec::new());
-        find_candidates(world, desk, &scratch.exec);
-        if world.implicit.is_some() {
-            let flush = covered::flush(world, &desk.shapes, &desk.candidates);
-            if !flush.is_empty() {
-                desk.covered = covered::covered(world, &desk.shapes, flush);
-                find_candidates(world, desk, &scratch.exec);
-            }
-        }
+    desk.covered = covered::covered(world, &desk.shapes);
+    let (shapes, roles) = (&desk.shapes, &world.found.roles);
+    let blocks = Blocks { shapes, shape: &world.solid, roles, covered: &desk.covered };
+    let joints = Joints::new(world);
+    if roles.contains(&Role::Active) {
+        desk.candidates.rebuild(
+            &blocks,
+            &world.found.search,
+            &world.setup.periodic,
+            |pair| joints.joins(pair) || !pair.ends.iter().any(|b| world.is_free(*b as usize)),
+            |pair| joints.hold(world, shapes, pair),
+            &scratch.exec,
+        );
     } else {
         desk.candidates = Default::default();
     }
@@ -461,21 +463,6 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     incidence(world, desk);
     desk.ready = true;
     scratch.tiles.make_rows(world);
-}
-
-/// Pairs that can touch where the last search has found the blocks.
-fn find_candidates(world: &World, desk: &mut ContactScratch, exec: &Exec) {
-    let (shapes, roles) = (&desk.shapes, &world.found.roles);
-    let blocks = Blocks { shapes, shape: &world.solid, roles, covered: &desk.covered };
-    let joints = Joints::new(world);
-    desk.candidates.rebuild(
-        &blocks,
-        &world.found.search,
-        &world.setup.periodic,
-        |pair| joints.joins(pair) || !pair.ends.iter().any(|b| world.is_free(*b as usize)),
-        |pair| joints.hold(world, shapes, pair),
-        exec,
-    );
 }
 
 /// What was known of blocks before they became a pair.

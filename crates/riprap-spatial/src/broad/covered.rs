@@ -1,11 +1,9 @@
-//! Faces that other blocks cover, and what of them a pair sees.
+//! Faces that other blocks cover.
 
 /// A part of a face that lies on another block.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cover {
-    /// The block and the one that covers.
-    pub ends: [u32; 2],
-    /// Face of the block.
+    pub block: u32,
     pub face: usize,
     /// m².
     pub area: f64,
@@ -16,15 +14,13 @@ pub(crate) struct Cover {
 pub struct Covered {
     /// A bit for each of the first 64 faces, per block; empty where no face is covered. Of other faces nothing is said.
     bits: Vec<u64>,
-    /// Block, the one that covers, and faces of the block on which it lies; ascending.
-    by: Vec<([u32; 2], u64)>,
 }
 
 /// No face of any block.
-pub(crate) static NO_FACE: Covered = Covered { bits: Vec::new(), by: Vec::new() };
+pub(crate) static NO_FACE: Covered = Covered { bits: Vec::new() };
 
 impl Covered {
-    /// Those whose covers leave at most the share `bare` of the face; `area` of a face of a block, m².
+    /// Those of which the parts leave at most the share `bare`; `area` of a face of a block, m².
     pub(crate) fn new(
         mut covers: Vec<Cover>,
         blocks: usize,
@@ -34,38 +30,22 @@ impl Covered {
         covers.retain(|cover| cover.face < u64::BITS as usize);
         let mut found = Self::default();
         // The order of parts stays within a face, so that their sum has the same bits.
-        covers.sort_by_key(|cover| (cover.ends[0], cover.face));
-        for of_face in covers.chunk_by(|a, b| (a.ends[0], a.face) == (b.ends[0], b.face)) {
-            let Cover { ends: [block, _], face, .. } = of_face[0];
+        covers.sort_by_key(|cover| (cover.block, cover.face));
+        for of_face in covers.chunk_by(|a, b| (a.block, a.face) == (b.block, b.face)) {
+            let Cover { block, face, .. } = of_face[0];
             let sum: f64 = of_face.iter().map(|cover| cover.area).sum();
             if sum >= (1.0 - bare) * area(block, face) {
                 found.bits.resize(blocks, 0);
                 found.bits[block as usize] |= 1_u64 << face;
-                found.by.extend(of_face.iter().map(|cover| (cover.ends, 1_u64 << face)));
             }
         }
-        found.by.sort_unstable();
-        found.by.dedup_by(|next, kept| {
-            let same = next.0 == kept.0;
-            if same {
-                kept.1 |= next.1;
-            }
-            same
-        });
         found
     }
 
-    /// Covered faces of both blocks of a pair; not those on which they cover each other, which are where the pair touches.
+    /// Covered faces of both blocks of a pair.
     #[must_use]
-    pub fn of_pair(&self, [i, j]: [u32; 2]) -> [u64; 2] {
-        [[i, j], [j, i]].map(|ends| {
-            let bits = self.bits.get(ends[0] as usize).copied().unwrap_or(0);
-            if bits == 0 {
-                return 0;
-            }
-            let each_other = self.by.binary_search_by_key(&ends, |(ends, _)| *ends);
-            each_other.map_or(bits, |k| bits & !self.by[k].1)
-        })
+    pub fn of_pair(&self, ends: [u32; 2]) -> [u64; 2] {
+        ends.map(|b| self.bits.get(b as usize).copied().unwrap_or(0))
     }
 }
 
@@ -80,20 +60,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_face_is_covered_when_all_of_it_is_and_not_in_the_pairs_that_cover_it() {
-        let cover = |ends, face, area| Cover { ends, face, area };
+    fn a_face_is_covered_when_all_of_it_is() {
+        let cover = |block, face, area| Cover { block, face, area };
         // Block 0 has two blocks on its face 2, which is 2 m² large, and half a block on face 3.
-        let covers = vec![
-            cover([0, 1], 2, 1.0),
-            cover([0, 2], 2, 1.0),
-            cover([0, 3], 3, 1.0),
-            cover([1, 0], 0, 2.0),
-        ];
+        let covers = vec![cover(0, 2, 1.0), cover(0, 3, 1.0), cover(1, 0, 2.0), cover(0, 2, 1.0)];
         let covered = Covered::new(covers, 4, |_, _| 2.0, 1e-6);
-        assert_eq!(covered.of_pair([0, 1]), [0, 0]);
-        assert_eq!(covered.of_pair([0, 2]), [0, 0]);
-        assert_eq!(covered.of_pair([0, 3]), [1 << 2, 0]);
-        assert_eq!(covered.of_pair([1, 3]), [1, 0]);
+        assert_eq!(covered.of_pair([0, 1]), [1 << 2, 1]);
+        assert_eq!(covered.of_pair([2, 3]), [0, 0]);
         assert_eq!(NO_FACE.of_pair([1, 3]), [0, 0]);
         assert!(has(1 << 63, 63) && !has(u64::MAX, 64) && !has(1 << 2, 3));
     }

@@ -178,7 +178,7 @@ fn failed_points(world: &World, p: usize) -> u64 {
 }
 
 /// Whether nothing but pressure and friction holds a patch: all points have failed, or there is nothing that could.
-fn is_loose(world: &World, p: usize) -> bool {
+pub(crate) fn is_loose(world: &World, p: usize) -> bool {
     let (flags, class) = (world.patches.flags[p], world.patches.class[p]);
     let joint = patch::joint(&world.setup.interfaces, &world.classes[class as usize]);
     let strengthless = |s: &Strength| s.tension <= 0.0 && s.cohesion <= 0.0;

@@ -4,7 +4,7 @@ use super::{RunError, Simulation, damping_of};
 use crate::dynamics::damping::Damping;
 use crate::plan::{IMPLICIT_STEP, Integration, Phase, PhaseKind, TimeStep};
 use crate::spatial::Obstacle;
-use crate::spatial::read::outlook;
+use crate::spatial::read::{outlook, seams};
 use crate::spatial::setup::{Boundary, BoundaryKind};
 
 /// Explicit steps that one implicit step must stand for: it costs about as much as 20.
@@ -68,6 +68,12 @@ impl Simulation {
             return Some(format!(
                 "boundary `{}` is a condition on faces, which implicit phases take where `integration = \"implicit\"` asks for them",
                 boundary.name
+            ));
+        }
+        if let Some(blocks) = seams::seam(view.world) {
+            let [block, first, second] = blocks.map(|b| view.name(b as usize));
+            return Some(format!(
+                "block `{block}` lies on `{first}` and `{second}` in one plane, and long steps brake what slides from one block onto the next"
             ));
         }
         if settles {
