@@ -490,7 +490,7 @@ mod tests {
     }
 
     /// Values that are words or files; all others may be negative, and are then answered by what reads them.
-    const WORDS: [&str; 21] = [
+    const WORDS: [&str; 22] = [
         "WHEN",
         "KEY=VALUE",
         "NAME",
@@ -498,6 +498,7 @@ mod tests {
         "TEMPLATE",
         "DIR",
         "FOLDER",
+        "RUN",
         "FILE",
         "K/N",
         "KEY",
@@ -522,7 +523,7 @@ mod tests {
                     .get_value_names()
                     .unwrap_or_default()
                     .iter()
-                    .map(|n| n.as_str())
+                    .map(clap::builder::Str::as_str)
                     .collect();
                 let word = names.first().is_none_or(|name| WORDS.contains(name) || *name == "A");
                 let open =

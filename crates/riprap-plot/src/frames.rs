@@ -29,7 +29,7 @@ pub enum Which {
 ///
 /// # Errors
 /// Unknown fields (with the nearest name), frames that do not exist or cannot be read.
-pub fn unit(folder: &Path, frame: Which, field: &str) -> Result<String, PlotError> {
+pub fn unit_of(folder: &Path, frame: Which, field: &str) -> Result<String, PlotError> {
     let frame = load_frame(folder, frame)?;
     Ok(choose(&frame, field)?.unit)
 }

@@ -46,7 +46,7 @@ pub use colour::ColourMap;
 pub use compare::{Labels, Line, compare};
 pub use drawing::{BlockOptions, Normal, Vectors};
 pub(crate) use frames::crack_surfaces;
-pub use frames::{Which, blocks, load_frame, section, strip, unit};
+pub use frames::{Which, blocks, load_frame, section, strip, unit_of};
 pub use lines::{energy, histories};
 pub use net::{Projection, stereonet};
 pub use partition::{Share, partition};

@@ -124,7 +124,7 @@ impl Options {
             return Ok(None);
         };
         let frame = self.times.first().map_or(Which::Last, |time| Which::Time(*time));
-        let unit = drawn::unit(folder, frame, &self.by).map_err(|e| errors::plot(py, &e))?;
+        let unit = drawn::unit_of(folder, frame, &self.by).map_err(|e| errors::plot(py, &e))?;
         Ok(Some([low.of(&self.by, &unit)?, high.of(&self.by, &unit)?]))
     }
 

@@ -57,7 +57,7 @@ use crate::state::world::World;
 pub(crate) use acting::{act, note_left, place, sum};
 use held::Joints;
 pub use relaw::change_laws;
-pub(crate) use release::{is_loose, release, release_loose};
+pub(crate) use release::{is_dry, is_loose, release, release_loose};
 pub(crate) use stored::{begin, stored};
 
 /// Steps between two looks at joints that have failed since.

@@ -155,7 +155,7 @@ pub(super) fn range(
     by: &str,
 ) -> Result<Option<[f64; 2]>, Failure> {
     let Some([low, high]) = given else { return Ok(None) };
-    let unit = plot::unit(run, frame, by)?;
+    let unit = plot::unit_of(run, frame, by)?;
     let value = |text: &String| {
         units::value_in(text, &unit).ok_or_else(|| {
             let of = if unit == "-" { "has no unit".to_owned() } else { format!("is in {unit}") };

@@ -21,7 +21,7 @@ pub fn run(args: &Removable, style: Style) -> Result<(), Failure> {
             Failure::Input(error.to_string())
         }
         RemovableError::Build(_) | RemovableError::Run(_) => Failure::Physics(error.to_string()),
-        RemovableError::Picture(error) => Failure::of_job(error, &scene),
+        RemovableError::Picture(error) => Failure::of_job(*error, &scene),
     };
     let rules = Rules { factor: args.factor, rounds: args.rounds, phase: args.phase.clone() };
     let (setup, plan) = (job.setup.clone(), job.plan.clone());

@@ -40,6 +40,10 @@ impl Shipped {
     /// # Errors
     /// A name that means nothing; a folder that cannot be written.
     pub fn named(names: &[String]) -> Result<Self, Failure> {
+        Self::written(&Self::wanted(names)?)
+    }
+
+    fn wanted(names: &[String]) -> Result<Vec<&'static str>, Failure> {
         let mut wanted = Vec::new();
         for name in names {
             let mut found: Vec<&str> = scenes().filter(|path| means(name, path)).collect();
@@ -52,7 +56,7 @@ impl Shipped {
             }
             wanted.extend(found);
         }
-        Self::written(&wanted)
+        Ok(wanted)
     }
 
     fn written(wanted: &[&str]) -> Result<Self, Failure> {
@@ -157,7 +161,7 @@ mod tests {
         assert_eq!(found("scenes/planar/slide.toml"), 1);
         assert!(found("verify/planar") > 30 && found("all") > 150);
         assert_eq!(found("slid"), 0);
-        let shipped = |name: &str| Shipped::named(&[name.to_owned()]).map(|s| s.scenes.len());
+        let shipped = |name: &str| Shipped::wanted(&[name.to_owned()]).map(|s| s.len());
         let count = |name: &str| shipped(name).unwrap();
         assert_eq!(count("engineering"), count("verify/engineering"));
         assert_eq!(count("implicit/"), count("verify/implicit"));
@@ -166,11 +170,11 @@ mod tests {
         for name in ["engin", "long", ""] {
             assert!(shipped(name).is_err(), "{name}");
         }
-        let Err(Failure::Input(text)) = Shipped::named(&["zzzz".to_owned()]) else {
+        let Err(Failure::Input(text)) = Shipped::wanted(&["zzzz".to_owned()]) else {
             panic!("a name that is none was taken");
         };
         assert!(text.contains("\"zzzz\". Names"), "{text}");
-        let Err(Failure::Input(text)) = Shipped::named(&["slidee".to_owned()]) else {
+        let Err(Failure::Input(text)) = Shipped::wanted(&["slidee".to_owned()]) else {
             panic!("a name that is none was taken");
         };
         assert!(text.contains("did you mean slide?"), "{text}");

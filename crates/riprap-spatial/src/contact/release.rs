@@ -114,13 +114,17 @@ enum Change {
     Fails,
 }
 
-/// Lets go all patches that nothing but pressure and friction holds, wherever their blocks are. Those with stress in place stay: a contact
+/// Lets go all patches that are `loose`, wherever their blocks are. Those with stress in place stay: a contact
 /// knows none that its depth does not give. Those between two blocks that nothing moves stay as well: they cover faces ([`super::covered`]).
-pub(crate) fn release_loose(world: &mut World, scratch: &mut Scratch) {
+pub(crate) fn release_loose(
+    world: &mut World,
+    scratch: &mut Scratch,
+    loose: impl Fn(&World, usize) -> bool,
+) {
     let stressed = |p: usize| world.patches.prestress.get(p).is_some_and(|t| *t != Vec3::ZERO);
     let moves = |p: usize| world.patches.ends[p].iter().any(|b| world.is_free(*b as usize));
     let all = 0..world.patches.len();
-    let loose = all.filter(|p| is_loose(world, *p) && !stressed(*p) && moves(*p));
+    let loose = all.filter(|p| loose(world, *p) && !stressed(*p) && moves(*p));
     let mut pairs: Vec<PairKey> = loose.map(|p| pair_of_patch(world, p).0).collect();
     pairs.sort_unstable();
     pairs.dedup();
@@ -179,11 +183,15 @@ fn failed_points(world: &World, p: usize) -> u64 {
 
 /// Whether nothing but pressure and friction holds a patch: all points have failed, or there is nothing that could.
 pub(crate) fn is_loose(world: &World, p: usize) -> bool {
-    let (flags, class) = (world.patches.flags[p], world.patches.class[p]);
-    let joint = patch::joint(&world.setup.interfaces, &world.classes[class as usize]);
+    world.patches.flags[p] & flag::BROKEN == flag::BROKEN || is_dry(world, p)
+}
+
+/// Whether there is nothing of a patch that could fail.
+pub(crate) fn is_dry(world: &World, p: usize) -> bool {
+    let class = &world.classes[world.patches.class[p] as usize];
+    let joint = patch::joint(&world.setup.interfaces, class);
     let strengthless = |s: &Strength| s.tension <= 0.0 && s.cohesion <= 0.0;
-    flags & flag::BROKEN == flag::BROKEN
-        || (joint.is_plain() && joint.strength.as_ref().is_some_and(strengthless))
+    joint.is_plain() && joint.strength.as_ref().is_some_and(strengthless)
 }
 
 /// Whether a loose patch has slid, turned or opened too far.

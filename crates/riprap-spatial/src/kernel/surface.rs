@@ -120,7 +120,7 @@ pub struct Walker {
     radius: f64,
     /// Distance from the origin within which pieces lie, m: beyond covered faces that of both blocks together.
     pub(super) reach: f64,
-    /// How fast pressures grow beyond the depth ([`ContactLaw::growth`]), 1/m².
+    /// How fast pressures grow beyond the depth (`ContactLaw::growth`), 1/m².
     pub growth: f64,
     /// How far all faces are moved outward, m.
     pub(super) inflation: f64,

@@ -1,6 +1,6 @@
 //! Blocks that can slide from one block onto the next.
 //!
-//! A block that can move ends at its own faces, also where they lie on those of its neighbour (held blocks cover each other's: [`crate::kernel`]): what
+//! A block that can move ends at its own faces, also where they lie on those of its neighbour (held blocks cover each other's): what
 //! slides over the seam between two blocks of one plane presses against their edges, by the depth to which it lies in them. Explicit steps lose there
 //! what dashpots take of that; an implicit step, in which a block moves by far more than that depth, is braked by the edge, and friction seems larger
 //! than it is.

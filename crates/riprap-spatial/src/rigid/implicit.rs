@@ -47,12 +47,15 @@ const STILL: f64 = 1e-4;
 ///
 /// Joints that nothing but friction holds become contacts, since those are all that an implicit phase knows.
 pub fn choose(world: &mut World, scratch: &mut Scratch, implicit: bool) {
-    // Also in a phase after another implicit one, which may let blocks go that were held.
-    if implicit {
-        contact::release_loose(world, scratch);
-    }
     if implicit == world.implicit.is_some() {
+        if implicit {
+            // Blocks may move now that were held; joints that have failed in the phase before stay what they are.
+            contact::release_loose(world, scratch, contact::is_dry);
+        }
         return;
+    }
+    if implicit {
+        contact::release_loose(world, scratch, contact::is_loose);
     }
     let before = std::mem::replace(&mut world.implicit, implicit.then(Box::default));
     adopt(world, |_| true);

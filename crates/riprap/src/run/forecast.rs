@@ -367,10 +367,11 @@ fn moved(view: &View<'_>) -> Option<String> {
 fn longest(simulation: &Simulation) -> Option<f64> {
     let phase = simulation.plan().phases.first()?;
     let grow = phase.kind == PhaseKind::Static && simulation.engine().is_implicit();
-    grow.then(|| match phase.time_step {
+    let step = match phase.time_step {
         TimeStep::Given { dt } => dt,
         TimeStep::Auto { .. } => STATIC_STEP,
-    })
+    };
+    grow.then_some(step)
 }
 
 /// How a phase relaxes, if it does.

@@ -165,7 +165,13 @@ pub enum RemovableError {
     Run(#[from] RunError),
     /// A picture that cannot be written.
     #[error(transparent)]
-    Picture(#[from] JobError),
+    Picture(Box<JobError>),
+}
+
+impl From<JobError> for RemovableError {
+    fn from(error: JobError) -> Self {
+        Self::Picture(Box::new(error))
+    }
 }
 
 /// The removable blocks of a model.

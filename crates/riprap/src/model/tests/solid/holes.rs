@@ -6,7 +6,7 @@ use super::*;
 fn the_length_of_a_hole_in_the_air_is_told() {
     let told = |line: &str, more: &str| {
         let hole = format!(
-            "[[blocks]]\nname = \"rock\"\nmaterial = \"rock\"\ngrid.box = {{ size = [\"3 m\", \"3 m\", \"8 m\"], cell = \"1 m\", corner = [\"0 m\", \"0 m\", \"-8 m\"] }}\n{more}\n[sources.hole.pressure_cavity]\nline = {{ from = {line} }}\npressure = {{ value = \"1 MPa\" }}\n"
+            "[[blocks]]\nname = \"rock\"\nmaterial = \"rock\"\ngrid.box = {{ size = [\"3 m\", \"3 m\", \"8 m\"], cell = \"1 m\", corner = [\"0 m\", \"0 m\", \"-8 m\"] }}\n{more}\n[sources.hole.pressure_cavity]\nline = {{ from = {line} }}\npressure.constant = \"1 MPa\"\n"
         );
         let (_, model) = solid(&hole);
         let of_hole = model.warnings.iter().filter(|w| w.code == "source.air");
