@@ -34,7 +34,7 @@ pub struct Shot {
     #[arg(long, num_args = 2, value_names = ["AZIMUTH", "ELEVATION"], default_values_t = [215.0, 28.0], allow_hyphen_values = true)]
     pub view: Vec<f64>,
     /// Width and height of the blocks' part of the picture, pixels
-    #[arg(long, num_args = 2, value_names = ["WIDTH", "HEIGHT"], default_values_t = [1000, 700])]
+    #[arg(long, num_args = 2, value_names = ["WIDTH", "HEIGHT"], default_values_t = [1000, 700], allow_negative_numbers = true)]
     pub size: Vec<u32>,
     /// Time of the frame to draw; repeatable [default: the last]
     #[arg(long, value_name = "TIME", conflicts_with = "all")]

@@ -56,8 +56,8 @@ pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Leavers, Phase, Relaxation, Reset, Rest, Until};
 pub use points::{Point, Point3};
 pub use regions::{
-    AlongSet, BenchesProfile, CircleProfile, Cylinder, DrawnProfile, Excavation, Group, HalfSpace,
-    HorseshoeProfile, Near, NearFace, Prism, Ramp, SizeRange, Sphere,
+    AlongSet, BenchRamp, BenchesProfile, CircleProfile, Cylinder, DrawnProfile, Excavation, Group,
+    HalfSpace, HorseshoeProfile, Near, NearFace, Prism, SizeRange, Sphere,
 };
 pub use samples::{Beta, Correlation, MeasuredValues, Moments, MonteCarlo, RandomValue, Sampling};
 pub use solids::{

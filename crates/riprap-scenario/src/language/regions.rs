@@ -211,13 +211,13 @@ pub struct BenchesProfile {
     pub floor: Quantity<PositiveLength>,
     /// Ramps, as rock that is left along the foot of a face.
     #[serde(default)]
-    pub ramps: Vec<Ramp>,
+    pub ramps: Vec<BenchRamp>,
 }
 
 /// A way down a bench, along its face: from the beginning of the line to `start` it is as high as the bench, then it falls to its foot.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
-pub struct Ramp {
+pub struct BenchRamp {
     /// Number of the bench that it leads down, 1 the lowest.
     #[key(default = 1, min = 1, max = 100)]
     pub bench: Option<u64>,

@@ -9,7 +9,8 @@ use riprap_geom::{Vec2, Vec3};
 use super::global;
 use crate::model::builder::Builder;
 use crate::scenario::language::{
-    BenchesProfile, CircleProfile, CutAlong, Excavation, Group, HorseshoeProfile, Ramp, span_of,
+    BenchRamp, BenchesProfile, CircleProfile, CutAlong, Excavation, Group, HorseshoeProfile,
+    span_of,
 };
 use crate::scenario::{Diagnostic, Name, Quantity};
 use crate::spatial::setup::{Bridges, Ended};
@@ -49,7 +50,7 @@ struct Way {
 }
 
 impl Way {
-    fn new(said: &Ramp, of: &BenchesProfile) -> Self {
+    fn new(said: &BenchRamp, of: &BenchesProfile) -> Self {
         let (height, back) = height_and_back(of);
         let below = (said.bench_or_default() - 1) as f64;
         let start = said.start.as_ref().map_or(0.0, Quantity::si);
