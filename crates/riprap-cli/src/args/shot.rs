@@ -37,7 +37,7 @@ pub struct Shot {
     #[arg(long, num_args = 2, value_names = ["WIDTH", "HEIGHT"], default_values_t = [1000, 700], allow_negative_numbers = true)]
     pub size: Vec<u32>,
     /// Time of the frame to draw; repeatable [default: the last]
-    #[arg(long, value_name = "TIME", conflicts_with = "all")]
+    #[arg(long, value_name = "TIME", allow_hyphen_values = true, conflicts_with = "all")]
     pub time: Vec<String>,
     /// All frames
     #[arg(long)]
@@ -52,12 +52,12 @@ pub struct Shot {
     #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], allow_hyphen_values = true)]
     pub range: Option<Vec<String>>,
     /// Percentiles of the values at which the colours begin and end
-    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], conflicts_with = "range")]
+    #[arg(long, num_args = 2, value_names = ["LOW", "HIGH"], allow_negative_numbers = true, conflicts_with = "range")]
     pub percentiles: Option<Vec<f64>>,
     /// Logarithmic colour scale
     #[arg(long)]
     pub log: bool,
     /// Factor that exaggerates displacements
-    #[arg(long, value_name = "FACTOR", value_parser = factor)]
+    #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, value_parser = factor)]
     pub exaggerate: Option<f64>,
 }
