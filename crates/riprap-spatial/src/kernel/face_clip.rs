@@ -1,5 +1,11 @@
 //! What planes leave of a face: only whether anything is left.
 
+use riprap_geom::Vec3;
+
+use crate::kernel::planes::Planes;
+use crate::kernel::shape::Body;
+use crate::lanes::{LANES, Lanes, dot, plus, same, scaled};
+
 /// A convex polygon of which nothing is known but how far its corners lie beyond each of a set of planes. That is enough to cut it:
 /// the distances of a crossing are between those of the two corners.
 #[derive(Clone, Debug, Default)]
@@ -52,6 +58,58 @@ impl FaceClip {
         std::mem::swap(&mut self.beyond, &mut self.spare);
         !self.beyond.is_empty()
     }
+}
+
+/// Whether all corners of a face lie beyond plane `k` of the other block, by the operations of [`cut_face`].
+pub(super) fn is_beyond(planes: &Planes, k: usize, body: &Body, shift: Vec3, face: &[u16]) -> bool {
+    let normal = planes.normal(k).to_array();
+    let back = body.turn.transpose();
+    let [x, y, z] = [back.x_axis, back.y_axis, back.z_axis].map(|axis| axis.to_array());
+    let own = plus(&plus(&scaled(normal[0], &x), &scaled(normal[1], &y)), &scaled(normal[2], &z));
+    let room = planes.d[k] - dot(&normal, &shift.to_array());
+    let mut corners = face.iter().map(|v| body.shape.vertices[*v as usize].to_array());
+    corners.all(|corner| dot(&own, &corner) - room >= 0.0)
+}
+
+/// Finds how far the corners of a face lie beyond planes of the other block, `shift` (m) being where its block is from their origin; a plane
+/// that has all of them beyond it, if any.
+#[inline(always)]
+pub(super) fn cut_face(
+    planes: &Planes,
+    others: std::ops::Range<usize>,
+    body: &Body,
+    shift: Vec3,
+    face: &[u16],
+    clip: &mut FaceClip,
+) -> Option<usize> {
+    // Planes are turned back into the body once, instead of every corner into space: eight at a time.
+    let back = body.turn.transpose();
+    let axes = [back.x_axis, back.y_axis, back.z_axis].map(|axis| same(&axis.to_array()));
+    let shift = same(&shift.to_array());
+    clip.begin(others.len(), face.len());
+    for column in (0..others.len()).step_by(LANES) {
+        let from = others.start + column;
+        let normal = [&planes.x, &planes.y, &planes.z].map(|list| Lanes::at(list, from));
+        let own = plus(
+            &plus(&scaled(normal[0], &axes[0]), &scaled(normal[1], &axes[1])),
+            &scaled(normal[2], &axes[2]),
+        );
+        let room = Lanes::at(&planes.d, from) - dot(&normal, &shift);
+        let there = (others.len() - column).min(LANES);
+        let mut beyond = [true; LANES];
+        for (row, v) in face.iter().enumerate() {
+            let corner = same(&body.shape.vertices[*v as usize].to_array());
+            let height = (dot(&own, &corner) - room).0;
+            clip.set(row, column, &height[..there]);
+            for (beyond, height) in beyond.iter_mut().zip(height) {
+                *beyond &= height >= 0.0;
+            }
+        }
+        if let Some(lane) = beyond[..there].iter().position(|all| *all) {
+            return Some(from + lane);
+        }
+    }
+    None
 }
 
 #[cfg(test)]

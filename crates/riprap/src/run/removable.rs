@@ -11,6 +11,7 @@
 //!
 //! Blocks below the wanted factor are taken out, and what they uncover is looked at in the next round: progressive failure.
 
+mod error;
 mod picture;
 mod record;
 #[cfg(test)]
@@ -20,9 +21,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
-use super::engine::{BuildError, View as Either};
-use super::job::JobError;
-use super::simulation::{RunError, Simulation};
+use super::engine::View as Either;
+use super::simulation::Simulation;
 use crate::Vec3;
 use crate::exec::Exec;
 use crate::laws::behaviour::Law;
@@ -31,6 +31,8 @@ use crate::plan::{Phase, Plan};
 use crate::setup::Setup;
 use crate::spatial::setup::{BoundaryKind, InterfaceLaw, Motion};
 use crate::spatial::view::View;
+
+pub use error::RemovableError;
 
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq)]
@@ -136,42 +138,6 @@ pub struct Answer {
     pub rollers: usize,
     /// Things of the scene that do not count.
     pub not_counted: Vec<String>,
-}
-
-/// Why there is no answer.
-#[derive(Debug, thiserror::Error)]
-pub enum RemovableError {
-    /// In the plane.
-    #[error(
-        "block theory needs blocks in space ([space.spatial]); for a section run `riprap safety`"
-    )]
-    Planar,
-    /// No such phase.
-    #[error("there is no phase `{name}`; valid names: {known}")]
-    Phase {
-        /// What was asked for.
-        name: String,
-        /// What there is.
-        known: String,
-    },
-    /// A factor that is none.
-    #[error("the factor of safety must be above zero and finite")]
-    Factor,
-    /// A model that cannot be built.
-    #[error(transparent)]
-    Build(#[from] BuildError),
-    /// Forces that cannot be found.
-    #[error(transparent)]
-    Run(#[from] RunError),
-    /// A picture that cannot be written.
-    #[error(transparent)]
-    Picture(Box<JobError>),
-}
-
-impl From<JobError> for RemovableError {
-    fn from(error: JobError) -> Self {
-        Self::Picture(Box::new(error))
-    }
 }
 
 /// The removable blocks of a model.
