@@ -204,11 +204,11 @@ export class Contacts {
   }
 }
 
-/** Bars of bolts as rods that show through the blocks, coloured by axial force. */
-export class Bolts {
-  private mesh: THREE.InstancedMesh | null = null;
+/** One form at many places, in one go, that shows through the blocks. */
+export class Instances {
+  protected mesh: THREE.InstancedMesh | null = null;
   readonly object = new THREE.Group();
-  private readonly material = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
+  protected readonly material = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
 
   clear(): void {
     if (!this.mesh) return;
@@ -217,7 +217,10 @@ export class Bolts {
     this.mesh.dispose();
     this.mesh = null;
   }
+}
 
+/** Bars of bolts as rods that show through the blocks, coloured by axial force. */
+export class Bolts extends Instances {
   /** Draws the bars, `thick` wide; ends go along with their blocks. The colour is white without force. */
   draw(bolts: Packet<BoltInfo>, blocks: Blocks, shift: Shift, thick: number): void {
     this.clear();
@@ -257,19 +260,7 @@ export class Bolts {
 export const WEAK = 0.02;
 
 /** Tubes from the middle of a block over a contact to the middle of the other, as thick and dark as the force; they show through the blocks. */
-export class Chains {
-  private mesh: THREE.InstancedMesh | null = null;
-  readonly object = new THREE.Group();
-  private readonly material = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
-
-  clear(): void {
-    if (!this.mesh) return;
-    this.object.remove(this.mesh);
-    this.mesh.geometry.dispose();
-    this.mesh.dispose();
-    this.mesh = null;
-  }
-
+export class Chains extends Instances {
   /** Draws those of the contacts at `places`, the thickest `thick` wide; `middle` is where a block is drawn, null where it is not. How many contacts. */
   draw(contacts: Packet<ContactInfo>, places: Float32Array, middle: (block: number) => THREE.Vector3 | null, thick: number): number {
     this.clear();

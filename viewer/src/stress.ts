@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import type { Blocks } from "./blocks";
-import { AHEAD, ARROWS, PRESSED, PULLED, type Shift } from "./marks";
+import { AHEAD, ARROWS, Instances, PRESSED, PULLED, type Shift } from "./marks";
 import type { StressInfo } from "./run";
 import type { Settings } from "./settings";
 import type { Packet } from "./wire";
@@ -54,19 +54,7 @@ interface Stresses {
 }
 
 /** Principal stresses as crosses through the middles of blocks or tetrahedra; they show through the blocks. */
-class Crosses {
-  private mesh: THREE.InstancedMesh | null = null;
-  readonly object = new THREE.Group();
-  private readonly material = new THREE.MeshBasicMaterial({ depthTest: false, transparent: true });
-
-  clear(): void {
-    if (!this.mesh) return;
-    this.object.remove(this.mesh);
-    this.mesh.geometry.dispose();
-    this.mesh.dispose();
-    this.mesh = null;
-  }
-
+class Crosses extends Instances {
   /**
    * Draws the chosen crosses at their places (three numbers each). An arm of the size `longest` is `length` long from end
    * to end and `thick` thick, and none is longer. Returns how many have a longer one.
