@@ -19,7 +19,7 @@ use riprap_geom::polyhedron::{Polyhedron, hull};
 
 mod acting;
 pub(crate) mod constants;
-mod covered;
+pub(crate) mod covered;
 mod facing;
 mod felt;
 pub(crate) mod glued;
@@ -436,6 +436,10 @@ fn rebuild(world: &mut World, scratch: &mut Scratch, were: &[Role]) {
     } else {
         desk.candidates = Default::default();
     }
+    desk.seats = match world.implicit {
+        Some(_) => covered::seats(world, desk),
+        None => Default::default(),
+    };
     let before = std::mem::replace(&mut world.found.held, desk.candidates.held.clone());
     let old = std::mem::take(&mut world.found.pairs);
     let (grounded, old): (Vec<_>, Vec<_>) =

@@ -1,9 +1,9 @@
-//! Blocks that can slide from one block onto the next.
+//! Blocks of glued parts that can slide from one block onto the next, or blocks that slide over them.
 //!
-//! A block that can move ends at its own faces, also where they lie on those of its neighbour (held blocks cover each other's): what
-//! slides over the seam between two blocks of one plane presses against their edges, by the depth to which it lies in them. Explicit steps lose there
-//! what dashpots take of that; an implicit step, in which a block moves by far more than that depth, is braked by the edge, and friction seems larger
-//! than it is.
+//! Convex blocks that lie flush on each other cover each other's faces ([`crate::contact`]). A block of parts ends at its own faces, also where they
+//! lie on those of its neighbour: what slides over the seam between two blocks of one plane presses against their edges, by the depth to which it lies
+//! in them. Explicit steps lose there what dashpots take of that; an implicit step, in which a block moves by far more than that depth, is braked by
+//! the edge, and friction seems larger than it is.
 
 use riprap_geom::Vec3;
 
@@ -25,7 +25,7 @@ struct Seat {
     offset: f64,
 }
 
-/// A block that can move and lies, without strength, on two others in one plane of which one at least can move too: it and these two.
+/// A block that can move and lies, without strength, on two others in one plane, where one of the three has glued parts: it and these two.
 #[must_use]
 pub fn seam(world: &World) -> Option<[u32; 3]> {
     let loose = (0..world.patches.len()).filter(|p| is_loose(world, *p));
@@ -50,7 +50,9 @@ pub fn seam(world: &World) -> Option<[u32; 3]> {
         seats.iter().enumerate().find_map(|(k, seat)| {
             let beside = seats[k + 1..].iter().find(|other| {
                 other.partner != seat.partner
-                    && [other, seat].iter().any(|on| world.is_free(on.partner as usize))
+                    && [seat.block, seat.partner, other.partner]
+                        .iter()
+                        .any(|b| world.is_glued(*b as usize))
                     && (other.normal - seat.normal).length() < PARALLEL
                     && (other.offset - seat.offset).abs() < COPLANAR * seat.offset.abs()
             })?;

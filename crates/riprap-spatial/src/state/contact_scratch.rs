@@ -7,7 +7,7 @@ use riprap_core::sums::GROUP;
 use riprap_geom::{Mat3, Vec3};
 use serde::{Deserialize, Serialize};
 
-use crate::broad::covered::Covered;
+use crate::broad::covered::{Cover, Covered};
 use crate::broad::search::Candidates;
 use crate::kernel::friction::{ContactLaw, Wrench};
 use crate::kernel::glued::{Glued, Gluer};
@@ -27,8 +27,10 @@ pub struct ContactScratch {
     pub shapes: Vec<Shape>,
     /// Blocks of glued parts by their terms, and all others as one term each, one for each mass class; empty where no block has parts.
     pub glued: Vec<Glued>,
-    /// Faces that other blocks in place cover.
+    /// Faces of held blocks that other held blocks cover.
     pub covered: Covered,
+    /// In implicit phases: what may cover faces until the next search.
+    pub seats: Seats,
     /// Pairs that can touch.
     pub candidates: Candidates,
     /// What is the same in all steps, per pair.
@@ -83,6 +85,24 @@ pub struct ContactScratch {
     pub terrain: Grounds,
     /// Workspace of the looks at who can meet whom.
     pub who: RoleScratch,
+}
+
+/// What may cover faces until the next search.
+#[derive(Debug, Default)]
+pub struct Seats {
+    /// Joints in place, and what each covers.
+    pub joints: Vec<(u32, Cover)>,
+    /// Faces of candidates that can come to lie flush on each other.
+    pub contacts: Vec<Seat>,
+}
+
+/// Two faces that can come to lie flush on each other.
+#[derive(Clone, Copy, Debug)]
+pub struct Seat {
+    /// Place of the pair among the candidates.
+    pub pair: u32,
+    /// A face of each block.
+    pub faces: [u16; 2],
 }
 
 /// Workspace for a look at who can meet whom; kept, so that a look takes no memory.

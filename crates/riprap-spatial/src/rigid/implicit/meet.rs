@@ -3,7 +3,7 @@
 use riprap_core::sums::GROUP;
 use riprap_geom::Vec3;
 
-use crate::broad::covered::has;
+use crate::broad::covered::{Covered, has};
 use crate::contact;
 use crate::implicit::geometry::{Reach, reach, reach_ground};
 use crate::implicit::glued::{reach_glued, reach_ground_glued};
@@ -43,7 +43,14 @@ pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
     let mut workspaces = std::mem::take(&mut scratch.desk.workspaces);
     let desk = &mut scratch.implicit;
     desk.begin(world.alive.len(), pairs.len());
-    let looking = Looking { world, memory: world.implicit.as_deref(), contacts: &scratch.desk, dt };
+    let covered = contact::covered::at_present(world, &scratch.desk, dt);
+    let looking = Looking {
+        world,
+        memory: world.implicit.as_deref(),
+        contacts: &scratch.desk,
+        covered: &covered,
+        dt,
+    };
     let width = scratch.width;
     let mut nothing = vec![(); pairs.len().div_ceil(GROUP)];
     scratch.exec.groups2(
@@ -114,6 +121,8 @@ struct Looking<'a> {
     memory: Option<&'a Implicit>,
     /// Its blocks are where they are now.
     contacts: &'a ContactScratch,
+    /// Faces that blocks which lie flush on each other cover.
+    covered: &'a Covered,
     /// Length of the coming step, s.
     dt: f64,
 }
@@ -223,18 +232,22 @@ impl Looking<'_> {
         let margins: f64 =
             pair.ends.map(|b| self.world.found.search.margin[b as usize]).iter().sum();
         let listed = out <= LISTED * margins;
-        let covered = contacts.covered.of_pair(pair.ends);
-        let all: [Vec<u16>; 2] = match listed {
-            true => Default::default(),
-            false => [0, 1].map(|side: usize| {
-                let all = 0..bodies[side].shape.faces() as u16;
-                all.filter(|face| !has(covered[side], usize::from(*face))).collect()
-            }),
-        };
-        let faces = match listed {
-            true => candidate.faces(&contacts.candidates.lists),
-            false => [&all[0][..], &all[1][..]],
-        };
+        let held = contacts.covered.of_pair(pair.ends);
+        let flush = self.covered.of_pair(pair.ends);
+        let covered = [held[0] | flush[0], held[1] | flush[1]];
+        let as_listed = candidate.faces(&contacts.candidates.lists);
+        let all: [Vec<u16>; 2] = [0, 1].map(|side: usize| {
+            let bare = |face: &u16| !has(covered[side], usize::from(*face));
+            match listed {
+                true if flush[side] == 0 => Vec::new(),
+                true => as_listed[side].iter().copied().filter(bare).collect(),
+                false => (0..bodies[side].shape.faces() as u16).filter(bare).collect(),
+            }
+        });
+        let faces = [0, 1].map(|side: usize| match listed && flush[side] == 0 {
+            true => as_listed[side],
+            false => &all[side][..],
+        });
         let place =
             |side: usize, face: u16| faces[side].binary_search(&face).ok().map(|k| k as u16);
         let hint = pair.start.and_then(|[f, g]| Some([place(0, f)?, place(1, g)?]));
