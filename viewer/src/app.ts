@@ -8,6 +8,7 @@ import { STATES } from "./marks";
 import { Panel } from "./panel";
 import { Plots, namesOf, type AlongLine } from "./plots";
 import { Run, told, type Moment } from "./run";
+import { SavedViews } from "./saved";
 import { Choices, type Settings } from "./settings";
 import { defaultMap } from "./colour";
 import { short, quantity } from "./format";
@@ -39,6 +40,7 @@ export class App {
   private timeline!: Timeline;
   private panel: Panel | null = null;
   private plots: Plots | null = null;
+  private readonly saved = new SavedViews(() => this.panes.map(({ view }) => view), this.choices);
   private readonly stages = el("div.stages");
   private readonly badge = el("span.badge");
   private readonly title = el("h1");
@@ -80,6 +82,7 @@ export class App {
     document.documentElement.dataset.shown = "true";
     for (const { view } of this.panes) view.hasty = false;
     await this.timeline.go(this.timeline.at);
+    await this.saved.load();
     document.documentElement.dataset.ready = "true";
   }
 
@@ -104,7 +107,7 @@ export class App {
     }
     const first = good[0];
     const dimension = first?.summary.fields.some((f) => f.components === 3) ? 3 : 2;
-    this.panel = new Panel(this.runs, this.choices, this.actions(), dimension);
+    this.panel = new Panel(this.runs, this.choices, this.actions(), this.saved, dimension);
     this.plots = new Plots(
       good,
       (x, bySteps) => void this.timeline.seek(x, bySteps),
@@ -332,7 +335,7 @@ export class App {
     };
     try {
       if (what === "picture") await film.picture(views, this.choices.now);
-      else await film[what](views, this.choices.now, this.timeline, progress);
+      else await film[what]([views, this.choices.now, this.timeline, this.saved.move()], progress);
       this.panel?.say(work.signal.aborted ? "stopped" : "saved");
     } catch (error) {
       this.panel?.say(told(error).what);

@@ -4,8 +4,10 @@ import { zipSync } from "fflate";
 import { save } from "./dom";
 import { legendOf, paintLegend } from "./legend";
 import type { Settings } from "./settings";
+import type { Standpoint } from "./stage";
 import type { Timeline } from "./timeline";
 import type { View } from "./view";
+import { webm, type EncodedFrame, type Film } from "./webm";
 
 /** Frames of a zip at most: it is put together in memory. */
 const FRAMES = 2000;
@@ -62,53 +64,119 @@ export async function picture(views: View[], settings: Settings): Promise<void> 
 /** How far it is, from 0 to 1; false from it stops the work. */
 export type Progress = (share: number) => boolean;
 
-export async function sequence(views: View[], settings: Settings, timeline: Timeline, progress: Progress): Promise<void> {
+/** Pictures of a film whose camera moves while there is one frame only. */
+const TURNS = 120;
+
+/** Puts every picture on a canvas in turn, the camera on its way; false: it was stopped. Time and camera go back afterwards. */
+async function play(
+  [views, settings, timeline, move]: Playing,
+  progress: Progress,
+  each: (canvas: HTMLCanvasElement, k: number, count: number) => Promise<void>,
+): Promise<boolean> {
   timeline.pause();
   const back = timeline.at;
-  const files: Record<string, [Uint8Array, { level: 0 }]> = {};
+  const stood = views[0]!.stage.standpoint();
+  const stand = (at: Standpoint) => views.forEach((view) => view.stage.follow(at));
   const canvas = document.createElement("canvas");
-  const count = Math.min(FRAMES, timeline.moments.length);
-  for (let k = 0; k < count; k++) {
-    if (!progress(k / count)) return;
-    await timeline.go(k);
-    const blob = await blobOf(compose(views, settings, canvas));
-    // Stored as they are: a PNG is packed already.
-    files[`frame_${String(k + 1).padStart(6, "0")}.png`] = [new Uint8Array(await blob.arrayBuffer()), { level: 0 }];
+  const moments = timeline.moments.length;
+  const count = move && moments === 1 ? TURNS : moments;
+  try {
+    for (let k = 0; k < count; k++) {
+      if (!progress(k / count)) return false;
+      if (k < moments) await timeline.go(k);
+      if (move) stand(move(k / Math.max(1, count - 1)));
+      await each(compose(views, settings, canvas), k, count);
+    }
+  } finally {
+    if (move) stand(stood);
+    await timeline.go(back);
   }
-  await timeline.go(back);
-  save(new Blob([zipSync(files) as Uint8Array<ArrayBuffer>], { type: "application/zip" }), `${nameOf(views)}_frames.zip`);
+  return true;
 }
 
-export async function film(views: View[], settings: Settings, timeline: Timeline, progress: Progress): Promise<void> {
-  const kinds = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
-  const kind = typeof MediaRecorder === "undefined" ? undefined : kinds.find((k) => MediaRecorder.isTypeSupported(k));
-  if (!kind) throw new Error("This browser cannot write WebM. Save the frames as PNG instead.");
-  timeline.pause();
-  const back = timeline.at;
-  const canvas = document.createElement("canvas");
-  await timeline.go(0);
-  compose(views, settings, canvas);
-  const stream = canvas.captureStream(30);
-  const recorder = new MediaRecorder(stream, { mimeType: kind, videoBitsPerSecond: 8e6 });
-  const parts: Blob[] = [];
-  recorder.ondataavailable = (event) => parts.push(event.data);
-  const stopped = new Promise((done) => (recorder.onstop = done));
-  recorder.start();
-  recorder.pause();
-  const count = timeline.moments.length;
-  let whole = true;
-  for (let k = 0; k < count && whole; k++) {
-    await timeline.go(k);
-    // Time counts only while a finished picture stands: frames that take long do not stutter.
-    recorder.resume();
-    compose(views, settings, canvas);
-    await new Promise((done) => setTimeout(done, 1000 / settings.speed));
-    recorder.pause();
-    whole = progress((k + 1) / count);
+/** What a film is made of: the views side by side, and the way of their cameras where they do not stay. */
+export type Playing = [views: View[], settings: Settings, timeline: Timeline, move: ((share: number) => Standpoint) | null];
+
+export async function sequence(playing: Playing, progress: Progress): Promise<void> {
+  const files: Record<string, [Uint8Array, { level: 0 }]> = {};
+  const whole = await play(playing, progress, async (canvas, k, count) => {
+    if (count > FRAMES) throw new Error(`${count} frames are too many for one zip, which has at most ${FRAMES}: riprap shot RUN --all -o FILE.png writes them to a folder.`);
+    const blob = await blobOf(canvas);
+    // Stored as they are: a PNG is packed already.
+    files[`frame_${String(k + 1).padStart(6, "0")}.png`] = [new Uint8Array(await blob.arrayBuffer()), { level: 0 }];
+  });
+  if (whole) save(new Blob([zipSync(files) as Uint8Array<ArrayBuffer>], { type: "application/zip" }), `${nameOf(playing[0])}_frames.zip`);
+}
+
+/** Codecs of a film, the better one first: as the encoder and as the file name it. */
+const CODECS = [
+  ["vp09.00.51.08", "V_VP9"],
+  ["vp8", "V_VP8"],
+] as const;
+/** Every so many frames one stands alone: players begin there when somebody goes to a place. */
+const KEY_EVERY = 50;
+/** Pictures that wait for the encoder at most. */
+const WAITING = 4;
+
+/** How the encoder is to be set; it must not drop frames that take long. */
+async function encoderConfig(width: number, height: number, framerate: number): Promise<[VideoEncoderConfig, Film["codec"]]> {
+  if (typeof VideoEncoder === "undefined") {
+    const why = window.isSecureContext ? "This browser has no video encoder (WebCodecs)." : "Browsers encode video only on pages of this machine (127.0.0.1) or served by https.";
+    throw new Error(`${why} Save all frames as PNG instead, or write the film without a browser: riprap shot RUN --all -o film.apng`);
   }
-  recorder.stop();
-  await stopped;
-  for (const track of stream.getTracks()) track.stop();
-  await timeline.go(back);
-  if (whole) save(new Blob(parts, { type: "video/webm" }), `${nameOf(views)}.webm`);
+  // Drawings have sharp edges, and smooth shades that show bands where bits are few.
+  const bitrate = Math.max(2e6, Math.round(0.35 * width * height * framerate));
+  for (const [codec, id] of CODECS) {
+    const config: VideoEncoderConfig = { codec, width, height, framerate, bitrate, latencyMode: "quality" };
+    const answer = await VideoEncoder.isConfigSupported(config);
+    if (answer.supported) return [config, id];
+  }
+  throw new Error(`This browser cannot encode VP9 or VP8 at ${width} x ${height} pixels. Make the window smaller, or save all frames as PNG instead.`);
+}
+
+/** Encodes every picture once, as fast as the machine can: a slow machine leaves the film as it is. */
+export async function film(playing: Playing, progress: Progress): Promise<void> {
+  const rate = playing[1].speed;
+  const frames: EncodedFrame[] = [];
+  const made: { film?: Film; encoder?: VideoEncoder; failed?: DOMException } = {};
+  const broken = () => {
+    if (made.failed) throw new Error(`The browser could not encode the film: ${made.failed.message}`);
+  };
+  const start = async ({ width, height }: HTMLCanvasElement) => {
+    const [config, codec] = await encoderConfig(width, height, rate);
+    made.film = { width, height, codec, framesPerSecond: rate, frames };
+    const encoder = new VideoEncoder({
+      output: (chunk) => {
+        const data = new Uint8Array(chunk.byteLength);
+        chunk.copyTo(data);
+        frames.push({ data, key: chunk.type === "key" });
+      },
+      error: (error) => (made.failed = error),
+    });
+    encoder.configure(config);
+    return (made.encoder = encoder);
+  };
+  let wanted = 0;
+  try {
+    const whole = await play(playing, progress, async (canvas, k, count) => {
+      wanted = count;
+      const encoder = made.encoder ?? (await start(canvas));
+      if (canvas.width !== made.film!.width || canvas.height !== made.film!.height) {
+        throw new Error("The window changed its size while the film was made. Make it again and leave the window as it is.");
+      }
+      const picture = new VideoFrame(canvas, { timestamp: Math.round((1e6 * k) / rate), duration: Math.round(1e6 / rate) });
+      broken();
+      encoder.encode(picture, { keyFrame: k % KEY_EVERY === 0 });
+      picture.close();
+      while (encoder.encodeQueueSize > WAITING && !made.failed) await new Promise((done) => setTimeout(done, 5));
+    });
+    broken();
+    if (!whole || !made.film) return;
+    await made.encoder!.flush();
+    broken();
+    if (frames.length !== wanted) throw new Error(`The browser encoded ${frames.length} of ${wanted} frames. Save all frames as PNG instead.`);
+    save(new Blob([webm(made.film)], { type: "video/webm" }), `${nameOf(playing[0])}.webm`);
+  } finally {
+    if (made.encoder && made.encoder.state !== "closed") made.encoder.close();
+  }
 }

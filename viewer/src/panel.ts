@@ -7,6 +7,7 @@ import { kindName } from "./legend";
 import { STATES } from "./marks";
 import { namesOf } from "./plots";
 import type { BlockNumbers, Run } from "./run";
+import type { SavedViews } from "./saved";
 import type { Choices, Settings } from "./settings";
 import { blocksOf } from "./warnings";
 
@@ -38,6 +39,7 @@ export class Panel {
     private readonly runs: Run[],
     private readonly choices: Choices,
     private readonly actions: Actions,
+    private readonly saved: SavedViews,
     private dimension: 2 | 3,
   ) {
     this.object = el("aside.panel", { "aria-label": "settings" });
@@ -61,6 +63,7 @@ export class Panel {
       section("Shape and view", true, this.moveBox),
       section("Vectors and contacts", true, this.marksBox),
       section("Block", true, this.blockBox),
+      section("Views", false, this.saved.object),
       section("Save", false, this.saveBox()),
       ...this.runs.map((run, i) => section(this.runs.length > 1 ? `Run ${i + 1}` : "Run", false, aboutRun(run, this.warnings(run)))),
     );
@@ -344,8 +347,9 @@ export class Panel {
         {},
         button("Picture", "PNG of what is shown (s)", this.actions.picture),
         button("All frames", "PNG of every frame, in a zip", this.actions.sequence),
-        button("Film", "WebM, at the frames per second of the bar below", this.actions.film),
+        button("Film", "WebM with every frame once, at the frames per second of the bar below", this.actions.film),
       ),
+      this.saved.pathRow(this.dimension),
       this.status,
     );
   }

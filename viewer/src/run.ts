@@ -63,6 +63,8 @@ export interface Summary {
   cracks: boolean;
   /** Whether frames have bolts. */
   bolts?: boolean;
+  /** Whether the folder has saved views. */
+  views?: boolean;
 }
 
 export interface ShapeInfo {

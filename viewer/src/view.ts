@@ -339,14 +339,26 @@ export class View {
     return { normal, at, keep: upper === clipFlip ? 1 : -1, flat: clipFlat };
   }
 
+  /** The cut in the axes of the model: what lies along the normal beyond a place, m, is taken away. */
+  cutAway(settings: Settings): { normal: Cut["normal"]; at: number } | null {
+    const cut = this.blocks && this.cut(settings);
+    if (!cut) return null;
+    const side = -cut.keep;
+    return { normal: cut.normal.map((n) => side * n) as Cut["normal"], at: side * this.placeAlong(cut) };
+  }
+
+  /** Where a cut lies along its normal in the axes of the model, m. */
+  private placeAlong({ normal, at }: Cut): number {
+    const { origin } = this.blocks!.shape.info;
+    return at + normal.reduce((sum, n, k) => sum + n * origin[k]!, 0);
+  }
+
   /** Where the cut is, in words; empty without one. */
   cutText(settings: Settings): string {
     const cut = this.blocks && this.cut(settings);
     if (!cut) return "";
-    const { origin } = this.blocks!.shape.info;
-    const far = cut.at + cut.normal.reduce((sum, n, k) => sum + n * origin[k]!, 0);
     const { clipAxis, clipDip, clipDirection } = settings;
-    if (clipAxis !== "free") return `cut at ${clipAxis} = ${quantity(far, "m", 3)}`;
+    if (clipAxis !== "free") return `cut at ${clipAxis} = ${quantity(this.placeAlong(cut), "m", 3)}`;
     const angle = (v: number) => String(Math.round(v)).padStart(this.flat ? 1 : 2, "0");
     return this.flat
       ? `cut at ${angle(clipDip)}° from x`

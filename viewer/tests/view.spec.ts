@@ -163,7 +163,7 @@ test("two runs side by side share time and camera", async ({ view }) => {
   await shoot(page, "two-runs");
 });
 
-test("pictures, frames and a film are saved", async ({ view }) => {
+test("a picture and all frames are saved", async ({ view }) => {
   const page = await view("steep");
   const saved = async (label: string) => {
     const waiting = page.waitForEvent("download", { timeout: 50_000 });
@@ -180,12 +180,6 @@ test("pictures, frames and a film are saved", async ({ view }) => {
   const count = Object.keys(inside).length;
   expect(count).toBeGreaterThan(8);
   expect(Object.values(inside).every((png) => png[1] === 0x50 && png.length > 2000)).toBe(true);
-  await page.getByLabel("frames per second").selectOption("20");
-  const film = await saved("Film");
-  expect(film.name).toBe("steep.webm");
-  // The magic of Matroska.
-  expect(film.bytes.subarray(0, 4).toString("hex")).toBe("1a45dfa3");
-  expect(film.bytes.length).toBeGreaterThan(10_000);
 });
 
 test("keys, dark and light, and a phone", async ({ view }) => {

@@ -145,6 +145,7 @@ pub fn summary(run: &Run) -> Value {
         "tables": tables,
         "cracks": run.inside("cracks.pvd").is_ok(),
         "bolts": run.inside("bolts.pvd").is_ok(),
+        "views": run.inside("views.json").is_ok(),
     })
 }
 
