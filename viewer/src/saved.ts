@@ -1,4 +1,4 @@
-// Views that were saved: where the camera stands and what is shown, by name. `riprap shot RUN --view NAME` draws them from views.json.
+// Views that were saved: where the camera stands and what is shown, by name. `riprap shot RUN --saved NAME` draws them from views.json.
 
 import * as THREE from "three";
 import { KINDS } from "./colour";
@@ -140,7 +140,7 @@ export class SavedViews {
     });
     const button = (label: string, title: string, act: () => void) => el("button", { type: "button", title, onclick: act }, label);
     this.object.append(
-      el("div.buttons", {}, name, button("save view", "Keep camera, colours and cut under this name", keep), button("views.json", "All saved views in a file: riprap shot RUN --views FILE --view NAME draws them; in the run folder the viewer finds them again", () => this.write())),
+      el("div.buttons", {}, name, button("save view", "Keep camera, colours and cut under this name", keep), button("views.json", "All saved views in a file: riprap shot RUN --views FILE --saved NAME draws them; in the run folder the viewer finds them again", () => this.write())),
       this.list,
       this.said,
     );

@@ -447,12 +447,19 @@ fn contacts(page: &mut Page, frame: &Frame, window: &Window, corner: [f64; 2]) {
 }
 
 /// Names of kinds beside their colours, those that occur.
-pub(super) fn chips(page: &mut Page, names: &[String], values: &[f64], [x, y]: [f64; 2]) {
+fn chips(page: &mut Page, names: &[String], values: &[f64], at: [f64; 2]) {
     let there = |k: usize| values.contains(&(k as f64));
     let shown = names.iter().enumerate().filter(|(k, _)| there(*k));
-    for (row, (k, name)) in shown.enumerate() {
+    let shown: Vec<(&str, &str)> =
+        shown.map(|(k, name)| (colour::kind(k as f64), name.as_str())).collect();
+    chips_of(page, &shown, at);
+}
+
+/// Names beside their colours, one below the other.
+pub(super) fn chips_of(page: &mut Page, kinds: &[(&str, &str)], [x, y]: [f64; 2]) {
+    for (row, (colour, name)) in kinds.iter().enumerate() {
         let top = y + 22.0 * row as f64;
-        let style = format!("fill=\"{}\" stroke=\"#1a1a1a\"", colour::kind(k as f64));
+        let style = format!("fill=\"{colour}\" stroke=\"#1a1a1a\"");
         page.rect(x, top, 14.0, 14.0, &style);
         let room = page.width - x - 22.0;
         page.text([x + 20.0, top + 11.5], SIZE, Anchor::Start, &fitted(name, SIZE, room));

@@ -7,7 +7,7 @@ use riprap_record::frame::Frame;
 const COLOURS: [[f64; 3]; 3] = [[244.0, 240.0, 234.0], [208.0, 28.0, 28.0], [29.0, 95.0, 208.0]];
 
 /// Axial forces of the bars of a frame, N, tension positive.
-fn forces(frame: &Frame) -> &[f64] {
+pub(super) fn forces(frame: &Frame) -> &[f64] {
     let columns = frame.bolts.as_ref().map_or(&[][..], |b| &b.columns);
     let force = columns.iter().find(|c| c.name == "axial_force");
     force.map_or(&[], |c| &c.data)
@@ -56,7 +56,7 @@ pub(super) fn draw(
 }
 
 /// Colour of a share of the largest force, -1 to 1.
-fn colour(share: f64) -> String {
+pub(super) fn colour(share: f64) -> String {
     let end = COLOURS[if share < 0.0 { 2 } else { 1 }];
     let size = share.abs().min(1.0);
     let mix = |k: usize| (COLOURS[0][k] + size * (end[k] - COLOURS[0][k])).round() as u8;

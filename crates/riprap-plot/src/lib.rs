@@ -55,7 +55,7 @@ pub use ppv::ppv;
 pub use riprap_keys::Words;
 pub use rose::rose;
 pub use samples::{Sampled, Tornado, histograms, tornado, tornado_with};
-pub use shot::{Shot, shots};
+pub use shot::{Asked, Cut, Eye, Shot, is_film, shots};
 pub use sieve::fragments;
 pub use signals::{cavity, spectrum};
 pub use surface::{CraterOptions, crater, heave};
@@ -181,6 +181,14 @@ pub enum PlotError {
         /// What to give.
         wanted: &'static str,
     },
+    /// A file of saved views, or what is in it.
+    #[error("{}: {reason}", path.display())]
+    View {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong, and what to do.
+        reason: String,
+    },
     /// Too few or useless numbers for a fit.
     #[error("cannot fit {what}: {reason}")]
     Fit {
@@ -217,6 +225,7 @@ impl PlotError {
             | Self::NothingToDraw { .. }
             | Self::Unsuitable { .. }
             | Self::Option { .. }
+            | Self::View { .. }
             | Self::Fit { .. }
             | Self::Ending { .. }
             | Self::Render { .. } => Fault::Request,

@@ -31,7 +31,7 @@ mod _riprap {
     #[pymodule_export]
     use crate::look::Progress;
     #[pymodule_export]
-    use crate::plots::plot;
+    use crate::plots::{plot, shot};
     #[pymodule_export]
     use crate::results::{muckpile, removable, runout, strength};
     #[pymodule_export]

@@ -115,6 +115,86 @@ fn named<T: Words>(keyword: &str, word: &str) -> PyResult<T> {
     })
 }
 
+/// How blocks in space are drawn; keywords of `riprap.shot`.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct ShotOptions {
+    by: Option<String>,
+    times: Vec<f64>,
+    all: bool,
+    view: Option<[f64; 2]>,
+    perspective: Option<f64>,
+    saved: Option<String>,
+    views: Option<PathBuf>,
+    size: Option<[u32; 2]>,
+    cut: Option<String>,
+    at: Option<f64>,
+    log: bool,
+    range: Option<[Bound; 2]>,
+    percentiles: Option<[f64; 2]>,
+    exaggerate: Option<f64>,
+    bolts: bool,
+    fps: Option<f64>,
+}
+
+/// Draws blocks in space into `out` (`.png`, `.apng`); gives the files written.
+#[pyfunction]
+pub fn shot(
+    py: Python<'_>,
+    folder: PathBuf,
+    out: PathBuf,
+    options: ShotOptions,
+) -> PyResult<Vec<PathBuf>> {
+    let mut frames: Vec<Which> = options.times.iter().map(|t| Which::Time(*t)).collect();
+    if frames.is_empty() && !options.all && !drawn::is_film(&out) {
+        frames.push(Which::Last);
+    }
+    let shot = options.shot(py, &folder, frames.first().copied().unwrap_or(Which::Last))?;
+    if let Some(parent) = out.parent().filter(|p| !p.as_os_str().is_empty()) {
+        std::fs::create_dir_all(parent)?;
+    }
+    py.detach(|| drawn::shots(&folder, &frames, &shot, options.fps, &out))
+        .map_err(|e| errors::plot(py, &e))
+}
+
+impl ShotOptions {
+    fn shot(&self, py: Python<'_>, folder: &Path, first: Which) -> PyResult<drawn::Shot> {
+        let asked = drawn::Asked {
+            saved: self.saved.as_deref(),
+            views: self.views.as_deref(),
+            field: self.by.as_deref(),
+            view: self.view,
+            perspective: self.perspective,
+        };
+        let told = |e: &PlotError| errors::plot(py, e);
+        let mut shot = drawn::Shot::asked(folder, first, &asked).map_err(|e| told(&e))?;
+        if let Some(axis) = &self.cut {
+            let at = self.at.ok_or_else(|| {
+                PyValueError::new_err("a cut needs its place: cut=\"y\", at=\"2 m\"")
+            })?;
+            shot.cut = Some(drawn::Cut::nearer(named("cut", axis)?, at, &shot.eye));
+        }
+        let old = shot.options;
+        let range = match &self.range {
+            Some([low, high]) => {
+                let unit = drawn::unit_of(folder, first, &shot.field).map_err(|e| told(&e))?;
+                Some([low.of(&shot.field, &unit)?, high.of(&shot.field, &unit)?])
+            }
+            None => old.range.filter(|_| self.percentiles.is_none()),
+        };
+        shot.options = BlockOptions {
+            log: old.log || self.log,
+            range,
+            percentiles: self.percentiles,
+            exaggeration: self.exaggerate.or(old.exaggeration),
+            ..old
+        };
+        shot.bolts &= self.bolts;
+        shot.size = self.size.unwrap_or(shot.size);
+        Ok(shot)
+    }
+}
+
 impl Options {
     /// Values of the first and the last colour, in the unit of the field; only pictures coloured by it read them.
     fn range(&self, py: Python<'_>, folder: &Path, what: &str) -> PyResult<Option<[f64; 2]>> {

@@ -1,6 +1,7 @@
 """Arrays, tables, frames, run folders, pictures."""
 
 import copy
+import json
 import pickle
 
 import numpy as np
@@ -148,6 +149,24 @@ def test_pictures(slide, blast, tmp_path):
         slide.plot("nonsense")
     with pytest.raises(ValueError, match="normal"):
         blast.plot("section", normal="w")
+
+
+def test_shots_of_blocks_in_space(slide, blast, tmp_path):
+    one = blast.shot(tmp_path / "a.png", view=(180, 10), perspective=40, by="velocity", cut="y", at="0.1 m", size=(200, 150))
+    assert one._repr_png_().startswith(b"\x89PNG")
+    film = riprap.shot(blast, tmp_path / "a.apng", by="material", times=[0.0, 1.0e-3], size=(120, 90), fps=5)
+    assert b"acTL" in film.files[0].read_bytes() and film._repr_png_()
+    view = {"name": "south", "eye": [0, -30, 5], "target": [0, 0, 0], "up": [0, 0, 1], "angle": 30, "field": "velocity"}
+    (tmp_path / "views.json").write_text(json.dumps({"views": [view]}))
+    assert blast.shot(tmp_path / "b.png", saved="south", views=tmp_path / "views.json", size=(100, 80)).files
+    with pytest.raises(riprap.PlotError, match="valid names: south"):
+        blast.shot(tmp_path / "b.png", saved="north", views=tmp_path / "views.json")
+    with pytest.raises(riprap.PlotError, match="in the plane"):
+        slide.shot(tmp_path / "b.png")
+    with pytest.raises(riprap.PlotError, match="fps"):
+        blast.shot(tmp_path / "b.png", fps=5)
+    with pytest.raises(ValueError, match="exclude"):
+        blast.shot(tmp_path / "b.png", saved="south", view=(0, 0))
 
 
 def test_pictures_for_papers(slide, blast, tmp_path):

@@ -387,6 +387,9 @@ fn plots_are_drawn() {
     bench.run(&["shot", "fall.run"]).expect(2).warns(&["the run is in the plane"]);
     bench.run(&["shot", "fall.run", "-o", "a.svg"]).expect(2).warns(&["a.svg is no PNG"]);
     bench.run(&["shot", "fall.run", "--cut", "y"]).expect(2).warns(&["--at"]);
+    bench.run(&["shot", "fall.run", "--fps", "5"]).expect(2).warns(&["ends in .apng"]);
+    bench.run(&["shot", "fall.run", "--perspective=0"]).expect(2).warns(&["1 to 150 degrees"]);
+    bench.run(&["shot", "fall.run", "--saved", "south"]).expect(2).warns(&["views.json"]);
     let strip = ["--time", "0 s", "--time", "0.2 s", "--vectors", "velocity"];
     let words = [&["plot", "fall.run", "blocks", "--exaggerate", "2"], &strip[..]].concat();
     bench.run(&words).expect(0);

@@ -16,7 +16,7 @@ from . import shapes
 from ._data import Field, Fields, Frame, Table
 from ._folder import RunFolder
 from ._monte_carlo import MonteCarlo, monte_carlo
-from ._plot import Picture, plot
+from ._plot import Picture, plot, shot
 from ._riprap import Progress, explain, si, version
 from ._results import Muckpile, Removable, RemovableBlock, Runout, Strength, muckpile, removable, runout, strength
 from ._run import resume, run
@@ -87,6 +87,7 @@ __all__ = [
     "safety",
     "schema",
     "shapes",
+    "shot",
     "si",
     "strength",
     "sweep",

@@ -175,6 +175,12 @@ class RunFolder:
 
         return plot(self, what, *names, out=out, **options)
 
+    def shot(self, out: str | PathLike[str] | None = None, **options: Any) -> "Any":
+        """Draws the blocks in space; see :func:`riprap.shot`."""
+        from ._plot import shot
+
+        return shot(self, out, **options)
+
     @cached_property
     def _frames(self) -> list[tuple[float, Path]]:
         file = self.path / "run.pvd"

@@ -29,7 +29,8 @@ class Picture:
         return None if svg is None else svg.read_text(encoding="utf-8")
 
     def _repr_png_(self) -> bytes | None:
-        png = self.file(".png")
+        # A film is a PNG to whoever shows pictures.
+        png = self.file(".png") or self.file(".apng")
         # Of both a notebook shows the sharp one.
         return None if png is None or self.file(".svg") is not None else png.read_bytes()
 
@@ -145,6 +146,85 @@ def plot(
         "font": font,
     }
     return Picture(_riprap.plot(folder, what, target, options))
+
+
+def shot(
+    run: "RunFolder | str | PathLike[str]",
+    out: str | PathLike[str] | None = None,
+    *,
+    by: str | None = None,
+    view: "tuple[float, float] | None" = None,
+    perspective: float | None = None,
+    saved: str | None = None,
+    views: str | PathLike[str] | None = None,
+    size: "tuple[int, int] | None" = None,
+    times: "float | list[float] | None" = None,
+    all: bool = False,
+    cut: str | None = None,
+    at: "str | float | None" = None,
+    log: bool = False,
+    range: "tuple[str | float, str | float] | None" = None,
+    percentiles: "tuple[float, float] | None" = None,
+    exaggerate: float | None = None,
+    bolts: bool = True,
+    fps: float | None = None,
+) -> Picture:
+    """Draws the blocks of a run in space as they stand: PNG pictures, numbered if there are several, or a film.
+
+    Args:
+        run: the run folder.
+        out: ``.png``, or ``.apng`` for a film (animated PNG); by default ``plots/shot.png`` in the run folder.
+        by: field that colours the blocks; by default ``displacement``, of removable blocks their type, of a saved view its field.
+        view: where the eye stands: degrees clockwise from north (y), and above the horizon; (215, 28) by default.
+        perspective: angle of view from the lower to the upper edge [deg]; without it a parallel projection.
+        saved: name of a view that was saved in ``riprap view``.
+        views: file of saved views; by default ``views.json`` in the run folder.
+        size: width and height of the blocks' part of the picture [pixels]; (1000, 700) by default.
+        times: model times of frames [s]; by default the last frame, of a film all frames.
+        all: all frames.
+        cut: axis across a plane, ``x``, ``y`` or ``z``; the side nearer to the eye is cut away.
+        at: place of the plane along its axis, ``"2 m"`` or a number [m].
+        log: logarithmic colours.
+        range: values of the first and the last colour, with units or in SI: ``("0 mm", "5 mm")``.
+        percentiles: percentiles of the values at which the colours begin and end: ``(2, 98)``.
+        exaggerate: factor on displacements.
+        bolts: bolts as rods.
+        fps: pictures of a film in a second; 10 by default.
+
+    Raises:
+        PlotError: a run in the plane, no such field or view, or an option cannot be.
+        ValueError: a place or a value is none, or options exclude each other.
+    """
+    folder = run.path if isinstance(run, RunFolder) else Path(run)
+    listed = [] if times is None else [times] if isinstance(times, (int, float)) else list(times)
+    together = {"range": range, "percentiles": percentiles, "saved": saved, "view": view, "perspective": perspective}
+    together |= {"times": times, "all": all or None}
+    for one, other in (("range", "percentiles"), ("saved", "view"), ("saved", "perspective"), ("times", "all")):
+        if together[one] is not None and together[other] is not None:
+            raise ValueError(f"{one} and {other} exclude each other")
+    for one, other, given in (("at", "cut", at is not None and cut is None), ("views", "saved", views is not None and saved is None)):
+        if given:
+            raise ValueError(f"{one} needs {other}")
+    options = {
+        "by": by,
+        "times": [float(t) for t in listed],
+        "all": all,
+        "view": None if view is None else list(view),
+        "perspective": perspective,
+        "saved": saved,
+        "views": None if views is None else Path(views),
+        "size": None if size is None else list(size),
+        "cut": cut,
+        "at": _metres(at),
+        "log": log,
+        "range": None if range is None else list(range),
+        "percentiles": None if percentiles is None else list(percentiles),
+        "exaggerate": exaggerate,
+        "bolts": bolts,
+        "fps": fps,
+    }
+    target = Path(out) if out is not None else folder / "plots" / "shot.png"
+    return Picture(_riprap.shot(folder, target, options))
 
 
 def _metres(length: "str | float | None") -> float | None:

@@ -1,0 +1,116 @@
+//! Bolts in a picture of blocks in space: rods in the colour of their axial force, pale where rock lies before them.
+
+use riprap_geom::Vec3;
+use riprap_record::frame::Frame;
+
+use super::super::bolts::{colour, forces};
+use super::super::solid::bodies;
+use super::camera::{Camera, Window};
+use super::drawing::{Drawing, unit};
+use super::{FINE, Shot, rgb};
+
+/// Half of the width of a rod and of its dark rim, pixels.
+const HALF: f64 = 1.6;
+const RIM: f64 = 2.4;
+/// Share of the rod's colour where rock lies before it.
+const PALE: f64 = 0.45;
+/// A bar whose rod has this state is broken.
+const BROKEN: f64 = 3.0;
+
+/// What the rods are, in words; `most`: the largest force, N.
+pub(super) fn note(most: f64) -> String {
+    let most = super::super::digits(1e-3 * most, 3);
+    format!(
+        "bolts: red in tension, blue in compression, up to {most} kN; grey if broken, pale behind rock"
+    )
+}
+
+/// A bar as drawn.
+struct Rod {
+    /// In points, with the depth, m.
+    ends: [Vec3; 2],
+    colour: [f64; 3],
+}
+
+impl Drawing {
+    /// Draws the bolts of a frame over the blocks; `most` is the force of full colour, N. Those that are cut away are left out.
+    pub(super) fn rods(&mut self, frame: &Frame, shot: &Shot, seen: (&Camera, &Window), most: f64) {
+        let rods = rods(frame, shot, seen, most);
+        for rod in &rods {
+            self.stamp(rod, RIM, [26.0; 3], seen.1);
+        }
+        for rod in &rods {
+            self.stamp(rod, HALF, rod.colour, seen.1);
+        }
+    }
+
+    /// Paints all points nearer to a rod than `half`, pixels.
+    fn stamp(&mut self, rod: &Rod, half: f64, colour: [f64; 3], window: &Window) {
+        let half = half * FINE as f64;
+        let [a, b] = rod.ends.map(Vec3::truncate);
+        let way = b - a;
+        let long = way.length_squared();
+        let span = |k: usize| {
+            let (low, high) = (a[k].min(b[k]) - half, a[k].max(b[k]) + half);
+            let last = window.points[k] as f64;
+            low.floor().clamp(0.0, last) as usize..high.ceil().clamp(0.0, last) as usize
+        };
+        for y in span(1) {
+            for x in span(0) {
+                let p = Vec3::new(x as f64 + 0.5, y as f64 + 0.5, 0.0).truncate();
+                let share =
+                    if long > 0.0 { ((p - a).dot(way) / long).clamp(0.0, 1.0) } else { 0.0 };
+                if (a + share * way).distance(p) > half {
+                    continue;
+                }
+                let depth = rod.ends[0].z + share * (rod.ends[1].z - rod.ends[0].z);
+                let at = y * self.wide + x;
+                let behind = self.depth[at] > depth + window.slack;
+                let part = if behind { PALE } else { 1.0 };
+                for (old, new) in self.colours[at].iter_mut().zip(colour) {
+                    *old += part * (new - *old);
+                }
+            }
+        }
+    }
+}
+
+/// The bars of a frame that are not cut away, ends moved along with their blocks.
+fn rods(frame: &Frame, shot: &Shot, (camera, window): (&Camera, &Window), most: f64) -> Vec<Rod> {
+    let Some(bolts) = &frame.bolts else { return Vec::new() };
+    let column = |name: &str| bolts.columns.iter().find(|c| c.name == name).map(|c| &c.data[..]);
+    let sides = [column("block_a"), column("block_b")];
+    let states = column("state");
+    let factor = shot.options.exaggeration.unwrap_or(1.0);
+    let bodies = if factor == 1.0 { Vec::new() } else { bodies(frame) };
+    let numbers = frame.column("block").map(|c| &c.data);
+    let body = |number: f64| match numbers {
+        Some(all) => all.iter().position(|n| *n == number).and_then(|i| bodies.get(i)),
+        None => bodies.get(number as usize),
+    };
+    let moved = |bar: usize, side: usize, p: Vec3| {
+        let number = sides[side].and_then(|all| all.get(bar));
+        number.and_then(|n| body(*n)).map_or(p, |body| body.moved(body.unmoved(p), factor))
+    };
+    let plane = shot.cut.map(unit);
+    let above = |p: Vec3| plane.map_or(-1.0, |(normal, at)| normal.dot(p) - at - window.slack);
+    let mut out = Vec::new();
+    for (bar, (ends, force)) in bolts.points.chunks_exact(2).zip(forces(frame)).enumerate() {
+        let mut line = [0, 1].map(|side| moved(bar, side, Vec3::from(ends[side])));
+        let [from, to] = line.map(above);
+        if from > 0.0 && to > 0.0 {
+            continue;
+        }
+        if (from > 0.0) != (to > 0.0) {
+            let place = line[0].lerp(line[1], from / (from - to));
+            line[usize::from(to > 0.0)] = place;
+        }
+        let seen = camera.polygon(&line, &|_| 0.0);
+        let [(a, _), (b, _), ..] = seen[..] else { continue };
+        let broken = states.and_then(|all| all.get(bar)) == Some(&BROKEN);
+        let share = if most > 0.0 { force / most } else { 0.0 };
+        let colour = if broken { [128.0; 3] } else { rgb(&colour(share)) };
+        out.push(Rod { ends: [a, b].map(|p| window.at(p)), colour });
+    }
+    out
+}
