@@ -32,6 +32,8 @@ pub(super) struct Face {
     pub(super) normal: Vec3,
     /// Share of the colour of its block.
     pub(super) light: f64,
+    /// It looks away: what is seen is the section of its block.
+    pub(super) section: bool,
 }
 
 /// The drawing.
@@ -73,7 +75,7 @@ impl Drawing {
                     _ => normal,
                 };
                 let light = if away { 1.0 } else { 0.62 + 0.38 * normal.dot(sun).max(0.0) };
-                drawing.faces.push(Face { block: i as u32, normal, light });
+                drawing.faces.push(Face { block: i as u32, normal, light, section: away });
                 for pair in seen.windows(2).skip(1) {
                     let three = [seen[0], pair[0], pair[1]];
                     drawing.triangle(

@@ -1,5 +1,7 @@
 //! Bolts in a picture of blocks in space: rods in the colour of their axial force, pale where rock lies before them.
 
+use std::collections::BTreeMap;
+
 use riprap_geom::Vec3;
 use riprap_record::frame::Frame;
 
@@ -29,6 +31,8 @@ pub(super) fn note(most: f64) -> String {
 struct Rod {
     /// In points, with the depth, m.
     ends: [Vec3; 2],
+    /// How far its ends are beyond the plane of the cut, m; none is.
+    above: [f64; 2],
     colour: [f64; 3],
 }
 
@@ -36,16 +40,29 @@ impl Drawing {
     /// Draws the bolts of a frame over the blocks; `most` is the force of full colour, N. Those that are cut away are left out.
     pub(super) fn rods(&mut self, frame: &Frame, shot: &Shot, seen: (&Camera, &Window), most: f64) {
         let rods = rods(frame, shot, seen, most);
+        // The bars of a bolt overlap at their ends, where pale ones must not be painted twice.
+        let mut points = BTreeMap::new();
         for rod in &rods {
-            self.stamp(rod, RIM, [26.0; 3], seen.1);
+            self.stamp(&mut points, rod, (RIM, [26.0; 3]), seen.1);
         }
         for rod in &rods {
-            self.stamp(rod, HALF, rod.colour, seen.1);
+            self.stamp(&mut points, rod, (HALF, rod.colour), seen.1);
+        }
+        for (at, (colour, part)) in points {
+            for (old, new) in self.colours[at].iter_mut().zip(colour) {
+                *old += part * (new - *old);
+            }
         }
     }
 
-    /// Paints all points nearer to a rod than `half`, pixels.
-    fn stamp(&mut self, rod: &Rod, half: f64, colour: [f64; 3], window: &Window) {
+    /// Gives all points nearer to a rod than `half`, pixels, its colour.
+    fn stamp(
+        &self,
+        points: &mut BTreeMap<usize, ([f64; 3], f64)>,
+        rod: &Rod,
+        (half, colour): (f64, [f64; 3]),
+        window: &Window,
+    ) {
         let half = half * FINE as f64;
         let [a, b] = rod.ends.map(Vec3::truncate);
         let way = b - a;
@@ -63,13 +80,15 @@ impl Drawing {
                 if (a + share * way).distance(p) > half {
                     continue;
                 }
-                let depth = rod.ends[0].z + share * (rod.ends[1].z - rod.ends[0].z);
+                let mean = |[a, b]: [f64; 2]| a + share * (b - a);
                 let at = y * self.wide + x;
-                let behind = self.depth[at] > depth + window.slack;
-                let part = if behind { PALE } else { 1.0 };
-                for (old, new) in self.colours[at].iter_mut().zip(colour) {
-                    *old += part * (new - *old);
-                }
+                let section = self.faces.get(self.nearest[at] as usize).is_some_and(|f| f.section);
+                let behind = match section {
+                    // The depth is that of the face behind the section.
+                    true => mean(rod.above) < -4.0 * window.slack,
+                    false => self.depth[at] > mean(rod.ends.map(|end| end.z)) + window.slack,
+                };
+                points.insert(at, (colour, if behind { PALE } else { 1.0 }));
             }
         }
     }
@@ -105,12 +124,13 @@ fn rods(frame: &Frame, shot: &Shot, (camera, window): (&Camera, &Window), most: 
             let place = line[0].lerp(line[1], from / (from - to));
             line[usize::from(to > 0.0)] = place;
         }
-        let seen = camera.polygon(&line, &|_| 0.0);
-        let [(a, _), (b, _), ..] = seen[..] else { continue };
+        let seen = camera.polygon(&line, &above);
+        let [a, b, ..] = seen[..] else { continue };
         let broken = states.and_then(|all| all.get(bar)) == Some(&BROKEN);
         let share = if most > 0.0 { force / most } else { 0.0 };
         let colour = if broken { [128.0; 3] } else { rgb(&colour(share)) };
-        out.push(Rod { ends: [a, b].map(|p| window.at(p)), colour });
+        let (ends, above) = ([a, b].map(|end| window.at(end.0)), [a.1, b.1]);
+        out.push(Rod { ends, above, colour });
     }
     out
 }

@@ -166,6 +166,12 @@ fn a_rod_is_pale_behind_rock_and_gone_where_it_is_cut_away() {
     let [full, pale] = red(Some(cut));
     // Its round end sticks out of the plane.
     assert!(full < 30 && pale > 100, "{full} {pale}");
+    // It lies in the plane of a section, or behind it.
+    for (at, visible) in [(0.0, true), (0.1, false)] {
+        let cut = Cut { normal: [1.0, 0.0, 0.0], at: middle.x + at };
+        let [full, pale] = red(Some(cut));
+        assert!(full > 200 && (pale < 50) == visible, "{at}: {full} {pale}");
+    }
 }
 
 #[test]
