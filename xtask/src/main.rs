@@ -12,6 +12,7 @@ mod licences;
 mod modules;
 mod mutate;
 mod python;
+mod release;
 mod shell;
 mod source_tree;
 mod steps;
@@ -47,6 +48,9 @@ Tasks:
   bench gas        what gas in cracks costs of a step, beside the same blast with sealed gas
   bench threads    run six models on all threads: how much of each stage is serial, what 16 and 64 threads give at best
   wheel [portable] build the Python package: a release wheel in target/wheels; portable: for Linux from glibc 2.17 on
+  release [TARGET]...
+                   what a release offers, in target/packages: programs for Linux (static) and Windows with the licences of all libraries,
+                   the portable wheel, a container file, checksums; --no-wheel, --profile P (release)
   docs             build the API documentation (and the book, where mdbook is installed)
 
 Examples:
@@ -76,6 +80,7 @@ fn main() -> ExitCode {
         ["bench", "threads"] => bench::threads(&root),
         ["wheel"] => python::wheel(&root, false),
         ["wheel", "portable"] => python::wheel(&root, true),
+        ["release", words @ ..] => release::run(&root, words),
         ["docs"] => steps::docs_only(&root),
         [] | ["help" | "--help" | "-h"] => {
             print!("{HELP}");

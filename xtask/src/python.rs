@@ -17,7 +17,7 @@ const CRATE: &str = "crates/riprap-py";
 /// The C library that a portable wheel is linked against: that of every Linux of the last ten years.
 const OLD_LINUX: &str = "manylinux_2_17";
 /// The linker that knows old C libraries, as a Python wheel.
-const ZIG: &str = "ziglang==0.17.1";
+pub const ZIG: &str = "ziglang==0.17.1";
 
 /// The `python` step of `cargo xtask test`.
 pub fn step(root: &Path) -> Result<Outcome, String> {
@@ -35,16 +35,22 @@ pub fn wheel(root: &Path, portable: bool) -> Result<bool, String> {
     if portable && !cfg!(target_os = "linux") {
         return Err("a portable wheel is one for Linux: build it there".to_owned());
     }
-    let python = tools(root).map_err(Failed::text)?;
-    let how = if portable {
-        pip(&python, &[ZIG])?;
-        How::Portable
-    } else {
-        How::Release
-    };
-    let wheel = build(root, &python, &root.join("target/wheels"), how).map_err(Failed::text)?;
+    let wheel = if portable { self::portable(root)? } else { made(root, How::Release)? };
     println!("pip install {}", wheel.display());
     Ok(true)
+}
+
+/// A release wheel that runs on Linux with an old C library too.
+pub fn portable(root: &Path) -> Result<PathBuf, String> {
+    made(root, How::Portable)
+}
+
+fn made(root: &Path, how: How) -> Result<PathBuf, String> {
+    let python = tools(root).map_err(Failed::text)?;
+    if matches!(how, How::Portable) {
+        pip(&python, &[ZIG])?;
+    }
+    build(root, &python, &root.join("target/wheels"), how).map_err(Failed::text)
 }
 
 /// How a wheel is built.
@@ -130,7 +136,7 @@ fn tools(root: &Path) -> Result<PathBuf, Failed> {
     Ok(python)
 }
 
-fn pip(python: &Path, words: &[&str]) -> Result<(), String> {
+pub fn pip(python: &Path, words: &[&str]) -> Result<(), String> {
     let mut command = Command::new(python);
     command.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]).args(words);
     match command.status() {
