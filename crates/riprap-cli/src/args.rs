@@ -302,19 +302,19 @@ pub struct Cases {
     pub merge: bool,
 }
 
-/// Give each named result of a scene its error: value, +-, and the share of each cause.
+/// Estimate the error of each named result of a scene, and the share of each cause.
 ///
-/// Results are the checks of the scene and its histories at their end. The scene is run as it stands and with one thing changed at a
+/// Results are the checks of the scene and the last values of its histories. The scene is run as it stands, then with one thing changed at a
 /// time: time step, limit of equilibrium, stiffness of contacts, damping, size of generated cells, seed. Where an order is seen in the
-/// time step or the size, the value is extrapolated; chaotic results are given as distributions. Says which key to change to halve the error.
-/// Writes tables of results and runs and a picture into a folder.
+/// time step or the size, the value is extrapolated; chaotic results are given as distributions. The output says which key to change
+/// to halve the error. Tables of results and runs and a picture go into a folder.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   riprap trust slope.toml
   riprap trust slope.toml --budget 30min --without stiffness,damping
 
-Stiffness and damping that were measured are no errors: leave them out. Causes: step, equilibrium, stiffness, damping, size, seed.")]
+Leave out what is not in doubt, for example a stiffness or a damping that was measured. Causes: step, equilibrium, stiffness, damping, size, seed.")]
 pub struct Trust {
     #[command(flatten)]
     pub scene: Scene,

@@ -251,7 +251,7 @@ pub fn closest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     best.map(|(_, word)| word.to_owned())
 }
 
-/// "did you mean `x`?" or the list of what there is.
+/// "did you mean `x`?" or the list of valid names.
 pub fn suggest<'a>(word: &str, known: impl IntoIterator<Item = &'a str> + Clone) -> Option<String> {
     if let Some(word) = closest(word, known.clone()) {
         return Some(format!("did you mean `{word}`?"));
@@ -259,8 +259,8 @@ pub fn suggest<'a>(word: &str, known: impl IntoIterator<Item = &'a str> + Clone)
     let all: Vec<&str> = known.into_iter().collect();
     match all.len() {
         0 => None,
-        1..=30 => Some(format!("there is {}", list(&all))),
-        more => Some(format!("there is {}, ... ({more} in all)", list(&all[..20]))),
+        1..=30 => Some(format!("valid names: {}", list(&all))),
+        more => Some(format!("valid names: {}, ... (20 of {more})", list(&all[..20]))),
     }
 }
 
@@ -330,6 +330,6 @@ mod tests {
         assert_eq!(closest("fricton_angle", known).as_deref(), Some("friction_angle"));
         assert_eq!(closest("friction", known).as_deref(), Some("friction_angle"));
         assert_eq!(closest("wall", known), None);
-        assert_eq!(suggest("wall", ["a", "b"]).as_deref(), Some("there is `a`, `b`"));
+        assert_eq!(suggest("wall", ["a", "b"]).as_deref(), Some("valid names: `a`, `b`"));
     }
 }

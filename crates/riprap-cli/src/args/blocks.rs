@@ -8,10 +8,10 @@ use super::Scene;
 
 /// List the removable blocks of a scene in space, by block theory: mode, factor of safety, support.
 ///
-/// A block is removable if some direction leads it away from all its neighbours (Goodman & Shi 1985). Its weight, with the push of the water,
-/// then makes it fall, slide on one plane or on two, or presses it into its place; the factor of safety is the strength of the planes it
-/// slides along over the force along its way. Key blocks are those below a factor of 1. Taken are the blocks of the last phase as it begins, without
-/// running anything: excavated blocks are gone, and the water stands.
+/// A block is removable if some direction leads it away from all its neighbours (Goodman & Shi 1985). Its weight and the pressure of the water
+/// make it fall, slide on one plane or on two, or hold it in place. The factor of safety is the strength of the planes it slides on, divided by the
+/// driving force along them. Key blocks are those with a factor below 1. The blocks are examined as the last phase begins, with its excavations
+/// made and its water table in place; nothing is run.
 #[derive(Debug, Args)]
 #[command(visible_alias = "key-blocks")]
 #[command(after_help = "\

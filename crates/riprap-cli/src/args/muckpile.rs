@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-/// What a blast has made: muckpile and swell, throw and flyrock, fragments, back-break, crater, gas, energy.
+/// Results of a blast: muckpile and swell, throw and flyrock, fragments, back-break, crater, gas, energy.
 ///
-/// Reads first and last frame, fragments, events and energies of a run in space. Thrown is a block that lies farther from its place than half its size; all
-/// others are the ground of the pile. Fragments are measured by their smallest edge, beside the curve of Kuz-Ram if a rock factor is
-/// given. Every part of the energy has what it depends on. End the run at rest (`until = { rest = {} }`). Writes tables and pictures of the
+/// Reads first and last frame, fragments, events and energies of a run in space. A block counts as thrown if it lies farther from its place than half its size; all
+/// others are the ground below the pile. Fragments are measured by their smallest edge, beside the curve of Kuz-Ram if a rock factor is
+/// given. The parts of the energy are listed with what they depend on. End the run at rest (`until = { rest = {} }`). Writes tables and pictures of the
 /// profile and of the energy into a folder.
 #[derive(Debug, Args)]
 #[command(after_help = "\

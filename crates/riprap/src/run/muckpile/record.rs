@@ -135,11 +135,11 @@ fn thrown(throw: &Throw) -> Vec<String> {
     let [x, y, z] = throw.shift;
     let mut lines = vec![
         format!(
-            "thrown: {} blocks, {:.2} m3{mass}; their centroid moved by ({x:.2}, {y:.2}, {z:.2}) m; half went {:.2} m at most, nine in ten {:.2} m",
+            "thrown: {} blocks, {:.2} m3{mass}; their centroid moved by ({x:.2}, {y:.2}, {z:.2}) m; median throw {:.2} m, 90th percentile {:.2} m",
             throw.blocks, throw.volume, throw.half, throw.most
         ),
         format!(
-            "flyrock: {}; the largest beyond nine in ten is {}",
+            "flyrock: {}; the largest beyond the 90th percentile is {}",
             flyer(&throw.farthest),
             flyer(&throw.largest_far)
         ),

@@ -187,7 +187,7 @@ impl Answer {
         let s = |n: usize| if n == 1 { "" } else { "s" };
         let (rocks, runs) = (self.rocks.len(), self.runs);
         let mut text = format!(
-            "{rocks} rock{} of {runs} run{}\nrun-out: half {:.3} m, nine in ten {:.3} m, farthest {:.3} m; least angle of travel {:.1} deg",
+            "{rocks} rock{} of {runs} run{}\nrun-out: median {:.3} m, 90th percentile {:.3} m, maximum {:.3} m; smallest travel angle {:.1} deg",
             s(rocks),
             s(runs),
             self.runout.half,
@@ -218,7 +218,7 @@ impl Answer {
             for (what, of, scale, unit) in parts {
                 if let Some(Ranks { half, most, largest }) = of {
                     text.push_str(&format!(
-                        "; {what} half {:.3}, nine in ten {:.3}, largest {:.3} {unit}",
+                        "; {what} median {:.3}, 90th percentile {:.3}, maximum {:.3} {unit}",
                         scale * half,
                         scale * most,
                         scale * largest,
@@ -228,7 +228,7 @@ impl Answer {
         }
         if self.moving > 0 {
             text.push_str(&format!(
-                "\nstill moving at the end: {}; the run-out of these goes on",
+                "\nstill moving at the end: {}; their run-out is not final",
                 self.moving
             ));
         }
