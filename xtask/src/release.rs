@@ -86,7 +86,10 @@ fn built(root: &Path, tools: &Path, target: &str, profile: &str) -> Result<PathB
         .args(["--target", target])
         .env("PATH", path)
         .env("CARGO_TARGET_DIR", &folder);
-    if !shell::run(root, &mut build)?.success {
+    let done = shell::run(root, &mut build)?;
+    // zig leaves it where it is called.
+    let _ = std::fs::remove_file(root.join(".intentionally-empty-file.o"));
+    if !done.success {
         return Err(format!("the program could not be built for {target}"));
     }
     let name = if target.contains("windows") { "riprap.exe" } else { "riprap" };
