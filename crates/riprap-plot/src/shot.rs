@@ -201,7 +201,8 @@ impl Shot {
             Eye::At { place, target, up, angle } => {
                 let [eye, target, up] = [place, target, up].map(Vec3::from);
                 let across = (eye - target).cross(up).length();
-                if !(across > 1e-9 * (eye - target).length() * up.length()) {
+                let least = 1e-9 * (eye - target).length() * up.length();
+                if !across.is_finite() || across <= least {
                     let given = format!("{place:?}");
                     let wanted =
                         "the eye must be away from the target, and not straight above or below it";
