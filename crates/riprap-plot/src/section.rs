@@ -18,7 +18,7 @@ pub(super) fn need_space(frame: &Frame, picture: &'static str) -> Result<(), Plo
     if frame.solids.is_some() {
         return Ok(());
     }
-    let reason = "the run is in the plane; draw it by `riprap plot RUN blocks`".to_owned();
+    let reason = "the run is in the plane; draw it with `riprap plot RUN blocks`".to_owned();
     Err(PlotError::Unsuitable { picture, reason })
 }
 
