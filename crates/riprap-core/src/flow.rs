@@ -28,11 +28,14 @@
 
 mod fluid;
 mod junction;
+mod rows;
 mod solve;
 #[cfg(test)]
 mod tests;
 
 use serde::{Deserialize, Serialize};
+
+use crate::exec::Exec;
 
 pub use fluid::Fluid;
 pub use solve::Desk;
@@ -143,14 +146,14 @@ impl Network {
         (friction, air): (&Friction, f64),
         cells: &mut Cells,
         dt: f64,
-        desk: &mut Desk,
+        (exec, desk): (&Exec, &mut Desk),
     ) -> Result<Flowed, Stuck> {
         let (mut done, mut part, mut all) = (0.0, 1.0, Flowed::default());
         let shortest = 1.0 / (1_u64 << MOST_HALVINGS) as f64;
         desk.prepare(self, friction, cells);
         let air = [air, fluid.density(air)];
         while done < 1.0 {
-            match solve::step(self, fluid, air[1], cells, part * dt, desk) {
+            match solve::step(self, fluid, air[1], cells, part * dt, (exec, desk)) {
                 Ok(()) => {
                     desk.book(fluid, air, cells, &mut all);
                     done += part;

@@ -39,14 +39,14 @@ impl Fluid {
         self.stiffness(density)[1]
     }
 
-    /// Potential and its slope ([`Fluid::potential`], [`Fluid::bulk`]) at a density (kg/m³).
+    /// Pressure (Pa), potential and its slope ([`Fluid::potential`], [`Fluid::bulk`]) at a density (kg/m³).
     #[must_use]
-    pub fn look(&self, density: f64) -> [f64; 2] {
+    pub fn look(&self, density: f64) -> [f64; 3] {
         if density <= NOTHING {
-            return [0.0; 2];
+            return [0.0; 3];
         }
         let [pressure, bulk] = self.stiffness(density);
-        [self.mass * self.adiabat.drive_at(self.mass / density, pressure), bulk]
+        [pressure, self.mass * self.adiabat.drive_at(self.mass / density, pressure), bulk]
     }
 
     /// Pressure and bulk modulus ([`Fluid::pressure`], [`Fluid::bulk`]) at a density (kg/m³), Pa.
@@ -66,10 +66,18 @@ impl Fluid {
         if density <= NOTHING {
             return [0.0; 2];
         }
-        let volume = self.mass / density;
-        let pressure = self.adiabat.pressure(volume);
-        let energy = self.adiabat.held_at(volume, pressure) / self.mass;
+        let pressure = self.adiabat.pressure(self.mass / density);
+        let energy = self.energy_at(density, pressure);
         [energy, energy + pressure / density]
+    }
+
+    /// [`Fluid::energy`] where the pressure (Pa) is known.
+    #[must_use]
+    pub fn energy_at(&self, density: f64, pressure: f64) -> f64 {
+        if density <= NOTHING {
+            return 0.0;
+        }
+        self.adiabat.held_at(self.mass / density, pressure) / self.mass
     }
 
     /// Internal energy at a density (kg/m³), J/kg: the work that is left in an expansion without end.

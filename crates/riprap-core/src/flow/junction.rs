@@ -1,23 +1,29 @@
 //! One junction: its potential, what flows through its ports, and the tangents of that.
 
+use super::solve::State;
+
 /// Turns of the search for the potential of a junction.
 const SEARCH: usize = 100;
-/// What may be left of the balance of a junction, over all that flows through it.
-const BALANCED: f64 = 1e-10;
+/// What the search leaves of the balance of a junction, over all that flows through it; the rest goes by the tangents.
+const BALANCED: f64 = 1e-3;
 
-/// A port with the state of its crack.
+/// A port through which gas can flow, with what stays in a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Conduit {
+    /// Its crack.
+    pub cell: u32,
+    /// Its number.
+    pub port: u32,
     /// Length of the junction times aperture, m².
     pub section: f64,
-    /// Distance of the middle of the crack, m.
-    pub path: f64,
+    /// The inverse of the distance of the middle of the crack, 1/m.
+    pub per_path: f64,
     /// `12 mu/w^2` (with inertia `+ rho/dt`) and `f/w` of the crack.
     pub friction: [f64; 2],
-    /// Potential in the crack, Pa kg/m³; with inertia and what would keep up the flow of the step before.
-    pub potential: f64,
-    /// `rho c` in the crack, kg/(m² s).
-    pub sound: f64,
+    /// What is added to the potential of the crack: with inertia what would keep up the flow of the step before, Pa kg/m³.
+    pub lead: f64,
+    /// What flows per difference of potential when it flows as in the step before, m s.
+    pub guess: f64,
 }
 
 /// What flows out of a crack through a port.
@@ -32,63 +38,71 @@ pub(super) struct Flux {
 }
 
 impl Conduit {
-    /// Flow to a junction of this potential; `limit` is `rho c` of what comes from there. `secant`: rate over difference in place of the tangent.
-    pub(super) fn flux(&self, junction: f64, limit: f64, secant: bool) -> Flux {
+    /// Flow from a crack in this state to a junction of this potential; `limit` is `rho c` of what comes from there.
+    /// `secant`: rate over difference in place of the tangent.
+    pub(super) fn flux(&self, state: State, [junction, limit]: [f64; 2], secant: bool) -> Flux {
         let [a, b] = self.friction;
-        let gradient = (self.potential - junction) / self.path;
+        let gradient = (state.potential + self.lead - junction) * self.per_path;
         let root = (a * a + 4.0 * b * gradient.abs()).sqrt();
-        let flux = 2.0 * gradient / (a + root);
-        let most = if gradient > 0.0 { self.sound } else { limit };
-        let per = self.section / self.path;
-        let (rate, share) = if flux.abs() > most {
-            (self.section * most.copysign(flux), most / flux.abs())
-        } else {
-            (self.section * flux, 1.0)
-        };
-        let tangent = per * share * if secant { 2.0 / (a + root) } else { 1.0 / root };
-        Flux { rate, tangent, slope: if share < 1.0 { 0.0 } else { per / root } }
+        // 1/root and 2/(a + root) with one division.
+        let both = 1.0 / (root * (a + root));
+        let [steep, mean] = [(a + root) * both, 2.0 * root * both];
+        let flux = gradient * mean;
+        let most = if gradient > 0.0 { state.sound } else { limit };
+        let per = self.section * self.per_path;
+        let tangent = per * if secant { mean } else { steep };
+        if flux.abs() > most {
+            let rate = self.section * most.copysign(flux);
+            return Flux { rate, tangent: most / flux.abs() * tangent, slope: 0.0 };
+        }
+        Flux { rate: self.section * flux, tangent, slope: per * steep }
     }
 }
 
-/// Fluxes of a junction where what comes in goes out; `guess` at its potential (not a number: none), which is found.
-pub(super) fn inside(conduits: &[Conduit], secant: bool, guess: &mut f64, fluxes: &mut [Flux]) {
-    let open = || conduits.iter().filter(|c| c.section > 0.0);
+/// Fluxes of a junction where what comes in goes out, among cracks in these states; `head` is a guess at its potential (not a number: none), which is
+/// found.
+pub(super) fn inside(
+    conduits: &[Conduit],
+    states: &[State],
+    secant: bool,
+    head: &mut f64,
+    fluxes: &mut [Flux],
+) {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-    for conduit in open() {
-        low = low.min(conduit.potential);
-        high = high.max(conduit.potential);
+    let [mut weighted, mut weights] = [0.0; 2];
+    for conduit in conduits {
+        let potential = states[conduit.cell as usize].potential + conduit.lead;
+        low = low.min(potential);
+        high = high.max(potential);
+        weighted += conduit.guess * potential;
+        weights += conduit.guess;
     }
     if low >= high {
         for (flux, conduit) in fluxes.iter_mut().zip(conduits) {
-            *flux = Flux::default();
-            if conduit.section > 0.0 {
-                *flux = conduit.flux(conduit.potential, f64::INFINITY, secant);
-            }
+            let state = states[conduit.cell as usize];
+            *flux = conduit.flux(state, [state.potential + conduit.lead, f64::INFINITY], secant);
         }
+        *head = low;
         return;
     }
-    let mut at = *guess;
+    let mut at = *head;
     if !(low < at && at < high) {
-        let [mut weighted, mut weights] = [0.0; 2];
-        for conduit in open() {
-            let weight = conduit.flux(0.5 * (low + high), f64::INFINITY, true).tangent;
-            weighted += weight * conduit.potential;
-            weights += weight;
-        }
-        at = if weights > 0.0 { weighted / weights } else { 0.5 * (low + high) };
+        at = weighted / weights;
+    }
+    if !(low < at && at < high) {
+        at = 0.5 * (low + high);
     }
     let mut last = f64::INFINITY;
+    let mut left = 0.0;
     for _ in 0..SEARCH {
         let [mut sum, mut size, mut slope] = [0.0; 3];
         for (flux, conduit) in fluxes.iter_mut().zip(conduits) {
-            *flux = Flux::default();
-            if conduit.section > 0.0 {
-                *flux = conduit.flux(at, f64::INFINITY, secant);
-            }
+            *flux = conduit.flux(states[conduit.cell as usize], [at, f64::INFINITY], secant);
             sum += flux.rate;
             size += flux.rate.abs();
             slope += flux.slope;
         }
+        left = sum;
         if sum.abs() <= BALANCED * size {
             break;
         }
@@ -107,8 +121,16 @@ pub(super) fn inside(conduits: &[Conduit], secant: bool, guess: &mut f64, fluxes
         }
         at = next;
     }
-    *guess = at;
-    // What is left of the balance goes to the largest, so that no mass is made.
+    let tangents: f64 = fluxes.iter().map(|f| f.tangent).sum();
+    if tangents > 0.0 {
+        let off = left / tangents;
+        at += off;
+        for flux in fluxes.iter_mut() {
+            flux.rate -= flux.tangent * off;
+        }
+    }
+    *head = at;
+    // What round-off leaves of the balance goes to the largest, so that no mass is made.
     let left: f64 = fluxes.iter().map(|f| f.rate).sum();
     if let Some(largest) = fluxes.iter_mut().max_by(|a, b| a.rate.abs().total_cmp(&b.rate.abs())) {
         largest.rate -= left;

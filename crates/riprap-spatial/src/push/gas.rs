@@ -14,6 +14,7 @@ mod network;
 
 use riprap_geom::Vec3;
 
+use crate::exec::Exec;
 use crate::flow::{Cells, Desk, Fluid};
 use crate::push::charge::hole;
 use crate::setup::{CavityPressure, Cracks, Source, Venting};
@@ -32,8 +33,8 @@ const FAILED: u32 = 2;
 const LEAVES: f64 = 1e-9;
 /// Work that the gas could still do against the air, over the energy released, at which it has nothing more to do: what is left goes into the air.
 const SPENT: f64 = 1e-5;
-/// Share of the largest pressure that flow may change a pressure by in a step of its own: steps become longer below it, shorter above it.
-const CHANGE: f64 = 0.01;
+/// Share of the gas in cracks, by pressure times volume, that a step of the flow may change: steps become longer below it, shorter above it.
+const CHANGE: f64 = 0.05;
 /// Most steps of the rock in a step of the flow.
 const LONGEST: u32 = 32;
 /// Steps of Newton's method from which on steps of the flow become no longer.
@@ -101,7 +102,7 @@ pub(super) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
         gas = again;
     }
     if due {
-        flow(world, &mut gas, &mut scratch.flow);
+        flow(world, &mut gas, (&scratch.exec, &mut scratch.flow));
         end(world, &mut gas);
     }
     if due || gas.limit == 0.0 {
@@ -153,7 +154,13 @@ fn end(world: &World, gas: &mut CrackGas) {
         let against = if air > 0.0 { rules.air * (mass / air - volume) } else { 0.0 };
         mass * (fluid.energy(density) - lowest) - against
     };
-    if filled().map(work).sum::<f64>() > SPENT * books.released {
+    // No part of it is negative: most of the time the first ones are too much.
+    let enough = SPENT * books.released;
+    let left = filled().map(work).try_fold(0.0, |sum, part| {
+        let sum = sum + part;
+        (sum <= enough).then_some(sum)
+    });
+    if left.is_none() {
         return;
     }
     books.carried += filled().map(|(mass, volume)| mass * fluid.energy(mass / volume)).sum::<f64>();
@@ -359,7 +366,7 @@ pub(crate) fn change_over(world: &mut World, before: &[Vec3]) {
 }
 
 /// Lets the gas flow for the time since it flowed last.
-fn flow(world: &World, gas: &mut CrackGas, desk: &mut Desk) {
+fn flow(world: &World, gas: &mut CrackGas, (exec, desk): (&Exec, &mut Desk)) {
     let cavities = gas.cavities.iter().map(|k| &world.cavities[*k as usize]);
     let volume = |c: &Cavity| if c.ignited.is_some() { c.volume } else { 0.0 };
     let volumes: Vec<f64> =
@@ -375,7 +382,7 @@ fn flow(world: &World, gas: &mut CrackGas, desk: &mut Desk) {
     apertures.resize(masses.len(), 0.0);
     let mut cells = Cells { volumes: &volumes, apertures: &apertures, masses, fluxes };
     let how = (&rules.friction, rules.air);
-    match network.advance(fluid, how, &mut cells, span, desk) {
+    match network.advance(fluid, how, &mut cells, span, (exec, desk)) {
         Ok(flowed) => {
             books.friction += flowed.friction;
             books.numerical += flowed.numerical;
@@ -389,26 +396,25 @@ fn flow(world: &World, gas: &mut CrackGas, desk: &mut Desk) {
             *stuck = Some((blocks, failed.left));
         }
     }
-    pace(gas, &volumes, desk);
+    pace(gas, desk);
     speeds(gas, &volumes);
 }
 
 /// Finds the pressures after a flow, and how many steps of the rock the next one may take.
-fn pace(gas: &mut CrackGas, volumes: &[f64], desk: &Desk) {
+///
+/// The measure is the energy of the gas in cracks, not the crack that changes most: a front fills one for the first time in every step.
+fn pace(gas: &mut CrackGas, desk: &Desk) {
     let CrackGas { cracks, masses, fluid, .. } = gas;
-    let in_cavities = masses.iter().zip(volumes).skip(cracks.len());
-    let mut most = in_cavities.map(|(m, v)| fluid.pressure(m / v)).fold(0.0, f64::max);
-    let mut change = 0.0_f64;
+    let [mut changed, mut all] = [0.0; 2];
     let filled = cracks.iter_mut().zip(masses.iter()).filter(|(c, m)| **m > 0.0 && !c.gone);
     for (crack, mass) in filled {
         let before = crack.pressure;
         crack.find(fluid, *mass);
-        most = most.max(crack.pressure);
-        change = change.max((crack.pressure - before).abs());
+        changed += crack.volume * (crack.pressure - before).abs();
+        all += crack.volume * crack.pressure;
     }
-    let share = change / most;
-    // Numbers that are none become the shortest.
-    let wanted = if share > 0.0 { CHANGE / share } else { 2.0 };
+    // Until gas is in a crack, the first one waits for no more than a step.
+    let wanted = if all > 0.0 { CHANGE / (changed / all) } else { 0.0 };
     let longest = if desk.turns() < MANY_TURNS { 2.0 } else { 1.0 };
     let next = f64::from(gas.every) * wanted.clamp(1.0 / f64::from(LONGEST), longest);
     gas.every = (next as u32).clamp(1, LONGEST);
@@ -418,11 +424,13 @@ fn pace(gas: &mut CrackGas, volumes: &[f64], desk: &Desk) {
 fn speeds(gas: &mut CrackGas, volumes: &[f64]) {
     let CrackGas { network, cracks, masses, fluxes, .. } = gas;
     cracks.iter_mut().for_each(|crack| crack.speed = 0.0);
-    for (port, flux) in network.ports.iter().zip(fluxes.iter()) {
-        let c = port.cell as usize;
-        if masses[c] > 0.0 && cracks[c].open {
-            cracks[c].speed = cracks[c].speed.max(flux.abs() * volumes[c] / masses[c]);
+    for (port, flux) in network.ports.iter().zip(fluxes.iter()).filter(|(_, flux)| **flux != 0.0) {
+        if let Some(crack) = cracks.get_mut(port.cell as usize) {
+            crack.speed = crack.speed.max(flux.abs());
         }
+    }
+    for ((crack, mass), volume) in cracks.iter_mut().zip(masses.iter()).zip(volumes) {
+        crack.speed = if *mass > 0.0 && crack.open { crack.speed * volume / mass } else { 0.0 };
     }
 }
 
