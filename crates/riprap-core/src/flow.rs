@@ -30,6 +30,7 @@ mod fluid;
 mod junction;
 mod rows;
 mod solve;
+mod stage;
 #[cfg(test)]
 mod tests;
 
@@ -155,7 +156,7 @@ impl Network {
         while done < 1.0 {
             match solve::step(self, fluid, air[1], cells, part * dt, (exec, desk)) {
                 Ok(()) => {
-                    desk.book(fluid, air, cells, &mut all);
+                    desk.book(exec, fluid, air, (cells, &mut all));
                     done += part;
                 }
                 Err(stuck) => {

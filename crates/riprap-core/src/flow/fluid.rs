@@ -60,15 +60,21 @@ impl Fluid {
         [pressure, self.adiabat.exponent(volume) * pressure]
     }
 
-    /// Internal energy and enthalpy ([`Fluid::energy`], [`Fluid::enthalpy`]) at a density (kg/m³), J/kg.
+    /// Internal energy and enthalpy ([`Fluid::energy`], [`Fluid::enthalpy`]) at a density (kg/m³), J/kg, and the pressure, Pa.
     #[must_use]
-    pub fn energies(&self, density: f64) -> [f64; 2] {
-        if density <= NOTHING {
-            return [0.0; 2];
+    pub fn energies(&self, density: f64) -> [f64; 3] {
+        if density <= NOTHING || density.is_nan() {
+            return [0.0; 3];
         }
         let pressure = self.adiabat.pressure(self.mass / density);
         let energy = self.energy_at(density, pressure);
-        [energy, energy + pressure / density]
+        [energy, energy + pressure / density, pressure]
+    }
+
+    /// [`Fluid::bulk`] where the pressure (Pa) is known.
+    #[must_use]
+    pub fn bulk_at(&self, density: f64, pressure: f64) -> f64 {
+        if density > NOTHING { self.adiabat.exponent(self.mass / density) * pressure } else { 0.0 }
     }
 
     /// [`Fluid::energy`] where the pressure (Pa) is known.

@@ -1,6 +1,6 @@
 //! One junction: its potential, what flows through its ports, and the tangents of that.
 
-use super::solve::State;
+use super::stage::State;
 
 /// Turns of the search for the potential of a junction.
 const SEARCH: usize = 100;
@@ -38,6 +38,12 @@ pub(super) struct Flux {
 }
 
 impl Conduit {
+    /// A port of a crack, of which the rest is found in each step.
+    pub(super) fn of(port: usize, cell: u32) -> Self {
+        let port = port as u32;
+        Self { cell, port, section: 0.0, per_path: 0.0, friction: [0.0; 2], lead: 0.0, guess: 0.0 }
+    }
+
     /// Flow from a crack in this state to a junction of this potential; `limit` is `rho c` of what comes from there.
     /// `secant`: rate over difference in place of the tangent.
     pub(super) fn flux(&self, state: State, [junction, limit]: [f64; 2], secant: bool) -> Flux {

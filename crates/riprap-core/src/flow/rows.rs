@@ -1,7 +1,7 @@
 //! The junctions that gas reaches, with the ports through which it can flow: what flows at the present potentials, and the matrix of its tangents.
 
 use super::junction::{Conduit, Flux, inside};
-use super::solve::{State, Step};
+use super::stage::{State, Step};
 use super::{End, Port};
 use crate::exec::{CHUNK, Exec};
 
@@ -76,9 +76,8 @@ impl Rows {
                 (None, End::Cell(_) | End::Inside) => End::Inside,
             };
             let begin = self.conduits.len();
-            for p in step.network.ports_of(junction) {
-                self.conduits.extend(conduit(step, before, (p, old[p]), holder));
-            }
+            let open = step.network.ports_of(junction).filter(|p| step.section(*p) > 0.0);
+            self.conduits.extend(open.map(|p| Conduit::of(p, step.network.ports[p].cell)));
             // Nothing flows where only one crack ends.
             if end == End::Inside && self.conduits.len() < begin + 2 {
                 self.conduits.truncate(begin);
@@ -93,6 +92,17 @@ impl Rows {
         self.links.extend(self.conduits.iter().map(|conduit| (conduit.cell, 0.0)));
         self.changes.resize(self.rows.len(), 0.0);
         self.nothing.resize(self.rows.len().div_ceil(CHUNK), ());
+        let Self { rows, first, conduits, nothing, .. } = self;
+        step.exec.ragged(rows, conduits, first, nothing, |from, rows, conduits, ()| {
+            let mut rest = conduits;
+            for (row, ends) in rows.iter().zip(first[from..].windows(2)) {
+                let (own, others) = rest.split_at_mut((ends[1] - ends[0]) as usize);
+                rest = others;
+                for conduit in own {
+                    step.lay(conduit, row.end, before, old[conduit.port as usize]);
+                }
+            }
+        });
     }
 
     /// Numbers of the junctions at which gas flows.
@@ -235,25 +245,24 @@ impl Row {
     }
 }
 
-/// A port as it is in a step, if gas can flow through it; `flux` is what flowed in the step before, kg/(m² s).
-fn conduit(
-    step: &Step,
-    before: Before,
-    (port, flux): (usize, f64),
-    holder: Option<usize>,
-) -> Option<Conduit> {
-    let Port { cell, length, path } = step.network.ports[port];
-    let c = cell as usize;
-    let section = length * step.apertures[c];
-    let [a, b] = before.friction[c];
-    let inertia = before.density.map_or(0.0, |density| {
-        let between = holder.map_or(density[c], |h| 0.5 * (density[c] + density[h]));
-        between / step.dt
-    });
-    let friction = [a + inertia, b];
-    let per_path = 1.0 / path;
-    let guess = section * per_path / (friction[0] + b * flux.abs());
-    let lead = path * inertia * flux;
-    let port = port as u32;
-    (section > 0.0).then_some(Conduit { cell, port, section, per_path, friction, lead, guess })
+impl Step<'_> {
+    /// Makes a conduit what it is in this step; `flux` is what flowed in the step before, kg/(m² s).
+    fn lay(&self, conduit: &mut Conduit, end: End, before: Before, flux: f64) {
+        let port = conduit.port as usize;
+        let path = self.network.ports[port].path;
+        let c = conduit.cell as usize;
+        let [a, b] = before.friction[c];
+        let inertia = before.density.map_or(0.0, |density| {
+            let between = match end {
+                End::Cell(h) => 0.5 * (density[c] + density[h as usize]),
+                End::Inside | End::Air => density[c],
+            };
+            between / self.dt
+        });
+        conduit.section = self.section(port);
+        conduit.per_path = 1.0 / path;
+        conduit.friction = [a + inertia, b];
+        conduit.guess = conduit.section * conduit.per_path / (a + inertia + b * flux.abs());
+        conduit.lead = path * inertia * flux;
+    }
 }

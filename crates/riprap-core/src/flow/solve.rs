@@ -1,8 +1,9 @@
 //! One backward Euler step of a network.
 
 use super::rows::{Before, Rows};
+use super::stage::{State, Step};
 use super::{Cells, End, Flowed, Fluid, Friction, Network, Stuck};
-use crate::exec::Exec;
+use crate::exec::{CHUNK, Exec};
 
 /// What may be left of the balance of a cell before the last step of Newton's method, over what it holds and what flows through it: that step leaves a third.
 const BALANCED: f64 = 0.03;
@@ -33,6 +34,8 @@ pub struct Desk {
     /// Density (kg/m³) and pressure (Pa) of each cell at the start of the step.
     density: Vec<f64>,
     pressure: Vec<f64>,
+    /// What each cell holds more than at the start of the step (J), and its enthalpy (J/kg).
+    kept: Vec<[f64; 2]>,
     /// Whether nothing flows faster than sound.
     limited: bool,
     /// Whether the gas has inertia.
@@ -61,32 +64,6 @@ pub struct Desk {
     pub(super) start: Kept,
     /// Steps of Newton's method in the step done last.
     turns: usize,
-}
-
-/// What flow and matrix need of a cell; zeros where there is no gas.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct State {
-    /// Potential, Pa kg/m³.
-    pub potential: f64,
-    /// `rho c`, kg/(m² s).
-    pub sound: f64,
-    /// Root of `(dPsi/drho)/V`.
-    root: f64,
-    /// Pressure, Pa.
-    pressure: f64,
-}
-
-impl State {
-    /// That of a mass (kg) in a volume (m³); `limited`: nothing flows faster than sound.
-    fn of(fluid: &Fluid, (mass, volume): (f64, f64), limited: bool) -> Self {
-        if mass <= 0.0 || volume <= 0.0 {
-            return Self::default();
-        }
-        let density = mass / volume;
-        let [pressure, potential, bulk] = fluid.look(density);
-        let sound = if limited { (density * bulk).sqrt() } else { f64::INFINITY };
-        Self { potential, sound, root: (bulk / volume).sqrt(), pressure }
-    }
 }
 
 /// What a step that is made in parts began with.
@@ -130,6 +107,7 @@ impl Desk {
         self.state.resize(n, State::default());
         self.density.resize(n, 0.0);
         self.pressure.resize(n, 0.0);
+        self.kept.resize(n, [0.0; 2]);
         self.out.resize(n, [0.0; 2]);
         self.reached.resize(n, false);
         self.residual.resize(n, 0.0);
@@ -145,18 +123,42 @@ impl Desk {
         cells.masses.copy_from_slice(&self.before);
     }
 
+    /// Pressure in each cell after the step done last, Pa.
+    #[must_use]
+    pub fn pressures(&self) -> &[f64] {
+        &self.pressure
+    }
+
     /// Books the step done last; pressure (Pa) of the air, and density (kg/m³) of the gas at it.
-    pub(super) fn book(&self, fluid: &Fluid, air: [f64; 2], cells: &Cells, flowed: &mut Flowed) {
+    pub(super) fn book(
+        &mut self,
+        exec: &Exec,
+        fluid: &Fluid,
+        air: [f64; 2],
+        (cells, flowed): (&Cells, &mut Flowed),
+    ) {
+        let Self { near, before, density, pressure, kept, .. } = self;
+        let mut nothing = vec![(); pressure.len().div_ceil(CHUNK)];
+        exec.chunks2(pressure, kept, &mut nothing, |from, pressures, kept, ()| {
+            for (k, (pressure, kept)) in pressures.iter_mut().zip(kept).enumerate() {
+                let c = from + k;
+                let (m, old, volume) = (cells.masses[c], before[c], cells.volumes[c]);
+                let was = old * fluid.energy_at(density[c], *pressure);
+                let [energy, enthalpy, now] = fluid.energies(m / volume);
+                *pressure = now;
+                *kept = [m * energy - was, enthalpy];
+            }
+        });
         let (mut gone, mut flow, mut internal) = (0.0, 0.0, 0.0);
-        for c in self.near.iter().map(|c| *c as usize) {
-            let (m, old, volume) = (cells.masses[c], self.before[c], cells.volumes[c]);
+        for c in near.iter().map(|c| *c as usize) {
+            let (m, old) = (cells.masses[c], before[c]);
             if m == old {
                 continue;
             }
-            let [energy, enthalpy] = fluid.energies(m / volume);
+            let [more, enthalpy] = kept[c];
             gone += old - m;
             flow -= (m - old) * enthalpy;
-            internal += m * energy - old * fluid.energy_at(self.density[c], self.pressure[c]);
+            internal += more;
         }
         let leaves = if air[0] > 0.0 { fluid.enthalpy(air[1]) } else { 0.0 };
         flowed.vented += gone;
@@ -189,17 +191,6 @@ impl Network {
         let j = junction as usize;
         self.first[j] as usize..self.first[j + 1] as usize
     }
-}
-
-/// A step in numbers.
-pub(super) struct Step<'a> {
-    exec: &'a Exec,
-    pub network: &'a Network,
-    /// Potential of the air.
-    air: f64,
-    pub dt: f64,
-    volumes: &'a [f64],
-    pub apertures: &'a [f64],
 }
 
 /// Lets gas flow for `dt` (s); `air` is the density of the gas at the pressure of the air.
@@ -317,14 +308,6 @@ impl Step<'_> {
             if !std::mem::replace(&mut reached[c as usize], true) {
                 near.push(c);
             }
-        }
-    }
-
-    /// The cell whose potential a junction has.
-    pub(super) fn holder(&self, junction: u32) -> Option<usize> {
-        match self.network.ends[junction as usize] {
-            End::Cell(c) if self.volumes[c as usize] > 0.0 => Some(c as usize),
-            End::Cell(_) | End::Inside | End::Air => None,
         }
     }
 

@@ -14,7 +14,7 @@ mod network;
 
 use riprap_geom::Vec3;
 
-use crate::exec::Exec;
+use crate::exec::{CHUNK, Exec};
 use crate::flow::{Cells, Desk, Fluid};
 use crate::push::charge::hole;
 use crate::setup::{CavityPressure, Cracks, Source, Venting};
@@ -93,7 +93,7 @@ pub(super) fn act(world: &mut World, scratch: &mut Scratch, dt: f64) {
     }
     let due = gas.passed >= gas.every;
     let new = open(world, &mut gas);
-    follow(world, &mut gas);
+    follow(world, &mut gas, &scratch.exec);
     if new {
         world.gas = Some(gas);
         // Who is pushed now is done one by one from here on.
@@ -223,7 +223,7 @@ fn release(world: &mut World, gas: &mut CrackGas) {
         let rate = hole::outflow(source, cavity, &gas.fluid, held / cavity.volume);
         if rate > 0.0 && world.pending > 0.0 {
             let left = held * -libm::expm1(-rate * world.pending / held);
-            let [energy, enthalpy] = gas.fluid.energies(held / cavity.volume);
+            let [energy, enthalpy, _] = gas.fluid.energies(held / cavity.volume);
             gas.masses[cell] -= left;
             let now = gas.masses[cell] * gas.fluid.energy(gas.masses[cell] / cavity.volume);
             gas.books.vented += left;
@@ -261,43 +261,72 @@ fn open(world: &World, gas: &mut CrackGas) -> bool {
 }
 
 /// Takes the cracks along to where their blocks are, and their pressures to their volumes.
-fn follow(world: &World, gas: &mut CrackGas) {
+fn follow(world: &World, gas: &mut CrackGas, exec: &Exec) {
     let CrackGas { cracks, masses, rules, fluid, books, .. } = gas;
     let freedoms = world.all_freedoms();
-    for (crack, mass) in cracks.iter_mut().zip(masses.iter_mut()).filter(|(c, _)| c.open) {
-        if crack.gone {
-            crack.drain(mass, fluid, rules, books);
-            continue;
+    let mut went = vec![Went::default(); cracks.len()];
+    let mut nothing = vec![(); cracks.len().div_ceil(CHUNK)];
+    exec.chunks2(cracks, &mut went, &mut nothing, |from, cracks, went, ()| {
+        for (k, (crack, went)) in cracks.iter_mut().zip(went).enumerate() {
+            if crack.open && !crack.gone {
+                *went = crack.go(world, &freedoms, (fluid, masses[from + k]), rules);
+            }
         }
-        let (jump, opening) = place(world, &freedoms, crack);
-        let before = crack.volume;
-        // What presses its sides together takes nothing from the aperture that they have then.
-        let aperture = rules.aperture + opening.max(0.0);
-        crack.volume = crack.area * aperture;
-        crack.aperture = aperture.min(rules.widest);
-        if *mass > 0.0 {
-            let old = crack.pressure;
-            crack.follow(fluid, *mass);
-            let air = 0.5 * (old.min(rules.air) + crack.pressure.min(rules.air));
-            books.air += air * (crack.volume - before);
-        }
-        // One that has just opened has no way behind it.
-        let moved = if before > 0.0 { jump - crack.jump } else { Vec3::ZERO };
-        crack.jump = jump;
-        // The first half of the work of this step; the other follows with the new force.
-        let work = 0.5 * crack.push.dot(moved);
-        books.work += work;
-        books.in_cracks += work;
-        crack.moved = moved;
-        let size = crack.blocks.map(|b| world.solid_of(b as usize).radius);
-        if jump.length() > size[0].min(size[1]) {
+    });
+    for ((crack, mass), went) in cracks.iter_mut().zip(masses.iter_mut()).zip(went) {
+        books.air += went.air;
+        books.work += went.work;
+        books.in_cracks += went.work;
+        if crack.gone || went.parted {
             crack.gone = true;
             crack.drain(mass, fluid, rules, books);
         }
     }
 }
 
+/// What the way of a crack since the evaluation before has done.
+#[derive(Clone, Copy, Debug, Default)]
+struct Went {
+    /// Work against the air, J.
+    air: f64,
+    /// The first half of the work of this step, J; the other follows with the new force.
+    work: f64,
+    /// Whether its sides no longer face each other.
+    parted: bool,
+}
+
 impl Crack {
+    /// Goes to where its blocks are, with this mass (kg) of gas in it.
+    fn go(
+        &mut self,
+        world: &World,
+        freedoms: &Freedoms,
+        (fluid, mass): (&Fluid, f64),
+        rules: &Cracks,
+    ) -> Went {
+        let mut went = Went::default();
+        let (jump, opening) = place(world, freedoms, self);
+        let before = self.volume;
+        // What presses its sides together takes nothing from the aperture that they have then.
+        let aperture = rules.aperture + opening.max(0.0);
+        self.volume = self.area * aperture;
+        self.aperture = aperture.min(rules.widest);
+        if mass > 0.0 {
+            let old = self.pressure;
+            self.follow(fluid, mass);
+            let air = 0.5 * (old.min(rules.air) + self.pressure.min(rules.air));
+            went.air = air * (self.volume - before);
+        }
+        // One that has just opened has no way behind it.
+        let moved = if before > 0.0 { jump - self.jump } else { Vec3::ZERO };
+        self.jump = jump;
+        went.work = 0.5 * self.push.dot(moved);
+        self.moved = moved;
+        let size = self.blocks.map(|b| world.solid_of(b as usize).radius);
+        went.parted = jump.length() > size[0].min(size[1]);
+        went
+    }
+
     /// Lets out what is in a crack whose sides no longer face each other. Its aperture stays the widest, so that what reaches it goes the same way.
     fn drain(&mut self, mass: &mut f64, fluid: &Fluid, rules: &Cracks, books: &mut GasBooks) {
         if *mass > 0.0 {
@@ -326,10 +355,14 @@ impl Crack {
 
     /// Finds pressure and bulk modulus at the present density.
     fn find(&mut self, fluid: &Fluid, mass: f64) {
+        self.take(fluid, mass, fluid.pressure(mass / self.volume));
+    }
+
+    /// Takes over the pressure (Pa) at the present density.
+    fn take(&mut self, fluid: &Fluid, mass: f64, pressure: f64) {
         let density = mass / self.volume;
-        let [pressure, bulk] = fluid.stiffness(density);
         self.pressure = pressure;
-        self.known = [density, pressure, bulk];
+        self.known = [density, pressure, fluid.bulk_at(density, pressure)];
     }
 }
 
@@ -394,6 +427,7 @@ fn flow(world: &World, gas: &mut CrackGas, (exec, desk): (&Exec, &mut Desk)) {
             let whose = |c: usize| [(c - cracks.len()) as u32; 2];
             let blocks = cracks.get(c).map_or_else(|| whose(c), |crack| crack.blocks);
             *stuck = Some((blocks, failed.left));
+            return;
         }
     }
     pace(gas, desk);
@@ -406,10 +440,10 @@ fn flow(world: &World, gas: &mut CrackGas, (exec, desk): (&Exec, &mut Desk)) {
 fn pace(gas: &mut CrackGas, desk: &Desk) {
     let CrackGas { cracks, masses, fluid, .. } = gas;
     let [mut changed, mut all] = [0.0; 2];
-    let filled = cracks.iter_mut().zip(masses.iter()).filter(|(c, m)| **m > 0.0 && !c.gone);
-    for (crack, mass) in filled {
+    let cells = cracks.iter_mut().zip(masses.iter()).zip(desk.pressures());
+    for ((crack, mass), &pressure) in cells.filter(|((c, m), _)| **m > 0.0 && !c.gone) {
         let before = crack.pressure;
-        crack.find(fluid, *mass);
+        crack.take(fluid, *mass, pressure);
         changed += crack.volume * (crack.pressure - before).abs();
         all += crack.volume * crack.pressure;
     }
