@@ -1,8 +1,8 @@
 //! The junctions that gas reaches, with the ports through which it can flow: what flows at the present potentials, and the matrix of its tangents.
 
+use super::End;
 use super::junction::{Conduit, Flux, inside};
 use super::stage::{State, Step};
-use super::{End, Port};
 use crate::exec::{CHUNK, Exec};
 
 /// Junctions that gas reaches.
