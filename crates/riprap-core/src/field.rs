@@ -3,6 +3,8 @@
 //! An engine publishes a `&'static [FieldInfo]`; frames, histories, checks, plots, `riprap fields` and the
 //! documentation all read that one table. Names are `site.quantity`; a vector takes `.x`, `.y` or `.magnitude`.
 
+use std::borrow::Cow;
+
 use serde::Serialize;
 
 /// Where a field sits.
@@ -147,6 +149,21 @@ pub fn first(of: &[u32]) -> usize {
 #[must_use]
 pub fn pair(of: &[u32]) -> (u32, u32) {
     (of.first().copied().unwrap_or(0), of.get(1).copied().unwrap_or(0))
+}
+
+/// The blocks that a field of groups is read of, ascending: those that were there when the reading was made, and those that have
+/// joined its groups since. Their numbers are larger than all before.
+#[must_use]
+pub fn joined<'a>(of: &'a [u32], groups: impl Iterator<Item = &'a [u32]>) -> Cow<'a, [u32]> {
+    let last = of.last().copied();
+    let late = |all: &'a [u32]| &all[last.map_or(0, |last| all.partition_point(|b| *b <= last))..];
+    let mut more: Vec<u32> = groups.flat_map(late).copied().collect();
+    if more.is_empty() {
+        return Cow::Borrowed(of);
+    }
+    more.sort_unstable();
+    more.dedup();
+    Cow::Owned([of, &more].concat())
 }
 
 /// The part of a field that a name asks for.

@@ -10,7 +10,7 @@ use super::bond::{Bond, shared_edges};
 use super::heap;
 use super::search::is_fixed;
 use super::view::View;
-use crate::field::{FieldError, FieldInfo, Part, Site, first, pair, place};
+use crate::field::{FieldError, FieldInfo, Part, Site, first, joined, pair, place};
 use crate::frame::stress::Principal;
 
 /// A getter: the view, the blocks asked for, and room for one or two numbers.
@@ -318,6 +318,7 @@ pub struct Reading {
     index: usize,
     part: Part,
     of: Vec<u32>,
+    groups: Vec<String>,
     along: Option<[f64; 2]>,
     /// Whether the thickness of the model is given.
     slice: bool,
@@ -330,7 +331,13 @@ impl Reading {
     /// Unknown names and parts of scalars.
     pub fn new(name: &str, of: &[u32], along: Option<[f64; 2]>) -> Result<Self, FieldError> {
         let (index, part) = place(INFOS, name)?;
-        Ok(Self { index, part, of: of.to_vec(), along, slice: false })
+        Ok(Self { index, part, of: of.to_vec(), groups: Vec::new(), along, slice: false })
+    }
+
+    /// The same with blocks that join groups of these names while the model runs.
+    #[must_use]
+    pub fn with_groups(self, groups: &[String]) -> Self {
+        Self { groups: groups.to_vec(), ..self }
     }
 
     /// The same of a model whose thickness is given.
@@ -357,7 +364,10 @@ impl Reading {
     /// The number; a vector without part or direction gives its magnitude.
     #[must_use]
     pub fn value(&self, view: &View<'_>) -> f64 {
-        let per_metre = (READERS[self.index].get)(view, &self.of);
+        let groups = view.world.setup.groups.iter();
+        let groups = groups.filter(|group| self.groups.contains(&group.name));
+        let of = joined(&self.of, groups.map(|group| &group.blocks[..]));
+        let per_metre = (READERS[self.index].get)(view, &of);
         let info = &INFOS[self.index];
         let values = match unit_of_slice(info.site, info.unit) {
             Some(_) => per_metre.map(|value| value * view.world.setup.slice()),

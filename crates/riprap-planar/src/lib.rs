@@ -64,6 +64,7 @@
 // Tests may compare with the functions of the platform.
 #![cfg_attr(test, allow(clippy::disallowed_methods))]
 
+pub mod addition;
 pub mod bolts;
 pub mod bond;
 pub mod classify;

@@ -27,6 +27,8 @@ pub struct Setup {
     pub origin: [f64; 2],
     /// Names of the materials; a block's `material` is an index into this list.
     pub materials: Vec<String>,
+    /// Their densities, kg/m³, for blocks that are added while the model runs; shorter or empty where nobody adds any.
+    pub densities: Vec<f64>,
     /// The blocks, in scenario order.
     pub blocks: Vec<BlockSpec>,
     /// Angle of each block at the start against the outline that the scene draws, rad; empty where a table of states turned none.

@@ -6,7 +6,7 @@
 
 use riprap_geom::Vec2;
 
-use super::setup::Setup;
+use super::setup::{BlockSpec, Setup};
 
 /// Constants of one edge, in the body frame of its block.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,43 +48,43 @@ impl Shapes {
     pub fn new(setup: &Setup) -> Self {
         let mut shapes = Self { first: vec![0], ..Self::default() };
         for block in &setup.blocks {
-            // About a corner of its own: far from the origin areas would
-            // be small differences of large products.
-            let base = block.vertices.first().copied().unwrap_or(Vec2::ZERO);
-            let local: Vec<Vec2> = block.vertices.iter().map(|v| *v - base).collect();
-            let (area, centroid, second) = area_moments(&local);
-            let n = local.len();
-            let corners: Vec<Vec2> = local.iter().map(|v| *v - centroid).collect();
-            let turn = |k: usize| {
-                let before = corners[k] - corners[(k + n - 1) % n];
-                let after = corners[(k + 1) % n] - corners[k];
-                before.perp_dot(after)
-            };
-            for k in 0..n {
-                let d = corners[(k + 1) % n] - corners[k];
-                let length = d.length();
-                let normal = Vec2::new(d.y, -d.x) / length;
-                shapes.edges.push(Edge {
-                    start: corners[k],
-                    normal,
-                    length,
-                    reflex: turn(k) < 0.0,
-                });
-            }
-            shapes.first.push(shapes.edges.len() as u32);
-            // A corner on a straight side turns to either side by round-off.
-            let convex = (0..n).all(|k| turn(k) >= -1e-12 * area);
-            shapes.convex.push(convex);
-            shapes.radius.push(corners.iter().map(|c| c.length()).fold(0.0, f64::max));
-            shapes.inradius.push(inradius(&corners, convex));
-            shapes.mass.push(block.density * area);
-            shapes.inertia.push(block.density * second);
-            shapes.centroid.push(centroid + base);
+            shapes.push(block);
         }
         for (b, inertia) in &setup.inertias {
             shapes.inertia[*b as usize] = *inertia;
         }
         shapes
+    }
+
+    /// Appends the geometry of a block.
+    pub(crate) fn push(&mut self, block: &BlockSpec) {
+        // About a corner of its own: far from the origin areas would
+        // be small differences of large products.
+        let base = block.vertices.first().copied().unwrap_or(Vec2::ZERO);
+        let local: Vec<Vec2> = block.vertices.iter().map(|v| *v - base).collect();
+        let (area, centroid, second) = area_moments(&local);
+        let n = local.len();
+        let corners: Vec<Vec2> = local.iter().map(|v| *v - centroid).collect();
+        let turn = |k: usize| {
+            let before = corners[k] - corners[(k + n - 1) % n];
+            let after = corners[(k + 1) % n] - corners[k];
+            before.perp_dot(after)
+        };
+        for k in 0..n {
+            let d = corners[(k + 1) % n] - corners[k];
+            let length = d.length();
+            let normal = Vec2::new(d.y, -d.x) / length;
+            self.edges.push(Edge { start: corners[k], normal, length, reflex: turn(k) < 0.0 });
+        }
+        self.first.push(self.edges.len() as u32);
+        // A corner on a straight side turns to either side by round-off.
+        let convex = (0..n).all(|k| turn(k) >= -1e-12 * area);
+        self.convex.push(convex);
+        self.radius.push(corners.iter().map(|c| c.length()).fold(0.0, f64::max));
+        self.inradius.push(inradius(&corners, convex));
+        self.mass.push(block.density * area);
+        self.inertia.push(block.density * second);
+        self.centroid.push(centroid + base);
     }
 
     /// Number of blocks.
@@ -171,7 +171,6 @@ fn inradius(corners: &[Vec2], convex: bool) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::setup::BlockSpec;
 
     fn setup(vertices: &[(f64, f64)]) -> Setup {
         Setup {

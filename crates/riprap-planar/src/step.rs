@@ -142,13 +142,31 @@ impl Scratch {
             turn(scratch.shapes.of(b), world.bodies[b].angle, &mut scratch.turned[range]);
         }
         scratch.rebuild(world);
-        // What the last step would have left behind.
-        for (b, body) in world.bodies.iter().enumerate().filter(|(b, _)| world.alive[*b]) {
-            let (moved, transit) = scratch.travel(world, b, body);
-            scratch.stale |= moved;
-            scratch.transit = scratch.transit.min(transit);
-        }
+        scratch.watch(world);
         scratch
+    }
+
+    /// Makes room for the last block of a setup, which is new.
+    pub(crate) fn grow(&mut self, setup: &Setup) {
+        let Some(block) = setup.blocks.last() else {
+            return;
+        };
+        self.shapes.push(block);
+        let b = self.shapes.len() - 1;
+        self.turned.extend(self.shapes.of(b).iter().map(|e| Turned::new(e, 1.0, 0.0)));
+        self.changes.push(Change::default());
+        self.net.push(Net::default());
+        self.applied.push(Applied::default());
+    }
+
+    /// Looks at the ways and the speeds of blocks: what the last step would have left behind.
+    pub(crate) fn watch(&mut self, world: &World) {
+        self.transit = f64::INFINITY;
+        for (b, body) in world.bodies.iter().enumerate().filter(|(b, _)| world.alive[*b]) {
+            let (moved, transit) = self.travel(world, b, body);
+            self.stale |= moved;
+            self.transit = self.transit.min(transit);
+        }
     }
 
     /// Whether a block has left its margin, and the time it takes to cross its reach, s.

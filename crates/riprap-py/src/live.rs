@@ -10,7 +10,7 @@ use riprap::ledger;
 use riprap::run::ask;
 use riprap::run::drive::{DriveError, Ending, Pause};
 use riprap::run::engine::steer::Steered;
-use riprap::run::engine::{Reading, View};
+use riprap::run::engine::{NewBlock, Reading, View};
 use riprap::run::job::{JobError, Live, Outcome};
 use riprap::run::simulation::ChangeError;
 
@@ -40,11 +40,11 @@ impl Simulation {
     }
 
     /// Edits the run; what is wrong with an edit is the caller's.
-    fn edited(
+    fn edited<T: Send>(
         &self,
         py: Python<'_>,
-        edit: impl FnOnce(&mut Live) -> Result<(), JobError> + Send,
-    ) -> PyResult<()> {
+        edit: impl FnOnce(&mut Live) -> Result<T, JobError> + Send,
+    ) -> PyResult<T> {
         self.with(py, |live| {
             edit(open(live)?).map_err(|wrong| {
                 Python::attach(|py| match wrong {
@@ -192,6 +192,22 @@ impl Simulation {
     /// Charges the hole of a source.
     fn charge(&self, py: Python<'_>, of: &str, mass: f64, delay: f64) -> PyResult<()> {
         self.edited(py, |live| live.charge(of, mass, delay))
+    }
+
+    /// Adds a block; its mass.
+    #[pyo3(signature = (name, shape, material, groups, motion))]
+    fn add_block(
+        &self,
+        py: Python<'_>,
+        name: String,
+        shape: (Vec<[f64; 3]>, Vec<Vec<u32>>),
+        material: String,
+        groups: Vec<String>,
+        motion: [[f64; 3]; 2],
+    ) -> PyResult<f64> {
+        let ((vertices, faces), [velocity, spin]) = (shape, motion);
+        let new = NewBlock { name, material, groups, vertices, faces, velocity, spin };
+        self.edited(py, |live| live.add_block(&new))
     }
 
     /// Closes the ledger: the manifest as JSON text. What has not ended can be resumed.

@@ -266,6 +266,48 @@ def test_wrong_changes_are_refused_at_their_place():
             sim.set_velocity("stone", (1.0, 0.0))
 
 
+def test_an_added_block_falls_and_belongs_to_its_groups(tmp_path):
+    corners = np.array([(0.0, 0.0), (0.5, 0.0), (0.5, 0.5), (0.0, 0.5)])
+
+    def go(out=None):
+        with riprap.Simulation(PUSHED, out, threads=1) as sim:
+            sim.advance(time=0.1)
+            mass = sim.add_block("crumb.1", corners + (0.0, 9.0), material="rock", velocity=(0.0, -1.0))
+            booked = sim.energy()["edit_defect"].value
+            sim.advance(time=0.2)
+            fallen = sim.value("block.velocity.y", of="crumb.1").value
+            sim.change({"fix": ["crumb.1"]})
+            sim.advance(steps=10)
+            assert sim.value("block.speed", of="crumb.1").value == 0.0
+            return mass, booked, fallen, sim.state_hash
+
+    mass, booked, fallen, state = go(tmp_path / "a.run")
+    assert mass == pytest.approx(2500 * 0.25) and booked == pytest.approx(0.5 * mass)
+    assert fallen == pytest.approx(-1.0 - 0.2 * 10.0, rel=1e-3)
+    assert go()[3] == state
+    events = [event for event in riprap.RunFolder(tmp_path / "a.run").events() if event["event"] == "block_added"]
+    assert [(event["block"], event["mass"]) for event in events] == [("crumb.1", mass)]
+
+
+def test_a_wrong_block_is_refused_and_changes_nothing():
+    corners = np.array([(0.0, 0.0), (0.5, 0.0), (0.5, 0.5), (0.0, 0.5)]) + (0.0, 9.0)
+    with riprap.Simulation(PUSHED, threads=1) as sim:
+        sim.advance(steps=5)
+        before = sim.state_hash
+        for name, points, options, words in [
+            ("stone", corners, {}, "a block or group has this name"),
+            ("crumb", corners - (0.0, 9.1), {}, "inside block"),
+            ("crumb", corners, {"material": "rok"}, 'did you mean "rock"'),
+            ("crumb", corners, {"groups": "crums"}, 'there is no group "crums"'),
+            ("crumb", corners * math.nan, {}, "non-finite"),
+            ("crumb", corners, {"velocity": (math.inf, 0.0)}, "its velocity is not finite"),
+            ("crumb", corners, {"faces": [(0, 1, 2)]}, "the model is in the plane"),
+        ]:
+            with pytest.raises(ValueError, match=words):
+                sim.add_block(name, points, **{"material": "rock", **options})
+        assert sim.state_hash == before
+
+
 def test_a_callback_that_raises_leaves_a_checkpoint(tmp_path):
     def stumble(sim):
         if sim.steps >= 100:

@@ -18,6 +18,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Polyhedron, hull};
 
 mod acting;
+pub(crate) mod clear;
 pub(crate) mod constants;
 pub(crate) mod covered;
 mod facing;

@@ -1,4 +1,4 @@
-//! Changes of topology between two steps: splitting blocks 1 to 8, cutting deformable ones, breaking bonds, taking blocks out.
+//! Changes of topology between two steps: splitting blocks 1 to 8, cutting deformable ones, breaking bonds, taking blocks out and adding some.
 //!
 //! One transaction for all ([`transact`]), between `step::evaluate` and `step::advance`, when forces and positions belong to one instant:
 //!
@@ -35,6 +35,7 @@
 //! New forces on new masses also change the time-centred kinetic energy. Both changes are the difference of the ledger's residual before
 //! and after, booked as one line, so the residual itself is the same before and after: an edit can neither hide nor make a fault of the steps.
 
+pub mod add;
 pub mod bolts;
 pub mod cut;
 pub mod fracture;

@@ -342,6 +342,8 @@ pub struct Gauge {
     /// Where it is read: one block for block fields, two for pair fields, any number for group fields, one
     /// source for cavity fields.
     pub of: Vec<u32>,
+    /// Groups among these names: blocks that join them while the model runs are read too.
+    pub groups: Vec<String>,
     /// Point instead of a block, in local coordinates, m: the living block whose reference volume holds it.
     pub at: Option<[f64; 3]>,
     /// Unit direction onto which a vector field is projected.

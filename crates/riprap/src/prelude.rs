@@ -28,6 +28,7 @@
 
 pub use crate::exec::{Exec, side_by_side};
 pub use crate::plan::{Phase, Plan, TimeStep};
+pub use crate::run::engine::NewBlock;
 #[cfg(feature = "scenario")]
 pub use crate::run::scene::Scene;
 pub use crate::run::simulation::{Reached, Simulation};

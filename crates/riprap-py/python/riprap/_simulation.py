@@ -191,6 +191,48 @@ class Simulation:
         si = [_riprap.si(x, unit) if isinstance(x, str) else float(x) for x, unit in ((mass, "kg"), (delay, "s"))]
         self._sim.charge(of, *si)
 
+    def add_block(
+        self,
+        name: str,
+        vertices: "Iterable[Iterable[float]]",
+        faces: "Iterable[Iterable[int]]" = (),
+        *,
+        material: str,
+        groups: "str | Iterable[str]" = (),
+        velocity: "Iterable[float]" = (0.0, 0.0, 0.0),
+        spin: "float | Iterable[float]" = 0.0,
+    ) -> float:
+        """Adds a rigid block at this instant, where it lies in no other one.
+
+        It has no joints and meets all others by contact under the interface of the two materials. Its displacements count from where it is put; its
+        energy of motion is booked (``energy.edit_defect``), ``events.jsonl`` says what was added, and a checkpoint holds it. Supports,
+        loads and phases of the scenario keep the blocks that they had; ``change`` fixes and removes it by its name::
+
+            cube = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (4, 5)]
+            sim.add_block("refill.1", cube, material="ore", groups="broken")
+
+        Args:
+            name: a name that no block and no group has.
+            vertices: corners [m], in space of a convex solid, in the plane of a polygon.
+            faces: corners of each face in space; without them the convex hull of the corners.
+            material: a material of the scenario.
+            groups: groups that it joins: their fields have it from then on.
+            velocity: of the centroid [m/s].
+            spin: [rad/s]; in the plane a number.
+
+        Returns:
+            Its mass [kg]; in the plane [kg/m].
+
+        Raises:
+            ValueError: a name that is taken, an unknown material or group, a shape that is none, a block in its way (with its name and the depth), a model
+                without contact. Nothing has changed then.
+        """
+        corners = [_three(corner) for corner in vertices]
+        sides = [[int(corner) for corner in face] for face in faces]
+        turning = (0.0, 0.0, float(spin)) if isinstance(spin, (int, float)) else _three(spin)
+        joined = [groups] if isinstance(groups, str) else list(groups)
+        return self._sim.add_block(name, (corners, sides), material, joined, (_three(velocity), turning))
+
     def run(self, callback: "Callable[[Simulation], object]", *, every: int) -> bool:
         """Goes on to the end and calls ``callback`` with this simulation every ``every`` steps.
 

@@ -6,7 +6,7 @@ use std::cell::Cell;
 use riprap_geom::{Mat3, Vec3};
 
 use crate::faces::region::holds;
-use crate::field::{FieldError, FieldInfo, Part, Site, first, pair, place};
+use crate::field::{FieldError, FieldInfo, Part, Site, first, joined, pair, place};
 use crate::laws::norm;
 use crate::laws::tetrahedron::Gradient;
 use crate::query::deformable::Motion;
@@ -443,6 +443,7 @@ pub struct Reading {
     index: usize,
     part: Part,
     of: Vec<u32>,
+    groups: Vec<String>,
     at: Option<Vec3>,
     along: Option<Vec3>,
     /// Block that held the point at the last reading.
@@ -461,7 +462,14 @@ impl Reading {
         along: Option<Vec3>,
     ) -> Result<Self, FieldError> {
         let (index, part) = place(INFOS, name)?;
-        Ok(Self { index, part, of: of.to_vec(), at, along, held_by: Cell::new(0) })
+        let (of, groups) = (of.to_vec(), Vec::new());
+        Ok(Self { index, part, of, groups, at, along, held_by: Cell::new(0) })
+    }
+
+    /// The same with blocks that join groups of these names while the model runs.
+    #[must_use]
+    pub fn with_groups(self, groups: &[String]) -> Self {
+        Self { groups: groups.to_vec(), ..self }
     }
 
     /// Table entry.
@@ -505,7 +513,10 @@ impl Reading {
             (None, Site::Block | Site::Pair) if self.gone(view) => return f64::NAN,
             (None, _) => &self.of,
         };
-        let values = get(view, of).to_array();
+        let groups = view.world.setup.groups.iter();
+        let groups = groups.filter(|group| self.groups.contains(&group.name));
+        let of = joined(of, groups.map(|group| &group.blocks[..]));
+        let values = get(view, &of).to_array();
         let along = self.along.map(|along| along.to_array());
         self.part.read(self.info().shape, values, along)
     }

@@ -9,7 +9,7 @@ use crate::setup::Setup;
 pub struct Origin {
     /// The block it was split from; [`Origin::NONE`] for a block as given.
     pub parent: u32,
-    /// Octant in the parent.
+    /// Octant in the parent; of a block without one 0, or [`u8::MAX`] where it was added ([`Origin::ADDED`]).
     pub octant: u8,
     /// Number of splits since the block as given.
     pub level: u8,
@@ -20,6 +20,8 @@ impl Origin {
     pub const NONE: u32 = u32::MAX;
     /// Origin of a block as given.
     pub const GIVEN: Self = Self { parent: Self::NONE, octant: 0, level: 0 };
+    /// Of a block that was added while the model ran.
+    pub const ADDED: Self = Self { parent: Self::NONE, octant: u8::MAX, level: 0 };
 }
 
 /// The block with a number below `first`, or without a parent, that block `b` comes from: itself if it is one.

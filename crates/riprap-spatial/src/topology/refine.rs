@@ -111,6 +111,9 @@ impl Forest {
         // Blocks that bend are cut and not split.
         let bend = setup.deform.sets.iter().flat_map(|set| &set.blocks);
         bend.for_each(|&b| forest.keep_whole(b));
+        // Nor are blocks that were added: they are no neighbours of the start.
+        let added = (0..).zip(lineage).filter(|(_, origin)| **origin == Origin::ADDED);
+        added.for_each(|(b, _)| forest.keep_whole(b));
         forest
     }
 

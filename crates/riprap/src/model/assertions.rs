@@ -98,6 +98,7 @@ impl Builder<'_> {
             field: name.to_owned(),
             unit: "",
             of: Vec::new(),
+            groups: Vec::new(),
             at: None,
             along: None,
             suffixes: &[""],

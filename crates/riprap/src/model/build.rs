@@ -185,7 +185,8 @@ impl Builder<'_> {
         let scenario = &self.parsed.scenario;
         self.setup.materials = scenario.materials.names().map(str::to_owned).collect();
         for (name, material) in scenario.materials.iter() {
-            self.reading(format!("materials.{name}"), material).density();
+            let density = self.reading(format!("materials.{name}"), material).density();
+            self.setup.densities.push(density);
         }
         for block in &scenario.blocks {
             let Some(generated) = self.generate(block) else {

@@ -17,6 +17,7 @@ pub(super) struct FieldUse {
     pub(super) field: String,
     pub(super) unit: &'static str,
     pub(super) of: Vec<u32>,
+    pub(super) groups: Vec<String>,
     pub(super) at: Option<[f64; 3]>,
     pub(super) along: Option<[f64; 3]>,
     /// Suffixes of what it still is made of; one empty one for a number.
@@ -39,7 +40,13 @@ impl FieldUse {
 
     /// What is read.
     pub(super) fn gauge(self) -> Gauge {
-        Gauge { field: self.field, of: self.of, at: self.at, along: self.along }
+        Gauge {
+            field: self.field,
+            of: self.of,
+            groups: self.groups,
+            at: self.at,
+            along: self.along,
+        }
     }
 }
 
@@ -91,10 +98,13 @@ impl Builder<'_> {
             None => (self.field_blocks(name, info.site, said.of)?, None),
         };
         let whole = vector && along.is_none();
+        let names = said.of.filter(|_| info.site == Site::Group).map_or(&[][..], |of| &of.0);
+        let groups = names.iter().filter(|name| self.directory.is_group(name.as_str()));
         Some(FieldUse {
             field: name.text.clone(),
             unit: info.unit,
             of,
+            groups: groups.map(|name| name.text.clone()).collect(),
             at,
             along,
             suffixes: if whole { info.shape.suffixes() } else { &[""] },

@@ -113,6 +113,11 @@ impl Directory {
         Some(blocks)
     }
 
+    /// Whether a name is that of a group, and not of a block.
+    pub(super) fn is_group(&self, name: &str) -> bool {
+        self.groups.contains_key(name) && self.single(name).is_none()
+    }
+
     /// Number of the one block of a name.
     pub(super) fn single(&self, name: &str) -> Option<u32> {
         match self.lookup(name)?[..] {

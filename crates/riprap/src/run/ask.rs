@@ -41,13 +41,38 @@ pub enum AskError {
     },
 }
 
-/// What reads `field` (with its component, `block.velocity.x`) of the blocks or the source with the names `of`.
+/// What reads `field` (with its component, `block.velocity.x`) of the blocks, the groups or the source with the names `of`.
 ///
 /// # Errors
 /// Unknown fields and names, a wrong number of names, fields of single contacts.
 pub fn gauge<S: AsRef<str>>(view: &View<'_>, field: &str, of: &[S]) -> Result<Gauge, AskError> {
     let (info, _) = field::find(view.kind().fields(), field)?;
-    Ok(Gauge { field: field.to_owned(), of: subjects(view, info, of)?, at: None, along: None })
+    let (of, groups) = match info.site {
+        Site::Group if !of.is_empty() => members(view, of)?,
+        _ => (subjects(view, info, of)?, Vec::new()),
+    };
+    Ok(Gauge { field: field.to_owned(), of, groups, at: None, along: None })
+}
+
+/// Blocks of the blocks and groups of these names, ascending, and which of the names are groups.
+fn members<S: AsRef<str>>(view: &View<'_>, of: &[S]) -> Result<(Vec<u32>, Vec<String>), AskError> {
+    let (groups, mut blocks, mut found) = (view.groups(), Vec::new(), Vec::new());
+    let names: Vec<String> = (0..view.all_blocks() as u32).map(|b| view.name(b)).collect();
+    for name in of.iter().map(AsRef::as_ref) {
+        if let Some(b) = names.iter().position(|known| known == name) {
+            blocks.push(b as u32);
+        } else if let Some((_, all)) = groups.iter().find(|(known, _)| *known == name) {
+            blocks.extend_from_slice(all);
+            found.push(name.to_owned());
+        } else {
+            let known = names.iter().map(String::as_str).chain(groups.iter().map(|g| g.0));
+            let near = field::nearest(name, known).map(str::to_owned);
+            return Err(AskError::Unknown { name: name.to_owned(), near });
+        }
+    }
+    blocks.sort_unstable();
+    blocks.dedup();
+    Ok((blocks, found))
 }
 
 /// Numbers of the blocks or of the source that a field is read of.

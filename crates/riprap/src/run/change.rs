@@ -31,6 +31,9 @@ const EDITS: [&str; 9] = [
 /// Keys of rules that hold from then on.
 const RULES: [&str; 5] = ["until", "time_step", "safety", "damping", "max_residual"];
 
+/// Keys that list blocks.
+const LISTS: [&str; 3] = ["remove", "fix", "release"];
+
 /// Name of the phase that stands for a change in the text.
 const NAME: &str = "change by code";
 
@@ -43,6 +46,8 @@ pub(super) struct SceneText {
     variant: String,
     /// Number of changes; each stands behind the phase in which it was made.
     count: usize,
+    /// Names of blocks that were added, which the text does not know.
+    added: Vec<String>,
 }
 
 impl SceneText {
@@ -54,7 +59,13 @@ impl SceneText {
             folder: job.folder.clone(),
             variant: job.manifest.variant.clone(),
             count: 0,
+            added: Vec::new(),
         }
+    }
+
+    /// Notes a block that the text does not know.
+    pub(super) fn added(&mut self, name: &str) {
+        self.added.push(name.to_owned());
     }
 
     /// A change in numbers, and the text with it.
@@ -85,9 +96,9 @@ impl SceneText {
         let ramp = if said.gravity.is_some() { None } else { rules.gravity_ramp };
         let edits = Phase {
             name: NAME.to_owned(),
-            remove: alive(&said.remove, simulation),
-            fix: alive(&said.fix, simulation),
-            release: alive(&said.release, simulation),
+            remove: listed("remove", keys, &said.remove, simulation),
+            fix: listed("fix", keys, &said.fix, simulation),
+            release: listed("release", keys, &said.release, simulation),
             install,
             gravity_ramp: ramp,
             ..said
@@ -116,6 +127,17 @@ impl SceneText {
         let phases = phases.ok_or(ChangeError::NoScene)?;
         let mut phase = keys.clone();
         phase.remove("install");
+        for list in LISTS {
+            if let Some(names) = phase.get_mut(list).and_then(Value::as_array_mut) {
+                let is_added = |name: &Value| {
+                    name.as_str().is_some_and(|name| self.added.iter().any(|one| one == name))
+                };
+                names.retain(|name| !is_added(name));
+                if names.is_empty() {
+                    phase.remove(list);
+                }
+            }
+        }
         phase.insert("name".to_owned(), format!("{NAME} {}", self.count + 1).into());
         if !phase.contains_key("until") {
             phase.insert(
@@ -161,7 +183,7 @@ fn allowed(keys: &Table) -> Result<(), ChangeError> {
 
 /// Whether each block and group is there and has not been removed.
 fn names_are_there(keys: &Table, simulation: &Simulation) -> Result<(), ChangeError> {
-    for list in ["remove", "fix", "release"] {
+    for list in LISTS {
         let names = keys.get(list).and_then(Value::as_array);
         for (k, name) in names.into_iter().flatten().enumerate() {
             let Some(name) = name.as_str() else { continue };
@@ -203,9 +225,15 @@ fn bolts(keys: &Table, simulation: &Simulation) -> Result<Vec<u32>, ChangeError>
     Ok(all)
 }
 
-/// Those that have not been removed: a group loses its blocks one by one.
-fn alive(blocks: &[u32], simulation: &Simulation) -> Vec<u32> {
-    blocks.iter().copied().filter(|b| simulation.engine().is_alive(*b)).collect()
+/// Blocks of a list of names that have not been removed: those that the scene means by them, and those that were added.
+fn listed(list: &str, keys: &Table, said: &[u32], simulation: &Simulation) -> Vec<u32> {
+    let names = keys.get(list).and_then(Value::as_array).into_iter().flatten();
+    let now = names.filter_map(Value::as_str).filter_map(|n| simulation.blocks_of(list, n).ok());
+    let mut all: Vec<u32> = said.iter().copied().chain(now.flatten()).collect();
+    all.retain(|b| simulation.engine().is_alive(*b));
+    all.sort_unstable();
+    all.dedup();
+    all
 }
 
 /// The present phase with what the keys say of its rules.

@@ -1,6 +1,7 @@
 //! The engines behind one face: what the run loop, the recorder and the checks ask of whichever engine
 //! a scene needs. A closed choice: every question is a `match` over both.
 
+mod add;
 mod edit;
 mod leave;
 mod notes;
@@ -12,6 +13,8 @@ mod view;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+pub(in crate::run) use add::Addition;
+pub use add::NewBlock;
 pub use leave::Departed;
 pub use reading::Reading;
 pub use view::{Drawn, Movement, View};
@@ -487,31 +490,6 @@ impl Engine {
                 // Taken out first: the view borrows the world that the next line changes.
                 let poses = e.view().present_poses();
                 e.world.zero_displacements(poses);
-            }
-        }
-    }
-
-    /// Takes blocks out; the forces that they gave to others fade over `span` (s). Forces must be known, and re-evaluated
-    /// after the edit that follows.
-    ///
-    /// # Errors
-    /// A block whose forces are not finite.
-    pub fn remove_gradually(
-        &mut self,
-        blocks: &[u32],
-        span: f64,
-        damping: &Damping,
-    ) -> Result<(), u32> {
-        match self {
-            Self::Planar(e) => {
-                let (world, scratch) = (&mut e.world, &mut e.scratch);
-                planar::removal::take_out_gradually(world, scratch, blocks, span, damping)
-                    .map_err(|e| e.block)
-            }
-            Self::Spatial(e) => {
-                let (world, scratch) = (&mut e.world, &mut e.scratch);
-                spatial::topology::take_out_gradually(world, scratch, blocks, span, damping)
-                    .map_err(|e| e.block)
             }
         }
     }

@@ -4,6 +4,7 @@
 //! due), so that the state can be read and recorded; [`Simulation::step`] moves on. A checkpoint
 //! can be taken at any moment: a simulation made from it goes on with the same bits.
 
+mod add;
 mod advance;
 mod automatic;
 mod cause;

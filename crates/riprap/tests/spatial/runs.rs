@@ -21,7 +21,7 @@ use crate::spatial::deform::deformable;
 use crate::spatial::rock::{elastic, lattice, rock};
 
 fn gauge(field: &str, of: &[u32], at: Option<[f64; 3]>) -> Gauge {
-    Gauge { field: field.to_owned(), of: of.to_vec(), at, along: None }
+    Gauge { field: field.to_owned(), of: of.to_vec(), at, ..Gauge::default() }
 }
 
 /// A column of three cubes on a held face that settles under its weight.

@@ -1,5 +1,7 @@
 //! Scripts that change a run.
 
+mod adding;
+
 use std::path::Path;
 
 use crate::record::folder::Existing;

@@ -1,7 +1,9 @@
 //! What the beginning of a phase changes in blocks, supports and laws.
 
+use super::Engine;
 use crate::Vec2;
-use crate::plan::Phase;
+
+use crate::plan::{Damping, Phase};
 use crate::spatial::bolts::install::InstallError;
 use crate::{planar, spatial};
 
@@ -96,4 +98,31 @@ pub(super) fn spatial(
     let cut = phase.deform.and_then(|d| d.cut);
     spatial::topology::cut::allow(world, cut.as_ref());
     spatial::bolts::install::install(world, &phase.install)
+}
+
+impl Engine {
+    /// Takes blocks out; the forces that they gave to others fade over `span` (s). Forces must be known, and re-evaluated
+    /// after the edit that follows.
+    ///
+    /// # Errors
+    /// A block whose forces are not finite.
+    pub fn remove_gradually(
+        &mut self,
+        blocks: &[u32],
+        span: f64,
+        damping: &Damping,
+    ) -> Result<(), u32> {
+        match self {
+            Self::Planar(e) => {
+                let (world, scratch) = (&mut e.world, &mut e.scratch);
+                planar::removal::take_out_gradually(world, scratch, blocks, span, damping)
+                    .map_err(|e| e.block)
+            }
+            Self::Spatial(e) => {
+                let (world, scratch) = (&mut e.world, &mut e.scratch);
+                spatial::topology::take_out_gradually(world, scratch, blocks, span, damping)
+                    .map_err(|e| e.block)
+            }
+        }
+    }
 }

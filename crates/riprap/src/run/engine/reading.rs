@@ -24,6 +24,7 @@ impl Reading {
             Kind::Planar | Kind::Slice => {
                 let along = gauge.along.map(|[x, y, _z]| [x, y]);
                 let reading = planar::fields::Reading::new(&gauge.field, &gauge.of, along)?;
+                let reading = reading.with_groups(&gauge.groups);
                 Ok(Self::Planar(match kind {
                     Kind::Slice => reading.of_slice(),
                     Kind::Planar | Kind::Spatial => reading,
@@ -32,7 +33,7 @@ impl Reading {
             Kind::Spatial => {
                 let (at, along) = (gauge.at.map(Vec3::from), gauge.along.map(Vec3::from));
                 let reading = spatial::fields::Reading::new(&gauge.field, &gauge.of, at, along)?;
-                Ok(Self::Spatial(reading))
+                Ok(Self::Spatial(reading.with_groups(&gauge.groups)))
             }
         }
     }

@@ -349,9 +349,7 @@ impl Engine {
 
     /// Names of groups with their blocks.
     pub(in crate::run) fn groups(&self) -> Vec<(&str, &[u32])> {
-        either!(self, e => {
-            e.world.setup.groups.iter().map(|g| (g.name.as_str(), &g.blocks[..])).collect()
-        })
+        self.view().groups()
     }
 
     /// Whether what a servo of that name acts on is still there: a block on which the load acts, or one that the support moves.

@@ -455,6 +455,14 @@ impl<'a> View<'a> {
         either!(self, v => v.world.setup.blocks.len())
     }
 
+    /// Names of groups with their blocks.
+    #[must_use]
+    pub fn groups(&self) -> Vec<(&'a str, &'a [u32])> {
+        either!(self, v => {
+            v.world.setup.groups.iter().map(|g| (g.name.as_str(), &g.blocks[..])).collect()
+        })
+    }
+
     /// Names of blocks and groups.
     #[must_use]
     pub fn names(&self) -> Names {

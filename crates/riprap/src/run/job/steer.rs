@@ -2,6 +2,7 @@
 
 use super::{JobError, Live};
 use crate::run::drive::{Control, DriveError, Ending, Pause};
+use crate::run::engine::NewBlock;
 use crate::run::engine::steer::Steered;
 use crate::run::simulation::{ChangeError, Simulation};
 
@@ -117,6 +118,28 @@ impl Live {
             "event": "charged", "of": of, "mass": mass, "delay": delay,
         });
         self.edit(event, |simulation| simulation.charge(of, mass, delay))
+    }
+
+    /// As [`Simulation::add_block`]; an event of the run says so.
+    ///
+    /// # Errors
+    /// As there, and the disk.
+    pub fn add_block(&mut self, new: &NewBlock) -> Result<f64, JobError> {
+        self.not_ended()?;
+        let planned = self.simulation().plan_block(new).map_err(DriveError::from)?;
+        let mass = planned.mass();
+        let mut event = serde_json::json!(new);
+        event["event"] = "block_added".into();
+        event["mass"] = mass.into();
+        if let Some(name) = event["name"].take().as_str() {
+            event["block"] = name.into();
+        }
+        self.edit(event, |simulation| simulation.add_block(new).map(drop))?;
+        #[cfg(feature = "scenario")]
+        if let Some(scene) = &mut self.scene {
+            scene.added(&new.name);
+        }
+        Ok(mass)
     }
 
     fn not_ended(&self) -> Result<(), DriveError> {

@@ -10,6 +10,7 @@ use thiserror::Error;
 use super::{RunError, Simulation, damping_of};
 use crate::plan::Phase;
 use crate::record::field::nearest;
+use crate::run::engine::Engine;
 
 /// A change in numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,6 +93,14 @@ pub enum ChangeError {
     #[error("the source {name:?} cannot be charged: {why}")]
     Charge {
         /// The source.
+        name: String,
+        /// Why not.
+        why: String,
+    },
+    /// A block that cannot be added.
+    #[error("the block {name:?} cannot be added: {why}")]
+    Block {
+        /// Its name.
         name: String,
         /// Why not.
         why: String,
@@ -200,6 +209,11 @@ impl Simulation {
             }
         }
         self.begin_present()?;
+        self.booked(|engine| engine.set_velocity(&blocks, velocity))
+    }
+
+    /// Ends the motion at the present instant and makes an edit, whose energy is booked.
+    pub(super) fn booked(&mut self, edit: impl FnOnce(&mut Engine)) -> Result<(), ChangeError> {
         let phase = self.plan.phases[self.cursor.phase].clone();
         let damping = damping_of(&phase, self.engine.is_implicit());
         if self.view().last_dt() > 0.0 {
@@ -208,7 +222,7 @@ impl Simulation {
         }
         self.evaluate(&damping, 0.0)?;
         let before = self.view().balance().residual();
-        self.engine.set_velocity(&blocks, velocity);
+        edit(&mut self.engine);
         self.evaluate(&damping, 0.0)?;
         let after = self.view().balance().residual();
         self.engine.works().edit_defect += after - before;
@@ -237,7 +251,7 @@ impl Simulation {
     }
 
     /// Enters the present phase, where that has not been done yet.
-    fn begin_present(&mut self) -> Result<(), ChangeError> {
+    pub(super) fn begin_present(&mut self) -> Result<(), ChangeError> {
         if self.phase().is_none() {
             return Err(ChangeError::Ended);
         }
@@ -248,7 +262,7 @@ impl Simulation {
     }
 
     /// Blocks of the block or the group of a name.
-    fn named(&self, name: &str) -> Option<Vec<u32>> {
+    pub(super) fn named(&self, name: &str) -> Option<Vec<u32>> {
         let view = self.view();
         let groups = self.engine.groups();
         let group = groups.iter().find(|(known, _)| *known == name).map(|(_, all)| all.to_vec());
@@ -268,7 +282,8 @@ impl Simulation {
         let mut sets = Vec::new();
         for word in &condition.names {
             let mut set = vec![false; self.view().all_blocks()];
-            for b in self.named(&word.text).ok_or_else(|| self.no_block(key, &word.text))? {
+            let named = self.named(&word.text).or_else(|| self.engine.of_material(&word.text));
+            for b in named.ok_or_else(|| self.no_block(key, &word.text))? {
                 set[b as usize] = true;
             }
             sets.push(set);
