@@ -374,6 +374,10 @@ pub(crate) fn make_shapes(world: &World, desk: &mut ContactScratch) {
         return;
     }
     let mut chosen: Vec<Option<usize>> = vec![None; world.solids.len()];
+    // Blocks that have been taken out count in the margins of the state, after a restart too.
+    for b in taken_out(world) {
+        chosen[world.solid[b] as usize] = Some(b);
+    }
     // From the last on, so that the first block of a class stands for it.
     for b in (0..world.alive.len()).rev() {
         if world.found.roles[b] != Role::Absent {
@@ -394,6 +398,18 @@ pub(crate) fn make_shapes(world: &World, desk: &mut ContactScratch) {
         };
         desk.glued = chosen.iter().zip(&desk.shapes).map(of_class).collect();
     }
+}
+
+/// Rigid blocks that have been taken out since the run began: they are gone, have not been divided, and no charge has their place.
+fn taken_out(world: &World) -> Vec<usize> {
+    let mut out: Vec<bool> = world.alive.iter().map(|alive| !alive).collect();
+    let parents = world.lineage.iter().map(|origin| origin.parent);
+    let charged = world.cavities.iter().flat_map(|cavity| cavity.blocks.iter().copied());
+    for b in parents.filter(|parent| *parent != Origin::NONE).chain(charged) {
+        out[b as usize] = false;
+    }
+    let rigid = |b: &usize| out[*b] && !world.deforms(*b) && !world.is_terrain(*b);
+    (0..out.len()).filter(rigid).collect()
 }
 
 impl World {

@@ -1,14 +1,12 @@
 //! Adding a block to a model that is running.
 
-use serde::Serialize;
-
 use super::Engine;
 use crate::record::field::nearest;
 use crate::{Vec2, Vec3};
 use crate::{planar, spatial};
 
 /// A rigid block that code adds, in the coordinates of the scene.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct NewBlock {
     /// A name that no block and no group has.
     pub name: String,

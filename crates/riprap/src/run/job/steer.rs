@@ -128,12 +128,11 @@ impl Live {
         self.not_ended()?;
         let planned = self.simulation().plan_block(new).map_err(DriveError::from)?;
         let mass = planned.mass();
-        let mut event = serde_json::json!(new);
-        event["event"] = "block_added".into();
-        event["mass"] = mass.into();
-        if let Some(name) = event["name"].take().as_str() {
-            event["block"] = name.into();
-        }
+        let event = serde_json::json!({
+            "event": "block_added", "block": new.name, "material": new.material, "groups": new.groups,
+            "mass": mass, "velocity": new.velocity, "spin": new.spin,
+            "vertices": new.vertices, "faces": new.faces,
+        });
         self.edit(event, |simulation| simulation.add_block(new).map(drop))?;
         #[cfg(feature = "scenario")]
         if let Some(scene) = &mut self.scene {

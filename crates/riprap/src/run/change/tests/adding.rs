@@ -120,14 +120,14 @@ fn an_added_block_falls_lands_and_rests() {
         assert!((run.add_block(&stone).unwrap() - 2500.0).abs() < 1e-9);
         assert_eq!(field(&run, "energy.edit_defect", &[]), 0.0, "{space}: it is at rest");
         let mass = field(&run, "group.mass", &["loose"]) - before;
-        assert!((mass - 2500.0).abs() < 1e-9 && field(&run, "group.blocks", &["loose"]) == 2.0);
+        assert!((mass - 2500.0).abs() < 1e-9, "{space}: {mass}");
         on(&mut run, 0.4);
         let speed = field(&run, &format!("block.velocity.{}", up(space)), &["stone"]);
         assert!((speed + 3.0).abs() < 2e-3, "{space}: lands with {speed} m/s");
         assert!(field(&run, "energy.residual_relative", &[]).abs() < 1e-6, "{space}");
         on(&mut run, 1.19);
-        let weight = format!("block.contact_force.{}", up(space));
-        let weight = field(&run, &weight, &["stone"]);
+        let weight = format!("pair.force.{}", up(space));
+        let weight = field(&run, &weight, &["stone", "floor"]);
         assert!((weight - 25e3).abs() < 1.0, "{space}: {weight} N on the floor");
         assert!(field(&run, "block.speed", &["stone"]) < 1e-6, "{space}");
         let residual = field(&run, "energy.residual_relative", &[]);
@@ -304,11 +304,15 @@ fn an_added_block_lies_on_bricks_in_joints_and_goes_with_its_group() {
         .replace("time_step = \"0.1 ms\"\n", "");
     let mut run = live(&rock, None);
     on(&mut run, 0.1);
+    // With that of the pebble, which lies on them at the start.
+    assert_eq!(field(&run, "model.patches", &[]), 39.0);
     run.add_block(&cube("spatial", "stone", 1.0, [0.3, 0.2, 0.05])).unwrap();
     on(&mut run, 1.0);
     let weight = field(&run, "block.contact_force.z", &["stone"]);
-    assert!((weight - 25e3).abs() < 250.0, "{weight}");
-    assert_eq!(field(&run, "model.patches", &[]), 38.0, "it has no joint");
+    // Joints that never fail let the bricks ring.
+    assert!((weight - 25e3).abs() < 1e3, "{weight}");
+    assert_eq!(field(&run, "group.blocks", &["loose"]), 2.0);
+    assert_eq!(field(&run, "model.patches", &[]), 39.0, "it has no joint");
     run.change("remove = [\"loose and rock\"]").unwrap();
     assert_eq!(field(&run, "group.blocks", &["loose"]), 0.0);
     run.advance(Pause::NEVER, &mut |_| Control::Continue).unwrap();
