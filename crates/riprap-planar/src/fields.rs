@@ -244,6 +244,7 @@ riprap_core::fields! {
     "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
     "group.area" "m2" Group Scalar false "Area of the group's existing blocks: volume per metre of thickness." |v, of| one(there(v, of).map(|b| area(v, b)).sum());
     "group.mass" "kg/m" Group Scalar false "Mass of the group's existing blocks." |v, of| one(there(v, of).map(|b| v.scratch.shapes.mass[b]).sum());
+    "group.blocks" "-" Group Scalar false "Number of the group's existing blocks." |v, of| one(there(v, of).count() as f64);
     "group.momentum" "N s/m" Group Vector false "Momentum of the group's existing blocks." |v, of| there(v, of).map(|b| momentum(v, b)).sum::<Vec2>().into();
     "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap; for separate heaps the mass-weighted mean." |v, of| one(heap::repose_angle(v, of));
     "group.force" "N/m" Group Vector false "Sum of the net forces on the group's blocks." |v, of| of.iter().map(|&b| v.scratch.net[b as usize].force).sum::<Vec2>().into();
