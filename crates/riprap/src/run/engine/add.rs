@@ -31,7 +31,7 @@ pub(in crate::run) enum Addition {
     /// In the plane.
     Planar(planar::addition::Addition),
     /// In space.
-    Spatial(spatial::topology::add::Addition),
+    Spatial(Box<spatial::topology::add::Addition>),
 }
 
 impl Addition {
@@ -124,7 +124,9 @@ impl Engine {
                     groups: joined,
                 };
                 let planned = spatial::topology::add::Addition::plan(&e.view(), block);
-                planned.map(Addition::Spatial).map_err(|wrong| wrong.to_string())
+                planned
+                    .map(|one| Addition::Spatial(Box::new(one)))
+                    .map_err(|wrong| wrong.to_string())
             }
         }
     }
