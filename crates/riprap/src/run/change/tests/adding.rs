@@ -131,7 +131,9 @@ fn an_added_block_falls_lands_and_rests() {
         assert!((weight - 25e3).abs() < 1.0, "{space}: {weight} N on the floor");
         assert!(field(&run, "block.speed", &["stone"]) < 1e-6, "{space}");
         let residual = field(&run, "energy.residual_relative", &[]);
-        assert!(residual.abs() < 1e-4, "{space}: {residual}");
+        // In the plane an impact in steps of 0.1 ms makes 7e-6 of its energy.
+        let most = if space == "planar" { 1e-5 } else { 1e-6 };
+        assert!(residual.abs() < most, "{space}: {residual}");
         run.advance(Pause::NEVER, &mut |_| Control::Continue).unwrap();
         assert_eq!(run.ending(), Some(&Ending::Finished), "{space}");
         run.close().unwrap();
