@@ -34,7 +34,7 @@ const LEAVES: f64 = 1e-9;
 /// Work that the gas could still do against the air, over the energy released, at which it has nothing more to do: what is left goes into the air.
 const SPENT: f64 = 1e-5;
 /// Share of the gas in cracks, by pressure times volume, that a step of the flow may change: steps become longer below it, shorter above it.
-const CHANGE: f64 = 0.05;
+const CHANGE: f64 = 0.02;
 /// Most steps of the rock in a step of the flow.
 const LONGEST: u32 = 32;
 /// Steps of Newton's method from which on steps of the flow become no longer.
