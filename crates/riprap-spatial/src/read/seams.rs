@@ -1,9 +1,9 @@
-//! Blocks of glued parts that can slide from one block onto the next, or blocks that slide over them.
+//! Blocks that can slide from one block onto the next.
 //!
-//! Convex blocks that lie flush on each other cover each other's faces ([`crate::contact`]). A block of parts ends at its own faces, also where they
-//! lie on those of its neighbour: what slides over the seam between two blocks of one plane presses against their edges, by the depth to which it lies
-//! in them. Explicit steps lose there what dashpots take of that; an implicit step, in which a block moves by far more than that depth, is braked by
-//! the edge, and friction seems larger than it is.
+//! Convex blocks that lie flush on each other cover each other's faces ([`crate::contact`]), in implicit steps in which they move little. In others, and
+//! always among glued parts, a block ends at its own faces, also where they lie on those of its neighbour (unless both are held): what slides over the
+//! seam between two blocks of one plane presses against their edges, by the depth to which it lies in them. Explicit steps lose there what dashpots
+//! take of that; an implicit step, in which a block moves by far more than that depth, is braked by the edge, and friction seems larger than it is.
 
 use riprap_geom::Vec3;
 
@@ -25,9 +25,10 @@ struct Seat {
     offset: f64,
 }
 
-/// A block that can move and lies, without strength, on two others in one plane, where one of the three has glued parts: it and these two.
+/// A block that can move and lies, without strength, on two others in one plane: it and these two. In steps as `long` as those to an equilibrium one of the
+/// two can move too, in others one of the three has glued parts.
 #[must_use]
-pub fn seam(world: &World) -> Option<[u32; 3]> {
+pub fn seam(world: &World, long: bool) -> Option<[u32; 3]> {
     let loose = (0..world.patches.len()).filter(|p| is_loose(world, *p));
     let both = loose.flat_map(|p| {
         let class = &world.classes[world.patches.class[p] as usize];
@@ -50,9 +51,12 @@ pub fn seam(world: &World) -> Option<[u32; 3]> {
         seats.iter().enumerate().find_map(|(k, seat)| {
             let beside = seats[k + 1..].iter().find(|other| {
                 other.partner != seat.partner
-                    && [seat.block, seat.partner, other.partner]
-                        .iter()
-                        .any(|b| world.is_glued(*b as usize))
+                    && match long {
+                        true => [other, seat].iter().any(|on| world.is_free(on.partner as usize)),
+                        false => [seat.block, seat.partner, other.partner]
+                            .iter()
+                            .any(|b| world.is_glued(*b as usize)),
+                    }
                     && (other.normal - seat.normal).length() < PARALLEL
                     && (other.offset - seat.offset).abs() < COPLANAR * seat.offset.abs()
             })?;

@@ -29,6 +29,8 @@ const AHEAD: f64 = 0.7;
 const TRANSIT: f64 = 0.5;
 /// Faces that are listed for a candidate hold as long as faces are moved outward by at most so much of the sum of the margins.
 const LISTED: f64 = 0.25;
+/// Blocks cover each other's faces in steps in which they move by no more than this share of the smaller inscribed radius.
+const COVERED: f64 = 0.02;
 /// What rounding may take from a gap, over the gap.
 const ROUNDING: f64 = 1e-9;
 /// Way of a block in a step at most, over the largest margin that the search gives it.
@@ -233,7 +235,9 @@ impl Looking<'_> {
             pair.ends.map(|b| self.world.found.search.margin[b as usize]).iter().sum();
         let listed = out <= LISTED * margins;
         let held = contacts.covered.of_pair(pair.ends);
-        let flush = self.covered.of_pair(pair.ends);
+        // Faces moved out far are tilted at their rims, and parts of a surface more than the whole.
+        let near = out <= COVERED * contacts.constants[k].inradius;
+        let flush = if near { self.covered.of_pair(pair.ends) } else { [0; 2] };
         let covered = [held[0] | flush[0], held[1] | flush[1]];
         let as_listed = candidate.faces(&contacts.candidates.lists);
         let all: [Vec<u16>; 2] = [0, 1].map(|side: usize| {

@@ -70,7 +70,7 @@ impl Simulation {
                 boundary.name
             ));
         }
-        if let Some(blocks) = seams::seam(view.world) {
+        if let Some(blocks) = seams::seam(view.world, settles) {
             let [block, first, second] = blocks.map(|b| view.name(b as usize));
             return Some(format!(
                 "block `{block}` lies on `{first}` and `{second}` in one plane, and long steps brake what slides from one block onto the next"
