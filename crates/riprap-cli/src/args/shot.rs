@@ -40,7 +40,7 @@ pub struct Shot {
     #[arg(long, num_args = 2, value_names = ["AZIMUTH", "ELEVATION"], allow_hyphen_values = true)]
     pub view: Option<Vec<f64>>,
     /// Angle of view from the lower to the upper edge, degrees; without: a parallel projection
-    #[arg(long, value_name = "ANGLE", num_args = 0..=1, require_equals = true, default_missing_value = "32")]
+    #[arg(long, value_name = "ANGLE", num_args = 0..=1, require_equals = true, default_missing_value = "32", allow_negative_numbers = true)]
     pub perspective: Option<f64>,
     /// Name of a view that was saved in `riprap view`
     #[arg(long, value_name = "NAME", conflicts_with_all = ["view", "perspective"])]

@@ -137,10 +137,14 @@ fn flush_at(world: &World, desk: &ContactScratch, seat: &Seat, dt: f64) -> Optio
         face_overlap(&first, second, normals[0], 0.0).map_or(0.0, |shared| shared.area)
     };
     let area = shared(&outline(1, Vec3::ZERO));
+    let smaller = shapes[0].areas[faces[0]].min(shapes[1].areas[faces[1]]);
     let [v, w] = key.ends.map(|b| world.bodies.velocity(b as usize));
-    let coming = area.max(shared(&outline(1, dt * (w - v))));
-    let least = EDGE * shapes[0].areas[faces[0]].min(shapes[1].areas[faces[1]]);
-    Some(Flush { faces, area, coming, least })
+    // Where they lie on each other already, a step changes nothing of it.
+    let coming = match area >= MAIN * smaller {
+        true => area,
+        false => area.max(shared(&outline(1, dt * (w - v)))),
+    };
+    Some(Flush { faces, area, coming, least: EDGE * smaller })
 }
 
 /// Whether a block is one convex body with faces of its own.

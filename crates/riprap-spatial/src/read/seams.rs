@@ -1,6 +1,6 @@
 //! Blocks that can slide from one block onto the next.
 //!
-//! Convex blocks that lie flush on each other cover each other's faces ([`crate::contact`]), in implicit steps in which they move little. In others, and
+//! Convex blocks that lie flush on each other cover each other's faces, in implicit steps in which they move little. In others, and
 //! always among glued parts, a block ends at its own faces, also where they lie on those of its neighbour (unless both are held): what slides over the
 //! seam between two blocks of one plane presses against their edges, by the depth to which it lies in them. Explicit steps lose there what dashpots
 //! take of that; an implicit step, in which a block moves by far more than that depth, is braked by the edge, and friction seems larger than it is.

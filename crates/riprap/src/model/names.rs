@@ -165,7 +165,8 @@ impl Directory {
                 let all = self.materials.iter().map(|(material, _)| material.as_str());
                 return Err(Box::new(self.unknown_of(&name, "group, block or material", all)));
             };
-            counts.push(format!("`{}` has {} blocks", word.text, blocks.len()));
+            let many = if blocks.len() == 1 { "" } else { "s" };
+            counts.push(format!("`{}` has {} block{many}", word.text, blocks.len()));
             let mut set = vec![false; self.centroids.len()];
             for block in blocks {
                 set[block as usize] = true;
