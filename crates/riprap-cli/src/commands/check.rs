@@ -327,7 +327,7 @@ fn steps_text(f: &Forecast) -> String {
             format!("{} steps (a trial run finished), {}", grouped(n), time(n))
         }
         (Some(n), _) => match f.least_steps {
-            _ if f.at_most => format!("at most {} steps, {}", grouped(n), time(n)),
+            _ if f.at_most => format!("at most {} steps of this length, {}", grouped(n), time(n)),
             Some(least) if least < n => format!(
                 "at least {} steps, at most {} with permanent contact, {} to {}",
                 grouped(least),

@@ -55,3 +55,15 @@ fn every_template_runs() {
         assert!(bench.path(&out).join("run.pvd").exists(), "{name} left no frames");
     }
 }
+
+#[test]
+fn the_program_checks_itself_and_its_scenes_where_there_are_none() {
+    let bench = Bench::new();
+    let said = bench.run(&["self-test"]).expect(0);
+    said.says(&[" passed, 0 failed, 0 skipped in 10 scenes"]);
+    bench
+        .run(&["verify", "--shipped", "implicit/slope.toml"])
+        .expect(0)
+        .says(&["passed  verify/implicit/slope.toml", "0 failed"]);
+    bench.run(&["verify", "--shipped", "implicit/slop.toml"]).expect(2);
+}
