@@ -235,7 +235,7 @@ impl Looking<'_> {
             pair.ends.map(|b| self.world.found.search.margin[b as usize]).iter().sum();
         let listed = out <= LISTED * margins;
         let held = contacts.covered.of_pair(pair.ends);
-        // Faces moved out far are tilted at their rims, and parts of a surface more than the whole.
+        // In longer steps a wedge that slides on two blocks was caught by it.
         let near = out <= COVERED * contacts.constants[k].inradius;
         let flush = if near { self.covered.of_pair(pair.ends) } else { [0; 2] };
         let covered = [held[0] | flush[0], held[1] | flush[1]];
