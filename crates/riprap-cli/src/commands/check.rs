@@ -292,6 +292,18 @@ fn expected_text(f: &Forecast, before: f64) -> String {
             toe.key
         ));
     }
+    if let Some(of) = &f.reckoned {
+        text.push_str(&format!(
+            "  expected   about {} steps, {} of CPU time (one thread, no records){}\n             from a trial of {} that reached {} of phase `{}`\n",
+            grouped(rounded(of.steps)),
+            about(of.cpu_time),
+            before_text(before),
+            duration(of.tried),
+            si(of.reached, "s"),
+            of.phase
+        ));
+        return text;
+    }
     text.push_str(&format!(
         "  expected   {} at {} steps/s of CPU time (one thread, no records){}\n",
         steps_text(f),
@@ -300,11 +312,7 @@ fn expected_text(f: &Forecast, before: f64) -> String {
         } else {
             grouped(f.steps_per_second as u64)
         },
-        if before >= NOTICED {
-            format!(", {} before the first step", duration(before))
-        } else {
-            String::new()
-        }
+        before_text(before)
     ));
     if f.apart {
         text.push_str("             while the blocks are apart; several times longer once they rest on each other\n");
@@ -316,12 +324,31 @@ fn expected_text(f: &Forecast, before: f64) -> String {
     text
 }
 
-/// Steps and time of a run.
-fn steps_text(f: &Forecast) -> String {
-    let time = |steps: u64| match duration(steps as f64 / f.steps_per_second) {
+/// CPU time until the first step where it is worth a word.
+fn before_text(before: f64) -> String {
+    if before < NOTICED {
+        return String::new();
+    }
+    format!(", {} before the first step", duration(before))
+}
+
+/// To two digits: what is reckoned has no more.
+fn rounded(steps: u64) -> u64 {
+    let unit = 10u64.pow(steps.max(1).ilog10().saturating_sub(1));
+    steps.saturating_add(unit / 2) / unit * unit
+}
+
+/// `about 2 min 30 s`, `under 0.1 s`.
+fn about(seconds: f64) -> String {
+    match duration(seconds) {
         short if short.starts_with("under") => short,
         long => format!("about {long}"),
-    };
+    }
+}
+
+/// Steps and time of a run.
+fn steps_text(f: &Forecast) -> String {
+    let time = |steps: u64| about(steps as f64 / f.steps_per_second);
     match (f.steps, f.iterations) {
         (Some(n), _) if f.tried_to_end => {
             format!("{} steps (a trial run finished), {}", grouped(n), time(n))

@@ -1,19 +1,22 @@
 //! What a run will take: stable step, number of steps, CPU time, memory; told by trying a few.
 
+mod ahead;
 #[cfg(test)]
 mod tests;
+mod trial;
 
 use std::time::Duration;
 
 use serde::Serialize;
 use thiserror::Error;
 
+use self::trial::Trial;
 use super::cpu::Work;
 use super::engine::{BuildError, Kind, View};
 use super::given_step::{self, RefusedStep};
 use super::meeting::{self, Outlook, Toe};
 use super::overruled;
-use super::simulation::{RunError, Simulation, Stage};
+use super::simulation::{RunError, Simulation};
 use crate::dynamics::TimeFunction;
 use crate::exec::Exec;
 use crate::model::memory::{self, Parts};
@@ -24,13 +27,6 @@ use crate::planar;
 use crate::setup::Setup;
 use crate::spatial::read::outlook::can_give_way;
 use crate::spatial::setup::{BoundaryKind, Shape};
-
-/// Most CPU time spent on the first trial steps, and on all where more than those are done; four steps are done in any case.
-const TRIAL: [Duration; 2] = [Duration::from_millis(300), Duration::from_millis(100)];
-/// Steps that are not timed, where there are more.
-const WARM: u64 = 2;
-/// The first trial steps. Where the physics stops one of the first phase it is an error; what comes later is left to the run.
-const FIRST: u64 = 200;
 
 /// Why nothing can be said.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -85,7 +81,9 @@ pub struct Forecast {
     pub apart: bool,
     /// Joints can give way: once blocks come loose, steps are shorter and cost more than those timed.
     pub gives_way: bool,
-    /// CPU time on one thread without records, s; absent if the number of steps is.
+    /// Where the first steps do not speak for the later ones: what the trial lets expect.
+    pub reckoned: Option<Reckoned>,
+    /// CPU time on one thread without records, s; absent where nothing is known of the number of steps.
     pub cpu_time: Option<f64>,
     /// CPU time for joints, lists and the state before the first step, s; the blocks are there before.
     pub build_time: f64,
@@ -101,7 +99,22 @@ pub struct Forecast {
     pub warnings: Vec<String>,
 }
 
-/// Advances a copy of the model by a few steps.
+/// Steps and time of a run whose blocks are or become loose, or which may be at rest early: from the later half of its trial.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Reckoned {
+    /// Steps.
+    pub steps: u64,
+    /// CPU time on one thread without records, s.
+    pub cpu_time: f64,
+    /// CPU time of the trial, s.
+    pub tried: f64,
+    /// Time of the model that it reached, s.
+    pub reached: f64,
+    /// The phase that it reached.
+    pub phase: String,
+}
+
+/// Advances a copy of the model by a few steps, of one whose blocks are loose for two seconds.
 ///
 /// # Errors
 /// The engine cannot build it, a given step is too long, or the physics stops it at once.
@@ -153,6 +166,11 @@ pub struct Forecast {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
+    within(setup, plan, trial::LOOSE)
+}
+
+/// The same with so much CPU time for the trial of loose blocks.
+fn within(setup: &Setup, plan: &Plan, most: Duration) -> Result<Forecast, ForecastError> {
     let work = Work::begin();
     let mut simulation = Simulation::new(setup.clone(), plan.clone(), Exec::serial())?;
     given_step::check(&simulation)?;
@@ -182,7 +200,21 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
     warnings.extend((plan.phases.iter()).filter_map(|p| idle_safety(p, stable.dt, meets)));
     let memory = memory::expected(&parts(&simulation.view(), setup, contacts, found.as_ref()));
     let frame = simulation.view().frame_bytes(plan);
-    let trial = Trial::of(&mut simulation, stage)?;
+    let apart = 2 * contacts < blocks;
+    let loose = apart || gives_way || at_most;
+    let trial = Trial::of(&mut simulation, stage, loose.then_some(most))?;
+    let wanted =
+        |phase: &Phase| phase.time_step.wanted(stable.dt, &phase.until, phase.gravity_ramp);
+    let pulled = simulation.cursor().gravity_after != [0.0; 3];
+    let falling = found.as_ref().filter(|_| apart && pulled).map_or(0, |found| found.blocks);
+    let ahead = ahead::ahead(plan, &trial.marks, &wanted, falling);
+    let reckoned = ahead.filter(|_| loose && trial.end.is_none()).map(|ahead| Reckoned {
+        steps: trial.steps + ahead.steps.ceil() as u64,
+        cpu_time: trial.cpu() + ahead.cpu,
+        tried: trial.cpu(),
+        reached: simulation.time(),
+        phase: simulation.phase().map_or_else(String::new, |phase| phase.name.clone()),
+    });
     let [least_steps, steps] = match trial.end {
         Some(taken) => [Some(taken); 2],
         None => total_steps(plan, stable.dt, touching).map(|n| n.map(|n| n.max(trial.steps))),
@@ -203,9 +235,13 @@ pub fn forecast(setup: &Setup, plan: &Plan) -> Result<Forecast, ForecastError> {
         tried_to_end: trial.end.is_some(),
         iterations,
         steps_per_second: trial.rate,
-        apart: 2 * contacts < blocks && trial.end.is_none(),
+        apart: apart && trial.end.is_none(),
         gives_way: gives_way && trial.end.is_none(),
-        cpu_time: steps.map(|n| n as f64 / trial.rate),
+        cpu_time: match &reckoned {
+            Some(reckoned) => Some(reckoned.cpu_time),
+            None => steps.map(|n| n as f64 / trial.rate),
+        },
+        reckoned,
         build_time,
         memory,
         frame,
@@ -477,57 +513,5 @@ fn parts(view: &View<'_>, setup: &Setup, contacts: usize, found: Option<&Outlook
             .map(|bolt| bolt.head.distance(bolt.toe) / bolt.design.piece)
             .sum(),
         ..Parts::default()
-    }
-}
-
-/// The first steps of a run.
-struct Trial {
-    /// Steps per second of CPU time.
-    rate: f64,
-    /// Steps done.
-    steps: u64,
-    /// Steps of the run, where the trial came to its end.
-    end: Option<u64>,
-}
-
-impl Trial {
-    /// Goes on as long as there is time, from a state that has been prepared; four steps at least. The first two are not timed where there
-    /// are more: they touch memory for the first time and are guarded more closely, in a model of a million blocks eight and two times as long as the others.
-    fn of(simulation: &mut Simulation, stage: Stage) -> Result<Self, RunError> {
-        let work = Work::begin();
-        let (mut steps, mut end) = (0, None);
-        let mut warm = Duration::ZERO;
-        let mut stage = Ok(stage);
-        while steps < 2 * WARM || work.done() < TRIAL[usize::from(steps >= FIRST)] {
-            stage = match stage {
-                Ok(Stage::Within) => {
-                    simulation.step();
-                    steps += 1;
-                    let next = simulation.prepare();
-                    if steps == WARM {
-                        warm = work.done();
-                    }
-                    next
-                }
-                Ok(Stage::PhaseEnd) => {
-                    simulation.note_unconverged();
-                    simulation.note_end();
-                    simulation.next_phase();
-                    simulation.prepare()
-                }
-                Ok(Stage::Done) => {
-                    end = Some(simulation.steps());
-                    break;
-                }
-                Err(error) if steps < FIRST && simulation.cursor().phase == 0 => return Err(error),
-                Err(_) => break,
-            };
-        }
-        let (timed, time) = if steps > WARM {
-            (steps - WARM, work.done() - warm)
-        } else {
-            (steps.max(1), work.done())
-        };
-        Ok(Self { rate: timed as f64 / time.as_secs_f64().max(1e-9), steps, end })
     }
 }
