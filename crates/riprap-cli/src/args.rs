@@ -204,6 +204,19 @@ pub struct Run {
     /// Replace existing results
     #[arg(long)]
     pub force: bool,
+    #[command(flatten)]
+    pub errors: Errors,
+}
+
+/// The error of what a command finds.
+#[derive(Debug, Args)]
+pub struct Errors {
+    /// Then give each result its error, by runs with one thing changed at a time in so much wall time (see `riprap trust`)
+    #[arg(long, value_name = "TIME", num_args = 0..=1, require_equals = true, default_missing_value = "10min", allow_hyphen_values = true)]
+    pub trust: Option<String>,
+    /// Causes to leave out with --trust, separated by commas
+    #[arg(long, value_name = "CAUSES", requires = "trust", value_delimiter = ',', value_parser = riprap::run::study::trust::Cause::read)]
+    pub without: Vec<riprap::run::study::trust::Cause>,
 }
 
 /// How to compute; never what.
@@ -387,6 +400,8 @@ pub struct Verify {
     /// Print one JSON object per check
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub errors: Errors,
 }
 
 /// List the fields available in histories, checks and frames.

@@ -8,7 +8,7 @@ use riprap::run::study::Executor;
 use riprap::run::study::find::{self as search, Wanted};
 use riprap::run::study::range::Quantity;
 use riprap::run::study::safety;
-use riprap::run::study::trust::{self as errors_of, Cause, Rules, Trial};
+use riprap::run::study::trust::{self as errors_of, Cause, Question, Rules, Trial};
 use riprap::scenario::units::{self, Dim};
 
 use crate::errors;
@@ -22,7 +22,7 @@ fn refused(text: String) -> PyErr {
 }
 
 /// Runs the variants of a scene and writes the tables into `folder`; gives the answer as JSON, and in words. `options`: the budget, the causes
-/// to leave out, the number of threads.
+/// to leave out, the number of threads, and whether the factor of safety is asked for.
 #[pyfunction]
 pub fn trust(
     py: Python<'_>,
@@ -30,11 +30,11 @@ pub fn trust(
     case: Option<&str>,
     folder: PathBuf,
     existing_folder: &str,
-    options: (String, Vec<String>, usize),
+    options: (String, Vec<String>, usize, bool),
     report: Option<Py<PyAny>>,
 ) -> PyResult<(String, String)> {
     vacant(py, &folder, existing(existing_folder)?)?;
-    let (budget, without, threads) = options;
+    let (budget, without, threads, safety) = options;
     let budget = match units::parse(&budget) {
         Ok((seconds, Dim::TIME)) => seconds,
         Ok(_) | Err(_) => {
@@ -46,11 +46,16 @@ pub fn trust(
     let rules = Rules { budget, without: without.map_err(refused)? };
     let case = scene.case(case)?;
     let scene = &scene.0;
+    let search = safety::Rules::default();
+    let question = match safety {
+        true => Question::Safety { rules: &search, over: None, known: None },
+        false => Question::Results,
+    };
     let found = reported(
         py,
         |stop, pass_on| {
-            let executor = Executor { threads, stop };
-            errors_of::trust(scene, &case, &rules, &executor, &mut |trial: &Trial| {
+            let (executor, of) = (Executor { threads, stop }, (scene, &case));
+            errors_of::trust_in(of, question, &rules, &executor, &mut |trial: &Trial| {
                 pass_on(trial.clone());
             })
         },

@@ -32,3 +32,9 @@ def test_a_value_for_a_wanted_result(sliding_block):
         riprap.find(sliding_block(), key, between, "slip = 4 m")
     with pytest.raises(ValueError, match="unknown result"):
         riprap.find(sliding_block(), key, between, "slop = 4 cm")
+
+
+def test_the_factor_of_safety_has_its_error(sliding_block, tmp_path):
+    trust = riprap.trust(sliding_block(), tmp_path / "f.trust", safety=True, threads=2)
+    factor = trust["factor of safety"]
+    assert len(trust) == 1 and 0.0 < factor.error < 0.1 and "search" in factor.causes

@@ -16,7 +16,7 @@ mod words;
 
 use book::Book;
 use html::escape;
-use sections::{checks, energy, events, facts, groups, pictures, provenance, scene, works};
+use sections::{checks, energy, events, facts, groups, pictures, provenance, scene, trust, works};
 
 const SCRIPT: &str = include_str!("../assets/app.js");
 const STYLE: &str = include_str!("../assets/app.css");
@@ -96,6 +96,7 @@ pub fn report(
         let _ = writeln!(out, "<p class=\"warning\">{}</p>", escape(warning));
     }
     checks(&mut out, run);
+    trust(&mut out, run);
     replay(&mut out, run, limits);
     pictures(&mut out, "Plots", &plots);
     energy(&mut out, run);

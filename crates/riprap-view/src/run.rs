@@ -249,6 +249,12 @@ impl Run {
         riprap_record::read_plain(&path).map_err(unreadable)
     }
 
+    /// A file of JSON, if it is there and whole.
+    #[must_use]
+    pub fn json(&self, name: &str) -> Option<serde_json::Value> {
+        serde_json::from_slice(&self.file(name).ok()?).ok()
+    }
+
     /// Corners of frame `k` and the columns that tell its blocks apart, with the shape of its blocks.
     ///
     /// # Errors

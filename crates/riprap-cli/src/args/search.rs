@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{How, Scene};
+use super::{Errors, How, Scene};
 
 /// Find the value of a key at which the scene starts to fail, or at which a result has a wanted value.
 ///
@@ -45,6 +45,8 @@ pub struct Bisect {
     /// Print each run and the result as JSON lines
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub errors: Errors,
 }
 
 /// Find the factor of safety of a scene, or the limit value of one of its keys.
@@ -110,4 +112,6 @@ pub struct Safety {
     /// Print each trial and the answer as JSON lines
     #[arg(long)]
     pub json: bool,
+    #[command(flatten)]
+    pub errors: Errors,
 }

@@ -49,6 +49,15 @@ impl Crew {
         }
     }
 
+    /// Whether one rank computes all.
+    pub fn is_alone(&self) -> bool {
+        #[cfg(feature = "mpi")]
+        if self.world.is_some() {
+            return false;
+        }
+        self.each[0] == 1
+    }
+
     /// Whether this program speaks with the user: one rank of many does.
     pub fn speaks(&self) -> bool {
         #[cfg(feature = "mpi")]

@@ -10,11 +10,14 @@ use riprap::record::{RunFolder, checkpoint};
 use riprap::run::drive::{Control, Ending, Look};
 use riprap::run::job::{Outcome, Sent};
 use riprap::run::simulation::PhaseEnd;
+use riprap::run::study::Executor;
+use riprap::run::study::trust::Question;
 
 use crate::args::{Resume, Run};
 use crate::commands::check::imports_text;
 use crate::commands::ranks::Crew;
-use crate::commands::{check_lines, default_folder, run_folder};
+use crate::commands::trust::{self, Told};
+use crate::commands::{check_lines, default_folder, run_folder, threads};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -26,7 +29,15 @@ use crate::{scenes, screen};
 pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     let crew = Crew::of("run", &args.ranks, &args.how)?;
     let quiet = args.how.quiet || !crew.speaks();
-    let prepared = crew.end(scenes::prepare(&args.scene, style, quiet))?;
+    let errors = crew.end(trust::asked(&args.errors))?;
+    if errors.is_some() && !crew.is_alone() {
+        let text =
+            "--trust makes many runs side by side on the threads of one process; leave --ranks out";
+        return crew.end(Err(Failure::Input(text.to_owned())));
+    }
+    let (of, case) = crew.end(scenes::chosen(&args.scene))?;
+    let change = &args.scene.change;
+    let prepared = crew.end(scenes::prepare_case(&of, &case, change, style, quiet))?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "run", args.force);
     let summary = &prepared.model.summary;
     let near = match &prepared.model.setup {
@@ -47,10 +58,18 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     let begun = folder.clone();
     let early = move || stopped_early(&begun);
     let show = crew.speaks().then_some(args.how.quiet);
-    with_display(show, &head, &folder, early, |look| {
+    let (interrupt, ended) = with_display(show, &head, &folder, early, |look| {
         let done = crew.run(job, &folder, existing, look);
         crew.end(done.map_err(|error| Failure::of_job(error, &scene)))
-    })
+    })?;
+    // Checks that fail have errors too.
+    let came = matches!(ended, Ok(()) | Err(Failure::Checks));
+    if let (Some(errors), Some(interrupt), true) = (errors, interrupt, came) {
+        let executor = Executor { threads: threads(&args.how), stop: &|| interrupt.asked() };
+        let told = Told { quiet: args.how.quiet, json: false };
+        trust::errors((&of, &case), Question::Results, &errors, &executor, (Some(&folder), told))?;
+    }
+    ended
 }
 
 /// What a run that is stopped before its first look leaves in `folder`, if it has come so far as to begin there.
@@ -77,7 +96,8 @@ pub fn resume(args: &Resume) -> Result<(), Failure> {
     let show = crew.speaks().then_some(args.how.quiet);
     with_display(show, &head, &args.run, early, |look| {
         crew.end(crew.resume(&args.run, look).map_err(Failure::from))
-    })
+    })?
+    .1
 }
 
 /// Where results go, and what may be replaced there. Without `--out` a name that is not taken.
@@ -92,17 +112,17 @@ pub fn target(out: Option<&Path>, scene: &Path, kind: &str, force: bool) -> (Pat
 }
 
 /// Runs `work` with progress and Ctrl-C, and reports how it ended; `early` is said where it is stopped before its first look. `show`: whether
-/// quietly; `None` for a rank that says nothing and leaves it to another one when to stop.
+/// quietly; `None` for a rank that says nothing and leaves it to another one when to stop. Gives who asks to stop, and how it ended.
 fn with_display(
     show: Option<bool>,
     head: &str,
     folder: &Path,
     early: impl Fn() -> String + Send + 'static,
     work: impl FnOnce(&mut dyn FnMut(&mut Look<'_>) -> Control) -> Result<Outcome, Failure>,
-) -> Result<(), Failure> {
+) -> Result<(Option<Interrupt>, Result<(), Failure>), Failure> {
     let Some(quiet) = show else {
         Interrupt::leave_to_another()?;
-        return work(&mut |_| Control::Continue).map(|_| ());
+        return work(&mut |_| Control::Continue).map(|_| (None, Ok(())));
     };
     // Until the first step is done nothing is lost: building a large model takes longer than anybody waits after Ctrl-C.
     let interrupt = Interrupt::listen_from_begin(early)?;
@@ -114,7 +134,7 @@ fn with_display(
         Control::stop_if(interrupt.asked())
     });
     display.close();
-    finish(&outcome?, folder, quiet)
+    Ok((Some(interrupt), finish(&outcome?, folder, quiet)))
 }
 
 /// Says how a run ended, where its results are and what to do next.

@@ -7,6 +7,7 @@ use riprap::record::folder::Existing;
 use riprap::run::drive::{Ending, Look};
 use riprap::run::job::{self, Job};
 use riprap::run::study::safety::{self, Answer, Quantity, Rules, Trial};
+use riprap::run::study::trust::Question;
 use riprap::run::study::{Executor, StudyError};
 use riprap::scenario::units::Dim;
 
@@ -15,6 +16,7 @@ use crate::commands::plot::{self, quantity};
 use crate::commands::run::target;
 use crate::commands::threads;
 use crate::commands::trials::make_folder;
+use crate::commands::trust::{self, Told};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -33,6 +35,7 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
         _ => None,
     };
     let rules = rules(args, over.as_ref())?;
+    let errors = trust::asked(&args.errors)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "safety", args.force);
     make_folder(&folder, existing)?;
     let interrupt = Interrupt::listen()?;
@@ -53,7 +56,14 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
     if let Some(job) = safety::mechanism_job(job, &rules, &answer)? {
         mechanism(job, &folder, existing, &executor)?;
     }
-    tell(&answer, &folder, args.json)
+    tell(&answer, &folder, args.json)?;
+    let Some(errors) = errors else {
+        return Ok(());
+    };
+    let over = over.as_ref();
+    let question = Question::Safety { rules: &rules, over, known: Some(&answer) };
+    let told = Told { quiet: args.how.quiet, json: args.json };
+    trust::errors((&scene, &case), question, &errors, &executor, (Some(&folder), told))
 }
 
 /// How the search is made.

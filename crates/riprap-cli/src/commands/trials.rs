@@ -1,6 +1,7 @@
 //! `riprap bisect` and `riprap compare`: a scene run more than once.
 
 use std::path::Path;
+use std::time::Instant;
 
 use riprap::record::folder::Existing;
 use riprap::run::drive::Ending;
@@ -9,11 +10,13 @@ use riprap::run::study::bisect::{self, Trial};
 use riprap::run::study::find::{self, Wanted};
 use riprap::run::study::range::Quantity;
 use riprap::run::study::safety::Rules;
+use riprap::run::study::trust::Question;
 use riprap::run::study::{Executor, StudyError, laws};
 use riprap::scenario::Case;
 
 use crate::args::{Bisect, Compare};
 use crate::commands::run::target;
+use crate::commands::trust::{self, Told};
 use crate::commands::{threads, write_file};
 use crate::diagnostics::print_line;
 use crate::failure::Failure;
@@ -41,6 +44,10 @@ pub fn bisect(args: &Bisect) -> Result<(), Failure> {
     if let (Some(key), Some(range), Some(wanted)) = (&args.vary, &args.range, &args.until) {
         let range = Quantity::read(key, range, args.width.as_deref()).map_err(StudyError::from)?;
         return find(args, (&scene, &case), (&range, wanted));
+    }
+    if args.errors.trust.is_some() {
+        let text = "--trust needs --vary, --range and --until; the table [bisect] has no result to give an error to";
+        return Err(Failure::Input(text.to_owned()));
     }
     let interrupt = Interrupt::listen()?;
     let mut display = Display::new(args.how.quiet || args.json);
@@ -75,9 +82,11 @@ fn find(
     (scene, case): (&Scene, &Case),
     (range, wanted): (&Quantity, &Wanted),
 ) -> Result<(), Failure> {
+    let errors = trust::asked(&args.errors)?;
     let interrupt = Interrupt::listen()?;
     let executor = Executor { threads: threads(&args.how), stop: &|| interrupt.asked() };
     let key = |value: f64| bisect::words(range, value);
+    let begun = Instant::now();
     let mut count = 0;
     let mut report = |trial: &find::Trial| {
         count += 1;
@@ -98,15 +107,28 @@ fn find(
     };
     let rules = Rules::default();
     let found = find::find(scene, case, (range, wanted), &rules, &executor, &mut report)?;
-    if args.json {
+    let seconds = begun.elapsed().as_secs_f64();
+    tell_found(&found, (range, wanted), args.json);
+    let Some(errors) = errors else {
+        return Ok(());
+    };
+    let question = Question::Find { range, wanted, rules: &rules, known: Some((&found, seconds)) };
+    let told = Told { quiet: args.how.quiet, json: args.json };
+    trust::errors((scene, case), question, &errors, &executor, (None, told))
+}
+
+/// Says what was found.
+fn tell_found(found: &find::Found, (range, wanted): (&Quantity, &Wanted), json: bool) {
+    if json {
         let line = serde_json::json!({
             "key": range.key, "unit": range.unit, "at": found.at, "result": wanted.result,
             "wanted": wanted.value, "below": found.below, "above": found.above,
             "monotone": found.monotone, "undecided": found.undecided,
         });
         screen::line(&line.to_string());
-        return Ok(());
+        return;
     }
+    let key = |value: f64| bisect::words(range, value);
     let end = |[value, result]: [f64; 2]| format!("{} at {}", wanted.text(result), key(value));
     screen::line(&format!(
         "{}: {} ({}: {}, {})",
@@ -128,7 +150,6 @@ fn find(
     if found.undecided {
         print_line("warning", "runs inside the range had no result; the answer is a wider range");
     }
-    Ok(())
 }
 
 /// `trial 3: 35 deg holds (0.01 m, allowed up to 0.1 m)`.

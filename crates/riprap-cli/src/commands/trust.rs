@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use riprap::plot::{self, PlotError, Tornado};
+use riprap::run::scene::Scene;
 use riprap::run::study::Executor;
-use riprap::run::study::trust::{self, Answer, Rules, TABLE, Trial};
+use riprap::run::study::trust::{self, Answer, Cause, Question, Rules, TABLE, Trial};
+use riprap::scenario::Case;
 use riprap::scenario::units::Dim;
 
-use crate::args::Trust;
+use crate::args::{Errors, Trust};
 use crate::commands::plot::quantity;
 use crate::commands::run::target;
 use crate::commands::threads;
@@ -22,34 +24,67 @@ use crate::{scenes, screen};
 pub fn run(args: &Trust, style: Style) -> Result<(), Failure> {
     let (scene, case) = scenes::chosen(&args.scene)?;
     scenes::prepare_case(&scene, &case, &args.scene.change, style, args.how.quiet || args.json)?;
-    let budget = quantity(&args.budget, Dim::TIME, "time", "--budget 10min")?;
-    if budget < 0.0 {
-        let text = format!("--budget is a wall time, and {} is below zero", args.budget);
-        return Err(Failure::Input(text));
-    }
-    let rules = Rules { budget, without: args.without.clone() };
+    let rules = rules(&args.budget, &args.without, "--budget")?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "trust", args.force);
     make_folder(&folder, existing)?;
     let interrupt = Interrupt::listen()?;
     let executor = Executor { threads: threads(&args.how), stop: &|| interrupt.asked() };
+    let told = Told { quiet: args.how.quiet, json: args.json };
+    errors((&scene, &case), Question::Results, &rules, &executor, (Some(&folder), told))
+}
+
+/// How much is said.
+#[derive(Clone, Copy)]
+pub struct Told {
+    pub quiet: bool,
+    pub json: bool,
+}
+
+/// What `--trust` of other commands asks for; `None` without it.
+pub fn asked(errors: &Errors) -> Result<Option<Rules>, Failure> {
+    let budget = errors.trust.as_ref();
+    budget.map(|budget| rules(budget, &errors.without, "--trust")).transpose()
+}
+
+fn rules(budget: &str, without: &[Cause], option: &str) -> Result<Rules, Failure> {
+    let seconds = quantity(budget, Dim::TIME, "time", &format!("{option}=10min"))?;
+    if seconds < 0.0 {
+        let text = format!("{option} is a wall time, and {budget} is below zero");
+        return Err(Failure::Input(text));
+    }
+    Ok(Rules { budget: seconds, without: without.to_vec() })
+}
+
+/// Gives what `question` asks its error: on the screen, and as tables and a picture in a folder.
+pub fn errors(
+    (scene, case): (&Scene, &Case),
+    question: Question<'_>,
+    rules: &Rules,
+    executor: &Executor<'_>,
+    (folder, told): (Option<&Path>, Told),
+) -> Result<(), Failure> {
     let mut count = 0;
     let mut report = |trial: &Trial| {
         count += 1;
-        if args.json {
+        if told.json {
             screen::line(&serde_json::json!(trial).to_string());
-        } else if !args.how.quiet {
+        } else if !told.quiet {
             screen::line(&line(count, trial));
         }
     };
-    let answer = trust::trust(&scene, &case, &rules, &executor, &mut report)?;
-    answer.write(&folder).map_err(|wrong| Failure::Output(wrong.to_string()))?;
-    let picture = picture(&scene.parsed.scenario.title, &answer, &folder)?;
-    if args.json {
+    let answer = trust::trust_in((scene, case), question, rules, executor, &mut report)?;
+    let mut files = Vec::new();
+    if let Some(folder) = folder {
+        answer.write(folder).map_err(|wrong| Failure::Output(wrong.to_string()))?;
+        files.push(folder.join(TABLE));
+        files.extend(picture(&scene.parsed.scenario.title, &answer, folder)?);
+    }
+    if told.json {
         screen::line(&serde_json::json!(answer).to_string());
         return Ok(());
     }
     screen::print(&format!("\n{}\n", answer.words()));
-    for path in std::iter::once(folder.join(TABLE)).chain(picture) {
+    for path in files {
         screen::line(&path.display().to_string());
     }
     Ok(())

@@ -1,9 +1,12 @@
 //! `riprap verify`.
 
+use riprap::run::scene::Scene;
+use riprap::run::study::trust::Question;
 use riprap::run::study::{Executor, verify};
 
 use super::self_test::Shipped;
 use crate::args::Verify;
+use crate::commands::trust::{self, Told};
 use crate::commands::{check_line, cores};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -28,6 +31,7 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
         names => Some(Shipped::named(names)?),
     };
     scenes.extend(shipped.iter().flat_map(|shipped| shipped.scenes.iter().cloned()));
+    let errors = trust::asked(&args.errors)?;
     let interrupt = Interrupt::listen()?;
     let threads = args.jobs.map_or_else(cores, usize::from);
     let executor = Executor { threads, stop: &|| interrupt.asked() };
@@ -45,6 +49,18 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
     });
     if !args.json {
         screen::line(&tally.to_string());
+    }
+    for path in errors.iter().flat_map(|_| &scenes) {
+        // What cannot be read has been reported as a check that failed.
+        let Some((scene, rules)) = Scene::load(path, &args.set).ok().zip(errors.as_ref()) else {
+            continue;
+        };
+        if !args.json {
+            screen::line(&format!("{}:", path.display()));
+        }
+        let told = Told { quiet: true, json: args.json };
+        let of = (&scene, &scene.plain());
+        trust::errors(of, Question::Results, rules, &executor, (None, told))?;
     }
     if interrupt.asked() {
         return Err(Failure::Interrupted("not all scenes were run".to_owned()));

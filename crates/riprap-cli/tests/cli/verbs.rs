@@ -542,6 +542,39 @@ fn trust_gives_each_result_its_error() {
 }
 
 #[test]
+fn runs_and_searches_give_their_results_an_error_too() {
+    let bench = Bench::with_scene();
+    let left = "--without=stiffness,damping";
+    bench.run(&["run", "fall.toml", "--trust=1min", left]).expect(0).says(&[
+        "results in fall.run",
+        "free fall: -",
+        " +- ",
+        "fall.run/trust.csv",
+    ]);
+    assert!(bench.read("fall.run/trust.json").contains("\"shown\": \"-"));
+    bench.run(&["report", "fall.run"]).expect(0);
+    let page = bench.read("fall.html");
+    assert!(page.contains("<h2>Errors of the results</h2>"));
+    assert!(page.contains("<small>not varied: stiffness (it was left out)</small>"));
+    bench.run(&["verify", "fall.toml", "--trust", left]).expect(0).says(&["fall.toml:", " +- "]);
+    let key = ["--vary", "blocks.stone.velocity.1", "--range", "-2 m/s..0 m/s"];
+    let find = [&["find", "fall.toml", "--until", "free fall = -15 cm", "--trust"], &key[..]];
+    bench.run(&find.concat()).expect(0).says(&[
+        "blocks.stone.velocity.1 for free fall = -15 cm: -1",
+        " +- ",
+        "search",
+    ]);
+    // A range of a key has a result of its own, the table [bisect] has none.
+    bench.run(&["find", "fall.toml", "--trust"]).expect(2).warns(&["--trust needs --vary"]);
+    bench.run(&["run", "fall.toml", "--trust=much"]).expect(2).warns(&["--trust=10min"]);
+    bench
+        .run(&["run", "fall.toml", "--trust", "--ranks", "2"])
+        .expect(2)
+        .warns(&["leave --ranks out"]);
+    bench.run(&["run", "fall.toml", left]).expect(2).warns(&["--trust"]);
+}
+
+#[test]
 fn find_searches_until_a_result_is_as_wanted() {
     let bench = Bench::with_scene();
     let of = |range: &str, until: &str| {

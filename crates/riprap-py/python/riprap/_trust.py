@@ -88,6 +88,7 @@ def trust(
     out: str | PathLike[str] | None = None,
     *,
     case: str | None = None,
+    safety: bool = False,
     budget: "str | float" = "10min",
     without: "list[str] | None" = None,
     threads: int | None = None,
@@ -103,6 +104,7 @@ def trust(
         source: a scenario, or what makes one.
         out: the folder; by default ``NAME.trust`` in the working folder.
         case: name of a case; by default the scenario as it stands.
+        safety: ask for the factor of safety (one result, ``factor of safety``) instead of the checks and histories; each run is a search.
         budget: wall time for all runs, with its unit or in s; what is forecast to take longer is left out.
         without: causes that are no errors: ``step``, ``equilibrium``, ``stiffness``, ``damping``, ``size``, ``seed``.
         threads: runs at a time; by default as many as there are processors.
@@ -122,7 +124,7 @@ def trust(
         print(f"{told['cause'] or 'as it stands'} x {told['factor']:g}: {told['steps']} steps {told['note']}".rstrip())
 
     time = budget if isinstance(budget, str) else f"{budget} s"
-    options = (time, list(without or []), threads if threads is not None else (os.cpu_count() or 1))
+    options = (time, list(without or []), threads if threads is not None else (os.cpu_count() or 1), safety)
     answer, words = _riprap.trust(what._scene, case, folder, existing, options, report if progress else None)
     return Trust(folder, json.loads(answer), words)
 

@@ -123,6 +123,41 @@ pub(super) fn checks(out: &mut String, run: &Run) {
     out.push_str("</table>\n");
 }
 
+/// The results with their errors, where the run was asked for them.
+pub(super) fn trust(out: &mut String, run: &Run) {
+    let Some(answer) = run.json("trust.json") else {
+        return;
+    };
+    let results = answer["results"].as_array().map_or(&[][..], Vec::as_slice);
+    out.push_str(
+        "<h2>Errors of the results</h2>\n<p>Each with what the causes add to its error, found by runs with one thing changed at a time.</p>\n\
+         <table class=\"grid\"><tr><th>result</th><th>value</th><th>causes</th></tr>\n",
+    );
+    for result in results {
+        let advice = match text_of(result, "advice") {
+            advice if advice.is_empty() => advice,
+            advice => format!("<br><small>{}</small>", escape(&advice)),
+        };
+        let _ = writeln!(
+            out,
+            "<tr><td>{}{advice}</td><td>{}</td><td>{}</td></tr>",
+            escape(&text_of(result, "name")),
+            escape(&text_of(result, "shown").replace("+-", "\u{b1}")),
+            escape(&text_of(result, "shares")),
+        );
+    }
+    out.push_str("</table>\n");
+    for left in answer["left_out"].as_array().into_iter().flatten() {
+        let text = |k: usize| left[k].as_str().unwrap_or_default();
+        let _ = writeln!(
+            out,
+            "<p><small>not varied: {} ({})</small></p>",
+            escape(text(0)),
+            escape(text(1))
+        );
+    }
+}
+
 pub(super) fn pictures(out: &mut String, head: &str, plots: &[&PathBuf]) {
     let mut headed = false;
     for path in plots {

@@ -4,7 +4,7 @@
 //! result need not be monotone; of several values that give it one is found, and what the trials show of it is said.
 
 use super::bracket::{State, Task, drive};
-use super::range::Quantity;
+use super::range::{Quantity, Source};
 use super::safety::{self, Rules};
 use super::trust::{histories, results};
 use super::{Executor, StudyError};
@@ -134,6 +134,8 @@ pub struct Found {
     pub above: [f64; 2],
     /// Linear between both: the value of the key, SI.
     pub at: f64,
+    /// What the width of each factor of safety leaves open of the value of the key, SI; 0 of other results.
+    pub blur: f64,
     /// Whether the result rises or falls all along the trials.
     pub monotone: bool,
     /// Whether runs inside the range did not come to their end, so that the range is wider than asked for.
@@ -176,11 +178,22 @@ pub fn find(
     executor: &Executor<'_>,
     report: &mut dyn FnMut(&Trial),
 ) -> Result<Found, StudyError> {
+    find_changed(&Source::plain(scene, case), (range, wanted), rules, executor, report)
+}
+
+/// The same of a case whose jobs are changed.
+pub(super) fn find_changed(
+    of: &Source<'_>,
+    (range, wanted): (&Quantity, &Wanted),
+    rules: &Rules,
+    executor: &Executor<'_>,
+    report: &mut dyn FnMut(&Trial),
+) -> Result<Found, StudyError> {
     for end in [range.low, range.high] {
-        wanted.check(&range.prepare(scene, case, end)?.job())?;
+        wanted.check(&of.job(Some((range, end)))?)?;
     }
     let one = |task: &Task<'_, Trial>| {
-        let job = range.prepare(scene, case, task.value)?.job();
+        let job = of.job(Some((range, task.value)))?;
         let trial = match wanted.check(&job)? {
             Some(check) => measured(job, check, task)?,
             None => factor(job, rules, task)?,
@@ -198,8 +211,8 @@ pub fn find(
         report(trial);
         trials.push(trial.clone());
     })?;
-    let of = |trial: Option<Trial>| trial.and_then(|one| Some([one.value, one.result?]));
-    let (Some(below), Some(above)) = (of(found.holding), of(found.failing)) else {
+    let end = |trial: Option<Trial>| trial.and_then(|one| Some([one.value, one.result?]));
+    let (Some(below), Some(above)) = (end(found.holding), end(found.failing)) else {
         return Err(outside(range, wanted, &trials));
     };
     let share = (wanted.value - below[1]) / (above[1] - below[1]);
@@ -213,9 +226,25 @@ pub fn find(
         below,
         above,
         at: below[0] + share * (above[0] - below[0]),
+        blur: if wanted.result == SAFETY { blur(&trials, wanted.value, rules.width) } else { 0.0 },
         monotone: rises || falls,
         undecided: found.search.undecided(),
     })
+}
+
+/// Half the width of a factor over the slope between the nearest trials that lie clearly below and above what is wanted: nearer ones differ by
+/// no more than the width. `trials` are sorted by the key.
+fn blur(trials: &[Trial], wanted: f64, width: f64) -> f64 {
+    let clear = |side: f64| {
+        let of = move |one: &Trial| Some([one.value, one.result?]);
+        let found =
+            trials.iter().filter_map(of).filter(move |one| side * (one[1] - wanted) >= width);
+        found.min_by(|a, b| (side * a[1]).total_cmp(&(side * b[1])))
+    };
+    let (Some(below), Some(above)) = (clear(-1.0), clear(1.0)) else {
+        return 0.0;
+    };
+    0.5 * width * ((above[0] - below[0]) / (above[1] - below[1])).abs()
 }
 
 /// Both ends lie on one side of what is wanted, or have no result.

@@ -4,6 +4,7 @@ use super::bracket::{NotANumber, Search};
 use super::error::RangeError;
 use crate::model::Bisection;
 use crate::plan::shown::{Shown, digits_for};
+use crate::run::job::Job;
 use crate::run::scene::{Prepared, Scene};
 use crate::scenario::units::{self, Dim};
 use crate::scenario::{Case, Diagnostics};
@@ -89,6 +90,32 @@ impl Quantity {
     /// The search for the limit in it.
     pub(super) fn search(&self) -> Result<Search, NotANumber> {
         Search::between(self.low, self.high, self.width)
+    }
+}
+
+/// A case of a scene whose jobs are changed besides in numbers that no key holds for the whole model at once: steps, stiffness.
+#[derive(Clone, Copy)]
+pub(super) struct Source<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) case: &'a Case,
+    pub(super) edit: &'a (dyn Fn(&mut Job) + Sync),
+}
+
+impl<'a> Source<'a> {
+    /// As it stands.
+    pub(super) fn plain(scene: &'a Scene, case: &'a Case) -> Self {
+        Self { scene, case, edit: &|_| {} }
+    }
+
+    /// The job, with a value of a key.
+    pub(super) fn job(&self, of: Option<(&Quantity, f64)>) -> Result<Job, Diagnostics> {
+        let prepared = match of {
+            Some((quantity, value)) => quantity.prepare(self.scene, self.case, value)?,
+            None => self.scene.prepare(self.case)?,
+        };
+        let mut job = prepared.job();
+        (self.edit)(&mut job);
+        Ok(job)
     }
 }
 

@@ -29,6 +29,8 @@ mod verdict;
 use std::time::Instant;
 
 use super::bracket::{Found, Search, Task, drive};
+#[cfg(feature = "scenario")]
+use super::range::Source;
 use super::{Executor, StudyError};
 use crate::plan::shown::Shown;
 use crate::plan::{Every, Integration, Plan, Until};
@@ -144,15 +146,27 @@ pub fn over_quantity(
     executor: &Executor<'_>,
     report: &mut dyn FnMut(&Trial),
 ) -> Result<Answer, StudyError> {
+    over_changed(&Source::plain(scene, case), quantity, rules, executor, report)
+}
+
+/// The same of a case whose jobs are changed.
+#[cfg(feature = "scenario")]
+pub(super) fn over_changed(
+    of: &Source<'_>,
+    quantity: &Quantity,
+    rules: &Rules,
+    executor: &Executor<'_>,
+    report: &mut dyn FnMut(&Trial),
+) -> Result<Answer, StudyError> {
     let rules = Rules { width: quantity.width, ..rules.clone() };
     sound(&rules)?;
     let search = quantity.search().map_err(|_| StudyError::NotANumber)?;
     for end in [quantity.low, quantity.high] {
-        quantity.prepare(scene, case, end)?;
+        of.job(Some((quantity, end)))?;
     }
     let one = |task: &Task<'_, Done>| {
         let maker = Maker { rules: &rules, rows: &[], task, begun: Instant::now() };
-        let job = quantity.prepare(scene, case, task.value)?.job();
+        let job = of.job(Some((quantity, task.value)))?;
         maker.anew((job.setup, job.plan), true)
     };
     let answer = answer(search, false, executor, quantity.width, one, report)?;

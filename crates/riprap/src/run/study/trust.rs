@@ -10,6 +10,7 @@
 //! | damping | dashpots and damping of phases: a half | none |
 //! | size | size of cells that the scene generates: twice, a half | 0, extrapolated where an order is seen |
 //! | seed | seeds of generated blocks | spread of the realisations |
+//! | search | nothing: half the range that a search leaves | |
 //!
 //! The variants are runs of the same scene side by side; `reduce` makes an interval of what they give. A step that is a thousandth
 //! shorter shows what is chaotic: where such a change moves a result as much as half the step does, an order means nothing and the runs are
@@ -19,6 +20,7 @@
 //! an error, which `[distributions]` and [`monte_carlo`](super::monte_carlo) are for.
 
 mod causes;
+mod question;
 mod record;
 mod reduce;
 
@@ -26,6 +28,7 @@ use std::time::{Duration, Instant};
 
 use serde::Serialize;
 
+use super::range::Source;
 use super::{Executor, StudyError};
 use crate::plan::shown::Shown;
 use crate::plan::{Check, Expected, Window};
@@ -38,6 +41,8 @@ use crate::run::scene::Scene;
 use crate::scenario::Case;
 pub use causes::Cause;
 use causes::Variant;
+pub use question::Question;
+use question::Searched;
 pub use record::{SUMMARY, TABLE, TRIALS};
 
 /// How a study of errors is made.
@@ -68,6 +73,8 @@ pub struct Trial {
     pub steps: u64,
     /// Wall time, s.
     pub seconds: f64,
+    /// Half the range in which a search has left the value, SI.
+    pub half: Option<f64>,
     /// Why it has no results.
     pub note: String,
 }
@@ -175,15 +182,32 @@ pub fn trust(
     executor: &Executor<'_>,
     report: &mut dyn FnMut(&Trial),
 ) -> std::result::Result<Answer, StudyError> {
+    trust_in((scene, case), Question::Results, rules, executor, report)
+}
+
+/// The same for what [`Question`] asks: results of the scene, or the answer of a search in it, each trial of which is a search with
+/// something changed.
+///
+/// # Errors
+/// As [`trust`], and those of the search with the scene as it stands.
+pub fn trust_in(
+    (scene, case): (&Scene, &Case),
+    question: Question<'_>,
+    rules: &Rules,
+    executor: &Executor<'_>,
+    report: &mut dyn FnMut(&Trial),
+) -> std::result::Result<Answer, StudyError> {
     let prepared = scene.prepare(case)?;
-    let job = prepared.clone().job();
-    let asks = results(&job);
+    let asks = match question.result() {
+        Some(one) => vec![one],
+        None => results(&prepared.clone().job()),
+    };
     if asks.is_empty() {
         return Err(StudyError::NoResults { path: scene.path.clone() });
     }
     let begun = Instant::now();
     let end = begun + Duration::try_from_secs_f64(rules.budget).unwrap_or(Duration::MAX / 4);
-    let maker = Maker { scene, case, asks: &asks, stop: executor.stop, end: None };
+    let maker = Maker { scene, case, question, asks: &asks, stop: executor.stop, end: None };
     let (base, first) = maker.run(&Variant::NONE, executor.threads)?;
     if (executor.stop)() {
         return Err(StudyError::Stopped);
@@ -218,11 +242,10 @@ pub fn trust(
         }
     }
     let (keys, size) = (causes::Keys::of(&prepared), causes::reach(&prepared.model.setup));
-    let results = asks
-        .iter()
-        .zip(&first)
-        .enumerate()
-        .map(|(k, (ask, ran))| reduce::result(k, ask, ran, &trials, chaotic[k], (&keys, size)));
+    let results = asks.iter().zip(&first).enumerate().map(|(k, (ask, ran))| {
+        let ran = (ran.0, &ran.1[..]);
+        reduce::result(k, ask, ran, &trials, chaotic[k], (&keys, size))
+    });
     let results = results.collect();
     Ok(Answer { results, trials, left_out })
 }
@@ -271,11 +294,15 @@ pub(super) fn histories(job: &Job) -> Vec<Check> {
     job.plan.histories.iter().filter_map(of).collect()
 }
 
+/// What checks of a run expect, and why they have no value.
+type First = Vec<(Option<f64>, String)>;
+
 /// Makes runs.
 #[derive(Clone, Copy)]
 struct Maker<'a> {
     scene: &'a Scene,
     case: &'a Case,
+    question: Question<'a>,
     /// Results of the scene as it stands.
     asks: &'a [Check],
     stop: &'a (dyn Fn() -> bool + Sync),
@@ -318,7 +345,7 @@ impl Maker<'_> {
         &self,
         variant: &Variant,
         threads: usize,
-    ) -> std::result::Result<(Trial, Vec<CheckResult>), StudyError> {
+    ) -> std::result::Result<(Trial, First), StudyError> {
         let begun = Instant::now();
         let mut trial = Trial {
             cause: variant.cause,
@@ -326,6 +353,7 @@ impl Maker<'_> {
             values: vec![None; self.asks.len()],
             steps: 0,
             seconds: 0.0,
+            half: None,
             note: String::new(),
         };
         let over = || self.end.is_some_and(|end| Instant::now() >= end);
@@ -335,6 +363,9 @@ impl Maker<'_> {
         }
         let mut of = self.case.clone();
         of.trial.extend(variant.keys.iter().cloned());
+        if !matches!(self.question, Question::Results) {
+            return self.search((&of, variant), threads, trial);
+        }
         let mut job = match self.scene.prepare(&of) {
             Ok(prepared) => prepared.job(),
             Err(wrong) => {
@@ -377,7 +408,41 @@ impl Maker<'_> {
             };
             trial.values = self.asks.iter().enumerate().map(value).collect();
         }
-        Ok((trial, outcome.checks))
+        let first = outcome.checks.into_iter().map(|ran| (ran.target, ran.note));
+        Ok((trial, first.collect()))
+    }
+
+    /// Makes a search.
+    fn search(
+        &self,
+        (case, variant): (&Case, &Variant),
+        threads: usize,
+        mut trial: Trial,
+    ) -> std::result::Result<(Trial, First), StudyError> {
+        let begun = Instant::now();
+        let over = || self.end.is_some_and(|end| Instant::now() >= end);
+        let stop = || (self.stop)() || over();
+        let edit = |job: &mut Job| variant.apply(job);
+        let of = Source { scene: self.scene, case, edit: &edit };
+        let known = self.question.known().filter(|_| variant.cause.is_none());
+        let found = match known {
+            Some(known) => known,
+            None => match self.question.search(&of, &Executor { threads, stop: &stop }) {
+                Err(StudyError::Stopped) if over() => Searched {
+                    note: "stopped when the budget was used up".to_owned(),
+                    ..Searched::default()
+                },
+                Err(wrong) if variant.cause.is_none() => return Err(wrong),
+                Err(wrong) => Searched { note: wrong.to_string(), ..Searched::default() },
+                Ok(found) => found,
+            },
+        };
+        trial.seconds = found.seconds.unwrap_or_else(|| begun.elapsed().as_secs_f64());
+        trial.values = vec![found.value];
+        trial.half = Some(found.half).filter(|_| found.value.is_some());
+        trial.steps = found.steps;
+        trial.note = found.note;
+        Ok((trial, vec![(None, String::new())]))
     }
 }
 

@@ -28,12 +28,21 @@ pub enum Cause {
     Size,
     /// Seeds of generated blocks.
     Seed,
+    /// Width of the range that a search leaves.
+    Search,
 }
 
 impl Cause {
     /// All of them, in the order of tables.
-    pub const ALL: [Cause; 6] =
-        [Self::Step, Self::Equilibrium, Self::Stiffness, Self::Damping, Self::Size, Self::Seed];
+    pub const ALL: [Cause; 7] = [
+        Self::Step,
+        Self::Equilibrium,
+        Self::Stiffness,
+        Self::Damping,
+        Self::Size,
+        Self::Seed,
+        Self::Search,
+    ];
 
     /// As it is written.
     #[must_use]
@@ -45,6 +54,7 @@ impl Cause {
             Self::Damping => "damping",
             Self::Size => "size",
             Self::Seed => "seed",
+            Self::Search => "search",
         }
     }
 
@@ -101,7 +111,7 @@ impl Variant {
             Some(Cause::Damping) => {
                 damp(job, self.factor);
             }
-            Some(Cause::Size | Cause::Seed) | None => {}
+            Some(Cause::Size | Cause::Seed | Cause::Search) | None => {}
         }
     }
 }
@@ -121,7 +131,8 @@ pub(super) fn variants(prepared: &Prepared, rules: &Rules) -> (Vec<Variant>, Vec
         toml::from_str(&prepared.resolved).unwrap_or_else(|_| Value::Table(toml::Table::new()));
     let cells = Cells::of(&text);
     let mut left_out = Vec::new();
-    for cause in Cause::ALL {
+    // The width of a search is known without further runs.
+    for cause in Cause::ALL.into_iter().filter(|cause| *cause != Cause::Search) {
         let mut job = prepared.clone().job();
         let why = match cause {
             _ if rules.without.contains(&cause) => Some("it was left out".to_owned()),
@@ -137,7 +148,11 @@ pub(super) fn variants(prepared: &Prepared, rules: &Rules) -> (Vec<Variant>, Vec
             Cause::Damping if damp(&mut job, 0.5) == 0 => Some("nothing is damped".to_owned()),
             Cause::Size => cells.reason(&cells.sizes, "no cells of a size are generated"),
             Cause::Seed => cells.reason(&cells.seeds, "no blocks are generated at random"),
-            Cause::Step | Cause::Equilibrium | Cause::Stiffness | Cause::Damping => None,
+            Cause::Step
+            | Cause::Equilibrium
+            | Cause::Stiffness
+            | Cause::Damping
+            | Cause::Search => None,
         };
         match why {
             Some(why) => {

@@ -104,9 +104,20 @@ impl Answer {
         write_whole(&folder.join(TABLE), &table)?;
         let trials = self.trials_table().map_err(|wrong| at(TRIALS, wrong.into()))?;
         write_whole(&folder.join(TRIALS), &trials)?;
-        let text = serde_json::to_string_pretty(self);
+        let text = self.json().and_then(|json| serde_json::to_string_pretty(&json));
         let text = text.map_err(|wrong| at(SUMMARY, std::io::Error::other(wrong.to_string())))?;
         write_whole(&folder.join(SUMMARY), text.as_bytes())
+    }
+
+    /// All numbers, with what a reader is shown of each result.
+    fn json(&self) -> serde_json::Result<serde_json::Value> {
+        let mut json = serde_json::to_value(self)?;
+        let results = json["results"].as_array_mut().into_iter().flatten();
+        for (result, of) in results.zip(&self.results).filter(|(_, of)| of.error.is_finite()) {
+            result["shown"] = format!("{} +- {}", of.text(of.value), of.error_text()).into();
+            result["shares"] = of.shares().into();
+        }
+        Ok(json)
     }
 
     /// `sliding distance: 0.7071 m +- 0.0003 m (step 80 %, stiffness 20 %)`, a line a result, with its advice below.
@@ -144,14 +155,9 @@ impl Result {
                 self.text(spread.largest)
             ));
         }
-        let shares = self.parts.iter().filter(|part| part.error > 0.0).map(|part| {
-            let share = 100.0 * self.share(part.cause).unwrap_or(0.0);
-            let order = part.order.map_or_else(String::new, |order| format!(", order {order:.1}"));
-            format!("{} {share:.0} %{order}", part.cause.word())
-        });
-        let shares: Vec<String> = shares.collect();
+        let shares = self.shares();
         if !shares.is_empty() {
-            text.push_str(&format!(" ({})", shares.join("; ")));
+            text.push_str(&format!(" ({shares})"));
         }
         if let (Some(expected), Some(holds)) = (self.expected, self.holds()) {
             let word = if holds { "inside" } else { "OUTSIDE" };
@@ -161,5 +167,16 @@ impl Result {
             text.push_str(&format!("\n    {}", self.advice));
         }
         text
+    }
+
+    /// `step 80 %, order 2.0; stiffness 20 %`: what the causes add to the error.
+    #[must_use]
+    pub fn shares(&self) -> String {
+        let shares = self.parts.iter().filter(|part| part.error > 0.0).map(|part| {
+            let share = 100.0 * self.share(part.cause).unwrap_or(0.0);
+            let order = part.order.map_or_else(String::new, |order| format!(", order {order:.1}"));
+            format!("{} {share:.0} %{order}", part.cause.word())
+        });
+        shares.collect::<Vec<String>>().join("; ")
     }
 }

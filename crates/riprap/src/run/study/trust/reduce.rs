@@ -7,7 +7,7 @@
 //! did not become shorter by as much as was asked for (fast blocks bound them) counts by what they did.
 
 use super::causes::{JITTER, Keys};
-use super::{Cause, Check, CheckResult, Part, Result, Spread, Trial};
+use super::{Cause, Check, Part, Result, Spread, Trial};
 use crate::plan::shown::Shown;
 
 /// Factor on what an order leaves.
@@ -58,11 +58,11 @@ pub(super) fn chaotic(trials: &[Trial], asks: &[Check]) -> Vec<bool> {
     asks.iter().enumerate().map(|one| is(one).unwrap_or(false)).collect()
 }
 
-/// A result with its error. `ran` is the check of the scene as it stands.
+/// A result with its error. `target` is what its check expects, `note` why the scene as it stands gives no value.
 pub(super) fn result(
     k: usize,
     ask: &Check,
-    ran: &CheckResult,
+    (target, note): (Option<f64>, &str),
     trials: &[Trial],
     chaotic: bool,
     (keys, size): (&Keys, f64),
@@ -81,11 +81,11 @@ pub(super) fn result(
         parts: Vec::new(),
         chaotic: None,
         advice: String::new(),
-        expected: ran.target.filter(|target| target.is_finite()),
+        expected: target.filter(|target| target.is_finite()),
         shown,
     };
     if !as_run.is_finite() {
-        result.advice = format!("the scene as it stands gives no value: {}", ran.note);
+        result.advice = format!("the scene as it stands gives no value: {note}");
         return result;
     }
     result.parts = Cause::ALL.into_iter().filter_map(|cause| part(trials, cause, k)).collect();
@@ -134,6 +134,10 @@ fn round_off(steps: u64, size: f64) -> f64 {
 /// What a cause adds.
 fn part(trials: &[Trial], cause: Cause, k: usize) -> Option<Part> {
     let base = trials[0].values[k]?;
+    if cause == Cause::Search {
+        let error = trials[0].half?;
+        return Some(Part { cause, error, moved: 0.0, order: None });
+    }
     let found = values(trials, cause, k);
     if found.is_empty() {
         return None;
@@ -161,6 +165,7 @@ fn part(trials: &[Trial], cause: Cause, k: usize) -> Option<Part> {
             let error = DEVIATIONS * mean_and_deviation(&all).1;
             Part { cause, error, moved: 0.0, order: None }
         }
+        Cause::Search => return None,
     };
     Some(part)
 }
@@ -244,6 +249,12 @@ fn advice(result: &Result, parts: f64, keys: &Keys) -> String {
         return String::new();
     };
     let share = largest.error / parts;
+    if largest.cause == Cause::Search {
+        return format!(
+            "half the width of the search halves the share of search ({:.0} %): --width",
+            100.0 * share
+        );
+    }
     let order = largest.order.unwrap_or(1.0);
     let of_scene = matches!(largest.cause, Cause::Stiffness | Cause::Damping);
     if of_scene && largest.error > LARGE * result.as_run.abs() {
@@ -302,6 +313,7 @@ mod tests {
             values: vec![Some(value)],
             steps,
             seconds: 0.0,
+            half: None,
             note: String::new(),
         };
         let step = Some(Cause::Step);

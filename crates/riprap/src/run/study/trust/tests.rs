@@ -161,3 +161,72 @@ fn a_scene_without_results_and_a_budget_of_nothing() {
     assert!(answer.left_out.iter().any(|(_, why)| why.contains("do not fit into the budget")));
     assert!(Cause::read("sted").is_err_and(|why| why.contains("valid names: step")));
 }
+
+/// A stone on a slope: friction angle 40 deg on 30 deg, F = tan 40 / tan 30.
+const STONE: &str = r#"
+riprap = 1
+title = "a stone on a slope"
+[space.planar]
+gravity = ["0 m/s2", "-9.81 m/s2"]
+tilt = "30 deg"
+[materials.rock]
+density = "2500 kg/m3"
+[interfaces.default]
+normal_stiffness = "1 GPa/m"
+friction_angle = "40 deg"
+[[blocks]]
+name = "slope"
+material = "rock"
+rectangle = { size = ["20 m", "1 m"], corner = ["-10 m", "-1 m"] }
+[[blocks]]
+name = "stone"
+material = "rock"
+rectangle = { size = ["2 m", "1 m"], corner = ["0 m", "0 m"] }
+[[supports]]
+on = { block = "slope" }
+fixed = {}
+[[phases]]
+name = "settle"
+kind = "static"
+until = { unbalanced = 1e-6, steps = 50000 }
+"#;
+
+/// A search has the error of its width besides those of its runs, and the closed form lies inside.
+#[test]
+fn the_answer_of_a_search_has_its_error() {
+    use crate::run::study::find::Wanted;
+    use crate::run::study::range::Quantity;
+    use crate::run::study::safety;
+    let scene = Scene::parse(Source::new("stone.toml", STONE), ".".into(), &[]).unwrap();
+    let (case, rules) = (scene.plain(), Rules::default());
+    let search = safety::Rules::default();
+    let ask = |question: Question<'_>| {
+        let executor = Executor::ALONE.on(2);
+        let answer = trust_in((&scene, &case), question, &rules, &executor, &mut |_| {}).unwrap();
+        assert_eq!(answer.results.len(), 1);
+        (answer.results[0].clone(), answer)
+    };
+    let exact = 40f64.to_radians().tan() / 30f64.to_radians().tan();
+    let (factor, answer) = ask(Question::Safety { rules: &search, over: None, known: None });
+    assert!((factor.value - exact).abs() <= factor.error, "{factor:?}");
+    assert!(factor.error < 0.05 && factor.share(Cause::Search).unwrap() > 0.0, "{factor:?}");
+    let of_step = answer.trials.iter().filter(|one| one.cause == Some(Cause::Step));
+    assert!(of_step.count() >= 3, "{:?}", answer.trials);
+    // The limit of a key, and the key for a factor: tan(phi) = 1.2 tan 30.
+    let range =
+        Quantity::read("interfaces.default.friction_angle", "20 deg..50 deg", Some("0.1 deg"));
+    let range = range.unwrap();
+    let (limit, _) = ask(Question::Safety { rules: &search, over: Some(&range), known: None });
+    assert!((limit.value - 30f64.to_radians()).abs() <= limit.error, "{limit:?}");
+    assert_eq!(
+        (&limit.unit[..], &limit.name[..]),
+        ("rad", "limit of interfaces.default.friction_angle")
+    );
+    let wanted = Wanted::read("safety = 1.2").unwrap();
+    let find = Question::Find { range: &range, wanted: &wanted, rules: &search, known: None };
+    let (angle, _) = ask(find);
+    let exact = (1.2 * 30f64.to_radians().tan()).atan();
+    // Each factor is 0.01 wide, which is a quarter of a degree.
+    assert!((angle.value - exact).abs() <= angle.error && angle.error < 0.02, "{angle:?}, {exact}");
+    assert!(angle.advice.contains("--width"), "{}", angle.advice);
+}
