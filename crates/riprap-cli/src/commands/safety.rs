@@ -35,6 +35,8 @@ pub fn run(args: &Safety, style: Style) -> Result<(), Failure> {
         _ => None,
     };
     let rules = rules(args, over.as_ref())?;
+    // Before there is a folder.
+    safety::sound(&rules)?;
     let errors = trust::asked(&args.errors)?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "safety", args.force);
     make_folder(&folder, existing)?;

@@ -85,6 +85,10 @@ fn negative_values_are_answered_by_what_reads_them() {
         assert!(!said_of.err.contains("tip:"), "{words:?}: {}", said_of.err);
         said_of.warns(&[said]);
     }
+    // Nothing was begun.
+    for made in ["fall.safety", "fall.trust", "fall.muckpile"] {
+        assert!(!bench.path(made).exists(), "{made}");
+    }
     // An option is no value.
     bench.run(&["run", "fall.toml", "--threads", "--force"]).expect(2);
     bench.run(&["check", "fall.toml", "--set", "blocks.stone.velocity.1=-1 m/s"]).expect(0);

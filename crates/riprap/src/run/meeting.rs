@@ -233,7 +233,7 @@ fn soft(
     if let Some((block, share)) = most(&Meets::impact).filter(|(_, s)| *s > IMPACT) {
         let wanted = limits::least_stiffness(block.mass, block.speed, block.size);
         found.push(format!(
-            "block `{}` starts at {:.3} m/s: on impact a corner would penetrate by {share:.2} of the inscribed radius, and the run would stop; `{}` \
+            "block `{}` starts at {:.3} m/s: if it hit with a corner, that would penetrate by {share:.2} of the inscribed radius, and the run would stop; `{}` \
              = {wanted:.1e} Pa/m keeps the penetration below a twentieth of its size",
             name(block.block),
             block.speed,

@@ -200,8 +200,11 @@ pub fn find(
     Ok((answer, quantity.prepare(scene, case, value)?.job()))
 }
 
-/// Whether the rules are numbers.
-fn sound(rules: &Rules) -> Result<(), StudyError> {
+/// Whether the rules are numbers above 0.
+///
+/// # Errors
+/// They are not.
+pub fn sound(rules: &Rules) -> Result<(), StudyError> {
     let sound = |x: f64| x.is_finite() && x > 0.0;
     if !sound(rules.width) || !sound(rules.balance) || !rules.moved.is_none_or(sound) {
         return Err(StudyError::NotANumber);
