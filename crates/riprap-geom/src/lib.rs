@@ -32,6 +32,7 @@ pub mod polygon;
 pub mod polyhedron;
 pub mod random;
 pub mod shapes;
+pub mod surface;
 pub mod symmetric;
 pub mod tol;
 pub mod voronoi;

@@ -44,6 +44,15 @@ pub struct Polyline {
     pub kind: &'static str,
 }
 
+/// A face in space (3DFACE).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Face {
+    /// Name of its layer.
+    pub layer: String,
+    /// Corners x, y, z in the length unit of the drawing; the last two of a triangle are the same.
+    pub corners: [[f64; 3]; 4],
+}
+
 /// Why an entity is not among the lines.
 pub type Why = &'static str;
 
@@ -54,6 +63,8 @@ pub struct Drawing {
     pub unit: Option<f64>,
     /// Lines in their order.
     pub lines: Vec<Polyline>,
+    /// Faces in space of three or four corners, outside of blocks. They are among `left_out` too, as they are no lines.
+    pub faces: Vec<Face>,
     /// Inserted blocks of the drawing whose lines are among `lines`.
     pub inserted: usize,
     /// How many entities of a kind are not among the lines, and why.
@@ -65,6 +76,7 @@ pub struct Drawing {
 struct Content {
     lines: Vec<Polyline>,
     inserts: Vec<Insert>,
+    faces: Vec<Face>,
     left_out: BTreeMap<(String, Why), usize>,
 }
 
@@ -201,6 +213,7 @@ enum Kind {
     Circle,
     Ellipse,
     Insert,
+    Face,
     /// Ends or describes other entities.
     Mark,
     Other,
@@ -217,6 +230,7 @@ impl Kind {
             "CIRCLE" => Kind::Circle,
             "ELLIPSE" => Kind::Ellipse,
             "INSERT" => Kind::Insert,
+            "3DFACE" => Kind::Face,
             "" | "SEQEND" | "ATTRIB" | "ATTDEF" | "BLOCK" | "ENDBLK" | "VIEWPORT" => Kind::Mark,
             _ => Kind::Other,
         }
@@ -231,6 +245,7 @@ impl Kind {
             Kind::Circle => "CIRCLE",
             Kind::Ellipse => "ELLIPSE",
             Kind::Insert => "INSERT",
+            Kind::Face => "3DFACE",
             Kind::Mark | Kind::Other => "",
         }
     }
@@ -291,10 +306,12 @@ impl Entity {
                 self.normal[(code / 10 - 21) as usize] = pairs.real(value)?;
             }
             (10, _) => self.points.push([pairs.real(value)?, 0.0, 0.0, 0.0]),
-            (11, Kind::Line | Kind::Ellipse) => {
+            (11, Kind::Line | Kind::Ellipse) | (11..=13, Kind::Face) => {
                 self.points.push([pairs.real(value)?, 0.0, 0.0, 0.0]);
             }
-            (20 | 30, _) | (21 | 31, Kind::Line | Kind::Ellipse) => {
+            (20 | 30, _)
+            | (21 | 31, Kind::Line | Kind::Ellipse)
+            | (21..=23 | 31..=33, Kind::Face) => {
                 let x = pairs.real(value)?;
                 if let Some(point) = self.points.last_mut() {
                     point[axis] = x;
@@ -390,6 +407,17 @@ fn finish(
         }
         Kind::Insert => content.inserts.push(Insert::of(&entity)),
         Kind::Mark => {}
+        Kind::Face => {
+            content.leave_out(&entity.word, "no lines");
+            let corner = |k: usize| entity.points.get(k).map(|[x, y, z, _]| [*x, *y, *z]);
+            let last = entity.points.len().saturating_sub(1);
+            if let [Some(a), Some(b), Some(c), Some(d)] =
+                [0, 1, 2, 3].map(|k: usize| corner(k.min(last)))
+            {
+                reading.check(content.faces.len(), &|text| pairs.wrong(text))?;
+                content.faces.push(Face { layer: entity.layer, corners: [a, b, c, d] });
+            }
+        }
         Kind::Other => content.leave_out(&entity.word, "no lines"),
     }
     Ok(())

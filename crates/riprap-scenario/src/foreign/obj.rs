@@ -10,8 +10,10 @@ use std::collections::BTreeMap;
 
 use riprap_geom::Vec3;
 
-use super::stl::{Part, Triangles, parts};
+use super::stl::{Part, Surface, Triangles, parts, surface};
 use super::{FileError, at_line, shown};
+
+const NO_FACES: &str = "there are no faces: an OBJ file has lines `v x y z` and `f 1 2 3`";
 
 /// A face: its corners by their place in the file, counted from 0, and its line.
 type Face = (Vec<u32>, usize);
@@ -160,7 +162,8 @@ impl Obj {
         self.parts_of(&self.objects)
     }
 
-    fn parts_of(&self, objects: &[Object]) -> Result<Vec<Solid>, FileError> {
+    /// The triangles under each name.
+    fn triangles(&self, objects: &[Object]) -> Result<Vec<(Option<String>, Triangles)>, FileError> {
         // A name may come again: faces of one object, some here and some there.
         let mut order: BTreeMap<Option<&str>, usize> = BTreeMap::new();
         let mut lists: Vec<(Option<String>, Triangles)> = Vec::new();
@@ -190,8 +193,26 @@ impl Obj {
                 }
             }
         }
+        Ok(lists)
+    }
+
+    /// All faces as one surface.
+    ///
+    /// # Errors
+    /// A corner that is not there, with its line; no faces.
+    pub fn surface(&self) -> Result<Surface, FileError> {
+        let lists = self.triangles(&self.objects)?;
+        let corners: Vec<[Vec3; 3]> =
+            lists.into_iter().flat_map(|(_, triangles)| triangles.corners).collect();
+        if corners.is_empty() {
+            return Err(at_line(1, NO_FACES));
+        }
+        Ok(surface(&corners))
+    }
+
+    fn parts_of(&self, objects: &[Object]) -> Result<Vec<Solid>, FileError> {
         let mut solids = Vec::new();
-        for (name, triangles) in lists {
+        for (name, triangles) in self.triangles(objects)? {
             let found = parts(&triangles).map_err(|error| match &name {
                 Some(name) => {
                     FileError { text: format!("object `{}`, {}", shown(name), error.text), ..error }
@@ -201,10 +222,7 @@ impl Obj {
             solids.extend(found.into_iter().map(|part| Solid { name: name.clone(), part }));
         }
         if solids.is_empty() {
-            return Err(at_line(
-                1,
-                "there are no faces: an OBJ file has lines `v x y z` and `f 1 2 3`",
-            ));
+            return Err(at_line(1, NO_FACES));
         }
         Ok(solids)
     }

@@ -54,11 +54,17 @@ pub fn parse_surface(bytes: &[u8]) -> Result<Surface, FileError> {
     if triangles.corners.is_empty() {
         return Err(triangles.wrong(0, "there are no triangles".to_owned()));
     }
-    let (points, mut rings) = joined(&triangles.corners);
+    Ok(surface(&triangles.corners))
+}
+
+/// Triangles as one surface. Those without an area are left out.
+#[must_use]
+pub fn surface(corners: &[[Vec3; 3]]) -> Surface {
+    let (points, mut rings) = joined(corners);
     let all = rings.len();
     rings.retain(|[a, b, c]| a != b && b != c && c != a);
     let flat = all - rings.len();
-    Ok((points.iter().map(Vec3::to_array).collect(), rings, flat))
+    (points.iter().map(Vec3::to_array).collect(), rings, flat)
 }
 
 /// Triangles and where they are.

@@ -57,7 +57,7 @@ pub use phases::{CutAxis, Cutting, Damping, Leavers, Phase, Relaxation, Reset, R
 pub use points::{Point, Point3};
 pub use regions::{
     AlongSet, BenchRamp, BenchesProfile, CircleProfile, Cylinder, DrawnProfile, Excavation, Group,
-    HalfSpace, HorseshoeProfile, Near, NearFace, Prism, SizeRange, Sphere,
+    HalfSpace, HorseshoeProfile, Near, NearFace, Prism, SizeRange, Sphere, SurfaceFile,
 };
 pub use samples::{Beta, Correlation, MeasuredValues, Moments, MonteCarlo, RandomValue, Sampling};
 pub use solids::{

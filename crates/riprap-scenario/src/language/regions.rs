@@ -31,6 +31,12 @@ pub struct Group {
     /// The blocks in a tunnel, a shaft or a pit: a profile along a line. `blocks.*.cut.along` cuts the rock along its surface.
     #[key(space = "spatial", instead = "use `prism`")]
     pub excavation: Option<Excavation>,
+    /// The blocks inside a closed surface of a file: an ore body. In the plane inside closed outlines.
+    pub inside: Option<SurfaceFile>,
+    /// The blocks above a surface of a file: those with the nearest part of it on the vertical through the centroid below them.
+    pub above: Option<SurfaceFile>,
+    /// The blocks below a surface of a file: those with the nearest part of it on the vertical through the centroid above them.
+    pub below: Option<SurfaceFile>,
     /// The blocks near a face, which is a polygon.
     #[key(space = "spatial", instead = "use `near`")]
     pub near_face: Option<NearFace>,
@@ -58,6 +64,33 @@ pub struct HalfSpace {
     pub at: Vector<Length>,
     /// To the side that is meant, of any length.
     pub normal: Vector<Plain>,
+}
+
+/// A surface of a file; in the plane lines of a drawing.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+#[keys(one_of("asc", "csv", "dxf", "obj", "stl"))]
+pub struct SurfaceFile {
+    /// Path of an ASCII grid of ESRI: an open surface.
+    #[key(space = "spatial", instead = "give the lines of a drawing, `dxf`")]
+    pub asc: Option<Name>,
+    /// Path of a CSV file with `x_m`, `y_m`, `z_m` of a rectangular grid: an open surface.
+    #[key(space = "spatial", instead = "give the lines of a drawing, `dxf`")]
+    pub csv: Option<Name>,
+    /// Path of a DXF drawing: its faces in space (3DFACE), in the plane its lines.
+    pub dxf: Option<Name>,
+    /// Path of an OBJ file: all its faces.
+    #[key(space = "spatial", instead = "give the lines of a drawing, `dxf`")]
+    pub obj: Option<Name>,
+    /// Path of an STL file.
+    #[key(space = "spatial", instead = "give the lines of a drawing, `dxf`")]
+    pub stl: Option<Name>,
+    /// Name of the layer of a drawing that is taken. Default all.
+    #[key(only_with("dxf"))]
+    pub layer: Option<Name>,
+    /// Length of 1 in the file, m. Default 1 m, of a drawing as it says (`$INSUNITS`).
+    #[key(excludes("csv", help = "the columns of a CSV file have their units in their names"))]
+    pub unit: Option<Quantity<PositiveLength>>,
 }
 
 /// What lies within a distance of a point.

@@ -27,16 +27,16 @@ const ENDS: [Column; 4] = [
 ];
 
 /// What is asked of a drawing.
-struct Wanted<'a> {
-    file: &'a Name,
-    unit: Option<&'a Quantity<PositiveLength>>,
-    layers: Option<&'a [Name]>,
-    sagitta: Option<&'a Quantity<PositiveLength>>,
+pub(super) struct Wanted<'a> {
+    pub(super) file: &'a Name,
+    pub(super) unit: Option<&'a Quantity<PositiveLength>>,
+    pub(super) layers: Option<&'a [Name]>,
+    pub(super) sagitta: Option<&'a Quantity<PositiveLength>>,
 }
 
 /// The length of the unit of a drawing, m, where the scene does not give it.
-struct OwnUnit {
-    value: f64,
+pub(super) struct OwnUnit {
+    pub(super) value: f64,
     from: Provenance,
     why: &'static str,
 }
@@ -158,7 +158,7 @@ impl Builder<'_> {
     }
 
     /// The lines of a drawing on the layers that are wanted, and the length of its unit.
-    fn drawing(&mut self, wanted: &Wanted) -> Option<(OwnUnit, Drawing)> {
+    pub(super) fn drawing(&mut self, wanted: &Wanted) -> Option<(OwnUnit, Drawing)> {
         let file = wanted.file;
         // Arcs become pieces in the unit of the drawing, which may stand in the file only.
         let help = "save it as ASCII or binary DXF";

@@ -36,6 +36,7 @@ mod regions;
 mod solid;
 mod start;
 mod summary;
+mod surface;
 mod unused;
 mod water;
 

@@ -17,11 +17,11 @@ use riprap_core::condition::Condition;
 const NAMED: usize = 3;
 
 /// A region: whether a place (local, m) lies in it, the middle of it, and the word for it.
-struct Region<'a> {
-    holds: Box<dyn Fn(Vec3) -> bool + 'a>,
-    middle: Vec3,
-    word: &'static str,
-    at: Span,
+pub(super) struct Region<'a> {
+    pub(super) holds: Box<dyn Fn(Vec3) -> bool + 'a>,
+    pub(super) middle: Vec3,
+    pub(super) word: &'static str,
+    pub(super) at: Span,
 }
 
 /// Distance of a point from a straight piece, m, and the place along it, 0 to 1 within.
@@ -107,7 +107,9 @@ impl Builder<'_> {
     /// Blocks in the regions of a group; a warning for one without blocks.
     fn in_regions(&mut self, name: &Name, group: &Group, opening: Option<&Opening>) -> Vec<u32> {
         let mut all = Vec::new();
-        for region in self.regions_of(group, opening) {
+        let mut regions = self.regions_of(group, opening);
+        regions.extend(self.by_surface(group));
+        for region in regions {
             let places = self.directory.centroids.iter().map(|c| Vec3::from(*c));
             let inside: Vec<u32> = (0u32..)
                 .zip(places)
@@ -202,7 +204,7 @@ impl Builder<'_> {
     }
 
     /// A local place in the coordinates of the scene.
-    fn everywhere(&self, place: Vec3) -> Vec3 {
+    pub(super) fn everywhere(&self, place: Vec3) -> Vec3 {
         match self.space {
             InSpace::Planar => place + Vec3::new(self.origin.x, self.origin.y, 0.0),
             InSpace::Spatial => place + self.spatial.origin,

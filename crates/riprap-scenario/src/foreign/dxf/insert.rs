@@ -141,8 +141,9 @@ pub(super) fn expand(
     blocks: &BTreeMap<String, Block>,
     reading: &mut Reading,
 ) -> Result<(), FileError> {
-    let Content { lines, inserts, left_out } = content;
+    let Content { lines, inserts, faces, left_out } = content;
     drawing.lines.extend(lines);
+    drawing.faces.extend(faces);
     for (what, count) in left_out {
         *drawing.left_out.entry(what).or_default() += count;
     }

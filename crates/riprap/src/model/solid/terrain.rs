@@ -32,6 +32,9 @@ const GRID: [Column; 3] = [
     Column::needed(&["z", "elevation", "elev", "height", "altitude"], Dim::LENGTH, "m"),
 ];
 
+/// A file and the surface in it, which may be wrong; none after an error of the file itself.
+type FileOfGrid<'s> = (&'s Name, Option<Result<HeightField, HeightFieldError>>);
+
 /// Heights on a grid.
 pub(in crate::model) struct GridHeights {
     /// Its lines along x and y, m, ascending.
@@ -59,24 +62,10 @@ impl Builder<'_> {
             Some(_) => 1.0,
             None => (self.reading(format!("blocks.{}.terrain", block.name), said)).unit(),
         };
-        let (file, made) = if let Some(file) = &said.asc {
-            let help = "correct this line; GIS programs export this format as ASCII grid (AAIGrid)";
-            let read = self.foreign_file(file, parse_asc, help)?;
-            let (all, none) = (read.z.len(), read.z.iter().filter(|z| z.is_none()).count());
-            let left = match none {
-                0 => String::new(),
-                none => format!("; left out {none} without height"),
-            };
-            self.note_import(file, &format!("read {} of {all} cells{left}", all - none));
-            let wide = read.x.len();
-            let [x, y] = [(&read.x, shift.x), (&read.y, shift.y)]
-                .map(|(list, shift)| list.iter().map(|at| unit * at + shift).collect::<Vec<_>>());
-            let height = |i: usize, j: usize| read.z[j * wide + i].map(|z| unit * z + shift.z);
-            (file, HeightField::grid(&x, &y, height))
-        } else if let Some(file) = &said.csv {
-            let read = self.grid_of_csv(file, shift, "file.terrain")?;
-            let wide = read.x.len();
-            (file, HeightField::grid(&read.x, &read.y, |i, j| read.z[j * wide + i]))
+        let (file, made) = if let Some((file, made)) =
+            self.grid_file([said.asc.as_ref(), said.csv.as_ref()], unit, shift)
+        {
+            (file, made?)
         } else {
             let file = said.stl.as_ref()?;
             let help = "save it as ASCII or binary STL";
@@ -105,6 +94,57 @@ impl Builder<'_> {
         self.explain(key, count, Provenance::Derived, "triangles of the file");
         self.tell_terrain(block, &field);
         Some(Shape::Terrain(Box::new(Surface { points: field.points, triangles: field.triangles })))
+    }
+
+    /// The surface of an ASCII grid or a CSV file in local coordinates, with its file; `None` after an error.
+    pub(in crate::model) fn grid_surface<'s>(
+        &mut self,
+        files: [Option<&'s Name>; 2],
+        unit: f64,
+        shift: Vec3,
+    ) -> Option<(&'s Name, HeightField)> {
+        let (file, made) = self.grid_file(files, unit, shift)?;
+        match made? {
+            Ok(field) => Some((file, field)),
+            Err(error) => {
+                let refused = self.refused(file, &error);
+                self.error_at("file.terrain", file, refused.message, refused.help);
+                None
+            }
+        }
+    }
+
+    /// The surface of an ASCII grid or a CSV file, if one of them is there, and none in it after an error.
+    fn grid_file<'s>(
+        &mut self,
+        [asc, csv]: [Option<&'s Name>; 2],
+        unit: f64,
+        shift: Vec3,
+    ) -> Option<FileOfGrid<'s>> {
+        if let Some(file) = asc {
+            let help = "correct this line; GIS programs export this format as ASCII grid (AAIGrid)";
+            let Some(read) = self.foreign_file(file, parse_asc, help) else {
+                return Some((file, None));
+            };
+            let (all, none) = (read.z.len(), read.z.iter().filter(|z| z.is_none()).count());
+            let left = match none {
+                0 => String::new(),
+                none => format!("; left out {none} without height"),
+            };
+            self.note_import(file, &format!("read {} of {all} cells{left}", all - none));
+            let wide = read.x.len();
+            let [x, y] = [(&read.x, shift.x), (&read.y, shift.y)]
+                .map(|(list, shift)| list.iter().map(|at| unit * at + shift).collect::<Vec<_>>());
+            let height = |i: usize, j: usize| read.z[j * wide + i].map(|z| unit * z + shift.z);
+            return Some((file, Some(HeightField::grid(&x, &y, height))));
+        }
+        let file = csv?;
+        let read = self.grid_of_csv(file, shift, "file.terrain");
+        let made = read.map(|read| {
+            let wide = read.x.len();
+            HeightField::grid(&read.x, &read.y, |i, j| read.z[j * wide + i])
+        });
+        Some((file, made))
     }
 
     /// What `check` says about a terrain.

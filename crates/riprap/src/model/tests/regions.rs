@@ -370,3 +370,27 @@ fn faults_of_walls_and_vaults_are_told() {
         assert!(told.contains(words), "{said}: {told}");
     }
 }
+
+#[test]
+fn a_surface_that_holds_nothing_names_the_blocks_nearest_to_it() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../scenes/verify/engineering/data");
+    let built = |group: &str| {
+        let fields = crate::run::engine::Kind::Spatial.fields();
+        let text = format!("{SPACE}{BRICKS}[groups.it]\n{group}\n{TAIL}");
+        let mut parsed = parse(Source::new("t.toml", text)).unwrap_or_else(|e| panic!("{e}"));
+        parsed.folder.clone_from(&folder);
+        build(&parsed, "default", fields).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let told = |group: &str| {
+        let found = built(group).warnings;
+        found
+            .iter()
+            .map(|d| format!("{} {}", d.message, d.help.as_deref().unwrap_or("")))
+            .collect::<String>()
+    };
+    // In mm the ore is 6 mm large, about the origin.
+    let told = told("inside = { stl = \"ore.stl\", unit = \"1 mm\" }");
+    assert!(told.contains("no block centroid lies in the inside of the surface of `it`"), "{told}");
+    assert!(told.contains("`low.1` at (0.5000, 0.5000, 0.5000) m"), "{told}");
+}
