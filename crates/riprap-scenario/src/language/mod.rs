@@ -69,7 +69,7 @@ pub use sources::{
     JwlConstants, JwlSet, Octree, Pattern, Place, PressureCavity, Primer, Refine, Source, Stemming,
     Venting, VentingCracks, VentingTime,
 };
-pub use space::{Air, Material, Planar, Space, Spatial, Start};
+pub use space::{Air, Material, Planar, Space, Spatial, Start, Tilt};
 pub use water::{Drain, Seepage, Water};
 
 use super::quantity::{PositivePlain, Quantity, Table};

@@ -7,8 +7,8 @@ use serde::Deserialize;
 
 use super::outputs::Period;
 use crate::quantity::{
-    Acceleration, Angle, Density, Down, Modulus, Name, NotNegativeLength, Poisson, PositiveAngle,
-    PositiveLength, PositivePlain, Quantity,
+    Acceleration, Angle, Density, Down, Modulus, Name, NotNegativeLength, Plain, Poisson,
+    PositiveAngle, PositiveLength, PositivePlain, Quantity, Vector,
 };
 
 /// The space in which the blocks move.
@@ -47,6 +47,8 @@ pub struct Spatial {
     /// `"9.81 m/s2"`, or a vector.
     #[key(told)]
     pub gravity: Down<Acceleration>,
+    /// Gravity is turned: a tilting table. The drawing stays level.
+    pub tilt: Option<Tilt>,
     /// How blocks turn.
     #[key(default)]
     pub kinematics: Option<Kinematics>,
@@ -66,6 +68,17 @@ pub struct Spatial {
     /// Deepest overlap of two blocks at the start that is accepted, m. Default 1e-6 of the smaller
     /// block.
     pub allow_overlap: Option<Quantity<NotNegativeLength>>,
+}
+
+/// A turn of the gravity vector. The blocks stay as they are drawn; phases that give their own `gravity` are not tilted.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct Tilt {
+    /// By how much gravity turns about the axis, by the rule of the right hand. About y gravity that points down comes to pull against x, as the tilt of the
+    /// plane.
+    pub angle: Quantity<Angle>,
+    /// Axis, of any length. Default `[0, 1, 0]`.
+    pub axis: Option<Vector<Plain>>,
 }
 
 /// Air: a force against the velocity of each rigid block, half the density times the drag coefficient, the square of the speed and the cross-section of a

@@ -41,7 +41,7 @@ pub(super) use turn::put_solid;
 use riprap_geom::Vec3;
 
 use super::builder::Builder;
-use crate::scenario::language::{Period, Point3, Spatial};
+use crate::scenario::language::{Period, Point3, Spatial, Tilt};
 use crate::scenario::read::{Provenance, with_unit};
 use crate::scenario::{Diagnostic, Quantity};
 use crate::spatial::setup::{Group, Kinematics, Material};
@@ -99,9 +99,31 @@ impl Builder<'_> {
         Vec3::new(x, y, z) - self.spatial.origin
     }
 
+    /// Gravity on a tilted table, m/s2.
+    fn tilted(&mut self, gravity: Vec3, said: Option<&Tilt>) -> Vec3 {
+        let Some(said) = said else { return gravity };
+        let angle = said.angle.si();
+        self.explain("space.spatial.tilt.angle", with_unit(angle, "rad"), Provenance::Given, "");
+        let axis = said.axis.as_ref().map_or(Vec3::Y, |axis| Vec3::from(axis.xyz()));
+        let Some(axis) = axis.try_normalize() else {
+            let at = said.axis.as_ref().map_or(said.angle.span.clone(), |axis| axis.span.clone());
+            let help = "give the axis of the table, for example axis = [0, 1, 0]";
+            self.error_at("value.direction", at, "the axis of `tilt` has zero length", help);
+            return gravity;
+        };
+        if gravity.cross(axis).length() <= 1e-9 * gravity.length() {
+            let message = "gravity along the axis of `tilt` does not turn: it has no effect";
+            let help = "give a level axis, for example axis = [0, 1, 0]";
+            self.warn_at("tilt.axis", said.angle.span.clone(), message, help);
+        }
+        // Rodrigues' formula.
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        gravity * cos + axis.cross(gravity) * sin + axis * (axis.dot(gravity) * (1.0 - cos))
+    }
+
     fn solid_space(&mut self, space: &Spatial) {
         let gravity = self.gravity(&space.gravity);
-        self.spatial.gravity = gravity.into();
+        self.spatial.gravity = self.tilted(gravity.into(), space.tilt.as_ref());
         let mut read = self.reading("space.spatial", space);
         read.gravity();
         let kinematics = read.kinematics();
