@@ -157,6 +157,30 @@ fn there<'a>(v: &'a View<'_>, of: &'a [u32]) -> impl Iterator<Item = usize> + 'a
     of.iter().map(|&b| b as usize).filter(|&b| v.world.alive[b])
 }
 
+/// Mass of those of some blocks that have been removed, kg/m.
+fn removed_mass(v: &View<'_>, of: impl Iterator<Item = usize>) -> f64 {
+    of.filter(|&b| !v.world.alive[b]).map(|b| v.scratch.shapes.mass[b]).sum()
+}
+
+/// Mass of the blocks of a group that have been removed, kg/m.
+fn drawn(v: &View<'_>, of: &[u32]) -> f64 {
+    removed_mass(v, of.iter().map(|&b| b as usize))
+}
+
+/// A share of nothing is zero.
+fn part(of: f64, all: f64) -> f64 {
+    if all > 0.0 { of / all } else { 0.0 }
+}
+
+/// By how much the centroids of two blocks have come nearer to each other, m.
+fn convergence(v: &View<'_>, of: &[u32]) -> f64 {
+    let (a, b) = pair(of);
+    let [a, b] = [a, b].map(|b| b as usize);
+    let now = v.world.bodies[a].position - v.world.bodies[b].position;
+    let before = now - (v.displacement(a) - v.displacement(b));
+    before.length() - now.length()
+}
+
 fn area(v: &View<'_>, b: usize) -> f64 {
     v.scratch.shapes.mass[b] / v.world.setup.blocks[b].density
 }
@@ -223,6 +247,7 @@ riprap_core::fields! {
     "block.removed" "-" Block Scalar false "1 once the block has been removed." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "pair.force" "N/m" Pair Vector true "Sum of all contact and joint forces of the second block on the first." |v, of| { let (a, b) = pair(of); v.pair_wrench(a, b).force.into() };
     "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
+    "pair.convergence" "m" Pair Scalar false "By how much the centroids of the two have come nearer to each other since the start or the last reset; negative when they have parted." |v, of| one(convergence(v, of));
     "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
     "pair.moment" "N" Pair Scalar true "Moment of this force about the first block's centroid." |v, of| { let (a, b) = pair(of); one(v.pair_wrench(a, b).moment_i) };
     "pair.normal_force" "N/m" Pair Scalar true "Normal force of joints and contacts between the two, dashpots included, compression positive (negative for a joint in tension)." |v, of| one(borne(v, of).normal);
@@ -244,6 +269,9 @@ riprap_core::fields! {
     "group.kinetic" "J/m" Group Scalar false "Kinetic energy of the group's blocks." |v, of| one(of.iter().map(|&b| v.kinetic(b as usize)).sum());
     "group.area" "m2" Group Scalar false "Area of the group's existing blocks: volume per metre of thickness." |v, of| one(there(v, of).map(|b| area(v, b)).sum());
     "group.mass" "kg/m" Group Scalar false "Mass of the group's existing blocks." |v, of| one(there(v, of).map(|b| v.scratch.shapes.mass[b]).sum());
+    "group.drawn_mass" "kg/m" Group Scalar false "Mass of the group's blocks that have been removed, by phases, by code or because they left the model." |v, of| one(drawn(v, of));
+    "group.recovery" "-" Group Scalar false "Share of the group's mass that has been removed: of ore the recovery." |v, of| one(part(drawn(v, of), of.iter().map(|&b| v.scratch.shapes.mass[b as usize]).sum()));
+    "group.dilution" "-" Group Scalar false "Share of the group in the mass of all removed blocks: of waste the dilution; 0 while nothing is removed." |v, of| one(part(drawn(v, of), removed_mass(v, 0..v.world.alive.len())));
     "group.blocks" "-" Group Scalar false "Number of the group's existing blocks." |v, of| one(there(v, of).count() as f64);
     "group.momentum" "N s/m" Group Vector false "Momentum of the group's existing blocks." |v, of| there(v, of).map(|b| momentum(v, b)).sum::<Vec2>().into();
     "group.repose_angle" "rad" Group Scalar true "Mean slope of both flanks of the group's outline between 20 % and 80 % of its height: the angle of repose of a heap; for separate heaps the mass-weighted mean." |v, of| one(heap::repose_angle(v, of));

@@ -122,12 +122,15 @@ def go():
     with riprap.Simulation(scenario, threads=1) as sim:
         sim.run(draw, every=200)
         ore = sim.value("group.blocks", of="ore").value
-        return ore, sim.state_hash, sim.value("energy.residual_relative").value
+        mass, recovery = (sim.value(f"group.{name}", of="ore").value for name in ("drawn_mass", "recovery"))
+        return ore, sim.state_hash, sim.value("energy.residual_relative").value, mass, recovery
 
 
-left, state, residual = go()
+left, state, residual, mass, recovery = go()
 total = {side: len(names) for side, names in drawn.items()}
 print(f"drawn {total}, dumped {len(dumped)} with {sum(dumped):.0f} kg/m, {left:.0f} stones are left, ledger {residual:.1e}")
+print(f"drawn mass {mass:.0f} kg/m, {recovery:.0%} of all that was there or was dumped")
+assert mass > 0 and 0 < recovery < 1
 assert total["west"] >= LIMIT and total["east"] >= LIMIT and residual < 0.01
 assert len(dumped) >= LIMIT and left == 60 - sum(total.values()) + len(dumped)
 

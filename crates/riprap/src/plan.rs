@@ -348,6 +348,31 @@ pub struct Gauge {
     pub at: Option<[f64; 3]>,
     /// Unit direction onto which a vector field is projected.
     pub along: Option<[f64; 3]>,
+    /// What it is relative to.
+    pub against: Option<Against>,
+}
+
+/// Blocks whose mean is taken off a displacement or a velocity.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Against {
+    /// Blocks, ascending.
+    pub of: Vec<u32>,
+    /// Groups among their names.
+    pub groups: Vec<String>,
+}
+
+impl Against {
+    /// The field of the mean that is taken off a field of blocks or groups, both without component; `None` where there is none.
+    #[must_use]
+    pub fn counterpart(field: &str) -> Option<&'static str> {
+        match field {
+            "block.displacement" | "block.node_displacement" | "group.displacement" => {
+                Some("group.displacement")
+            }
+            "block.velocity" | "block.node_velocity" | "group.velocity" => Some("group.velocity"),
+            _ => None,
+        }
+    }
 }
 
 /// One recorded history.

@@ -15,6 +15,7 @@ use crate::read::bolts;
 use crate::read::cracks;
 use crate::read::crater::UPLIFT;
 use crate::read::heap;
+use crate::read::removed;
 use crate::setup::deform::BondFailure;
 use crate::state::cavity::Cavity;
 use crate::state::lineage::Origin;
@@ -277,6 +278,7 @@ riprap_core::fields! {
     "pair.pore_pressure" "Pa" Pair Scalar true "Largest pressure of the standing water at the centres of patches, facets and contacts between the two." |v, of| { let (a, b) = pair(of); one(v.pore_pressure_between(a, b)) };
     "pair.seepage_rate" "m3/s" Pair Scalar true "Largest flow rate through a joint between the two." |v, of| { let (a, b) = pair(of); one(v.world.seepage_between([a, b])) };
     "pair.displacement" "m" Pair Vector3 false "Displacement of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); v.displacement(a as usize) - v.displacement(b as usize) };
+    "pair.convergence" "m" Pair Scalar false "By how much the centroids of the two have come nearer to each other since the start or the last reset; negative when they have parted." |v, of| one(removed::convergence(v, pair(of)));
     "pair.velocity" "m/s" Pair Vector3 false "Velocity of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); v.velocity(a as usize) - v.velocity(b as usize) };
     "pair.normal_stress" "Pa" Pair Scalar true "Mean normal stress of patches, facets and contacts between the two, tension positive." |v, of| one(over_area(v, of, |t| t[0]));
     "pair.shear_stress" "Pa" Pair Scalar true "Mean magnitude of the shear stress at the points of patches, at the springs of facets and of contacts between the two." |v, of| one(over_area(v, of, |t| norm(t[1], t[2])));
@@ -308,6 +310,9 @@ riprap_core::fields! {
     "group.swell" "-" Group Scalar true "Volume under the surface of the group seen from above, down to its lowest corner, over the volume of its blocks: the swell of a heap on level ground, hollows included." |v, of| one(heap::swell(v, members(v, of)));
     "group.left_terrain" "-" Group Scalar false "Number of the group's blocks that have left the terrain over its rim." |v, of| { let left = v.left_terrain(); one(members(v, of).filter(|b| left.contains(&(*b as u32))).count() as f64) };
     "group.rising_share" "-" Group Scalar false "Share of the group's blocks that move against gravity (up, without gravity)." |v, of| share(v, of, |b| v.velocity(b).dot(v.up()) > 0.0);
+    "group.drawn_mass" "kg" Group Scalar false "Mass of the group's blocks that have been removed, by phases, by code or because they left the model." |v, of| one(removed::mass(v, of));
+    "group.recovery" "-" Group Scalar false "Share of the group's mass that has been removed: of ore the recovery." |v, of| { let gone = removed::mass(v, of); one(removed::part(gone, gone + members(v, of).map(|b| v.world.solid_of(b).mass).sum::<f64>())) };
+    "group.dilution" "-" Group Scalar false "Share of the group in the mass of all removed blocks: of waste the dilution; 0 while nothing is removed." |v, of| one(removed::part(removed::mass(v, of), removed::mass_of_all(v)));
     "group.blocks" "-" Group Scalar false "Number of the group's existing blocks." |v, of| one(members(v, of).count() as f64);
     "model.time" "s" Model Scalar false "Model time." |v, _| one(v.world.time);
     "model.steps" "-" Model Scalar false "Number of steps done." |v, _| one(v.world.step as f64);

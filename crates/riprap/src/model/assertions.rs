@@ -101,6 +101,7 @@ impl Builder<'_> {
             groups: Vec::new(),
             at: None,
             along: None,
+            against: None,
             suffixes: &[""],
         };
         Some((used, if unit.is_empty() { "-".to_owned() } else { unit }))
@@ -114,6 +115,7 @@ impl Builder<'_> {
                 of: said.of.as_ref(),
                 point: said.at_point.as_ref(),
                 along: said.along.as_ref(),
+                relative_to: said.relative_to.as_ref(),
             };
             let used = self.number(&said.field, place)?;
             let unit = used.unit.to_owned();
@@ -330,6 +332,7 @@ impl Builder<'_> {
             of: criterion.of.as_ref(),
             point: criterion.at_point.as_ref(),
             along: criterion.along.as_ref(),
+            relative_to: criterion.relative_to.as_ref(),
         };
         let used = self.number(&criterion.field, place)?;
         if self.space == InSpace::Spatial && criterion.field.as_str() == "pair.broken" {

@@ -132,7 +132,12 @@ impl Builder<'_> {
     }
 
     fn control(&mut self, key: &str, name: String, said: &language::Control, acts: Acts) {
-        let place = Said { of: said.of.as_ref(), point: None, along: said.along.as_ref() };
+        let place = Said {
+            of: said.of.as_ref(),
+            point: None,
+            along: said.along.as_ref(),
+            relative_to: None,
+        };
         let Some(used) = self.field(&said.field, place) else {
             return;
         };

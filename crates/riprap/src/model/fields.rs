@@ -3,7 +3,7 @@
 use riprap_geom::{Vec2, polygon};
 
 use super::builder::Builder;
-use crate::plan::Gauge;
+use crate::plan::{Against, Gauge};
 use crate::record::field::{FieldError, Part, Shape, Site, find};
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::quantity::{Any, Direction, Length, Vector};
@@ -20,6 +20,7 @@ pub(super) struct FieldUse {
     pub(super) groups: Vec<String>,
     pub(super) at: Option<[f64; 3]>,
     pub(super) along: Option<[f64; 3]>,
+    pub(super) against: Option<Against>,
     /// Suffixes of what it still is made of; one empty one for a number.
     pub(super) suffixes: &'static [&'static str],
 }
@@ -30,6 +31,7 @@ pub(super) struct Said<'a> {
     pub(super) of: Option<&'a Names>,
     pub(super) point: Option<&'a Vector<Length>>,
     pub(super) along: Option<&'a Direction>,
+    pub(super) relative_to: Option<&'a Names>,
 }
 
 impl FieldUse {
@@ -46,6 +48,7 @@ impl FieldUse {
             groups: self.groups,
             at: self.at,
             along: self.along,
+            against: self.against,
         }
     }
 }
@@ -97,6 +100,10 @@ impl Builder<'_> {
             Some(point) => self.field_point(name, info.site, point)?,
             None => (self.field_blocks(name, info.site, said.of)?, None),
         };
+        let against = match said.relative_to {
+            Some(names) => Some(self.against(name, info.name, names)?),
+            None => None,
+        };
         let whole = vector && along.is_none();
         let names = said.of.filter(|_| info.site == Site::Group).map_or(&[][..], |of| &of.0);
         let groups = names.iter().filter(|name| self.directory.is_group(name.as_str()));
@@ -107,8 +114,31 @@ impl Builder<'_> {
             groups: groups.map(|name| name.text.clone()).collect(),
             at,
             along,
+            against,
             suffixes: if whole { info.shape.suffixes() } else { &[""] },
         })
+    }
+
+    /// What a field is relative to; `None` after an error. `base`: the field without component.
+    fn against(&mut self, name: &Name, base: &str, names: &Names) -> Option<Against> {
+        if Against::counterpart(base).is_none() {
+            let message = format!("`{name}` is not read relative to other blocks");
+            let help = "`relative_to` applies to `displacement` and `velocity` of a block, a node or a group; leave it out";
+            let at = names.0.first().unwrap_or(name);
+            self.error_at("field.relative", at, message, help);
+            return None;
+        }
+        let lists = self.blocks_of_each(&names.0)?;
+        let mut of: Vec<u32> = lists.into_iter().flat_map(|(_, blocks)| blocks).collect();
+        of.sort_unstable();
+        of.dedup();
+        if of.is_empty() {
+            let message = format!("`{name}` is relative to no block");
+            self.error_at("field.relative", name, message, "name a block or a group with blocks");
+            return None;
+        }
+        let groups = names.0.iter().filter(|name| self.directory.is_group(name.as_str()));
+        Some(Against { of, groups: groups.map(|name| name.text.clone()).collect() })
     }
 
     /// The block that holds a point: its number in the plane, the point itself in space, where

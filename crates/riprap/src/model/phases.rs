@@ -391,6 +391,7 @@ impl Builder<'_> {
             of: said.of.as_ref(),
             point: said.at_point.as_ref(),
             along: said.along.as_ref(),
+            relative_to: said.relative_to.as_ref(),
         };
         let Some(used) = self.field(&said.field, place) else {
             return;
