@@ -66,8 +66,8 @@ pub use solids::{
 };
 pub use sources::{
     Around, CouplingScale, CouplingWord, Deck, Detonation, During, Explosive, GasCavity,
-    JwlConstants, JwlSet, Octree, Pattern, Place, PressureCavity, Primer, Refine, Source, Stemming,
-    Venting, VentingCracks, VentingTime,
+    JwlConstants, JwlSet, Octree, Pattern, PatternGrid, Place, PressureCavity, Primer, Refine,
+    Source, Stemming, Venting, VentingCracks, VentingTime,
 };
 pub use space::{Air, Material, Planar, Space, Spatial, Start, Tilt};
 pub use water::{Drain, Seepage, Water};

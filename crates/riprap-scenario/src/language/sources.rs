@@ -14,9 +14,9 @@ use super::outputs::Every;
 use super::points::Point3;
 use super::solids::{Ball, BoxRegion, Empty, Plane, Segment};
 use crate::quantity::{
-    Density, Length, Mass, Modulus, Name, NotNegativeLength, NotNegativePlain, NotNegativePressure,
-    NotNegativeTime, PositiveLength, PositivePlain, PositiveRate, Pressure, Quantity, Share, Span,
-    SpecificEnergy, Speed, Strength, Vector, Viscosity,
+    Angle, Density, Length, Mass, Modulus, Name, NotNegativeLength, NotNegativePlain,
+    NotNegativePressure, NotNegativeTime, Plain, PositiveLength, PositivePlain, PositiveRate,
+    Pressure, Quantity, Share, Span, SpecificEnergy, Speed, Strength, Vector, Viscosity,
 };
 use crate::time_function::TimeFunction;
 use crate::words::WordOr;
@@ -43,7 +43,7 @@ pub struct GasCavity {
     pub line: Option<Segment>,
     /// All blocks of a group, or one block.
     pub group: Option<Name>,
-    /// Many holes from a CSV file; the sources are called name.1, name.2, ...
+    /// Many holes, from a CSV file or in rows; the sources are called name.1, name.2, ...
     pub pattern: Option<Pattern>,
     /// Charges one behind the other in the hole along `line`, which then is the whole hole, with stemming that stays between them; the
     /// sources are called name.1, name.2, ... in their order.
@@ -53,7 +53,10 @@ pub struct GasCavity {
     ))]
     pub decks: Option<Vec<Deck>>,
     /// Mass of the charge, kg.
-    #[key(excludes("pattern", help = "the masses are in the file, in its column charge_kg"))]
+    #[key(excludes(
+        "pattern",
+        help = "a pattern has the masses: column charge_kg of a file, `charge` of a grid"
+    ))]
     #[key(excludes("decks", help = "each deck has a `mass` of its own"))]
     #[key(required("!pattern & !decks"))]
     pub mass: Option<Quantity<Mass>>,
@@ -62,7 +65,7 @@ pub struct GasCavity {
     /// How the volume of the charge and that of the removed blocks are matched. Default `fitted`
     /// with `centre`, else `{ scaled = 0.6667 }`.
     pub coupling: Option<WordOr<CouplingWord, CouplingScale>>,
-    /// Time at which it goes off, s. With `pattern` it is added to the delays of the file.
+    /// Time at which it goes off, s. With `pattern` it is added to the delays of the holes.
     #[key(default = "0 s")]
     pub delay: Option<Quantity<NotNegativeTime>>,
     /// How the gas escapes. Default: it stays in.
@@ -136,7 +139,7 @@ pub enum Primer {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Stemming {
-    /// Its length, m. With `decks` up to the collar by default, with `pattern` the column `stemming_m` of the file.
+    /// Its length, m. With `decks` up to the collar by default, with `pattern` the column `stemming_m` of the file, or the `stemming` of the grid.
     pub length: Option<Quantity<PositiveLength>>,
     /// Diameter of the hole, m.
     pub diameter: Quantity<PositiveLength>,
@@ -300,15 +303,60 @@ pub struct VentingCracks {
     pub air_pressure: Option<Quantity<NotNegativePressure>>,
 }
 
-/// Holes of a blast from a CSV file.
+/// Holes of a blast, from a CSV file or in rows.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(one_of("csv", "grid"))]
 pub struct Pattern {
     /// Path of the CSV file. Columns, each with its unit behind an
     /// underscore (`collar_x_m`, `delay_ms`): `collar_x`, `collar_y`, `collar_z`, `toe_x`, `toe_y`,
     /// `toe_z`, `delay`; `charge` (mass) or `diameter` of the hole; optional `stemming` (length
     /// without explosive below the collar).
-    pub csv: Name,
+    pub csv: Option<Name>,
+    /// Rows of equal holes, numbered row by row.
+    pub grid: Option<PatternGrid>,
+}
+
+/// Equal holes in rows. The first row is the front one; the others lie behind it, to the left of who looks along a row.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+#[keys(one_of("charge", "diameter"))]
+pub struct PatternGrid {
+    /// Collar of the first hole of the front row [x, y, z], m.
+    pub collar: Point3,
+    /// Level direction of the rows, of any length. Default `[1, 0, 0]`: rows lie behind each other along y.
+    pub along: Option<Vector<Plain>>,
+    /// Number of rows.
+    #[key(default = 1, min = 1, max = 1000)]
+    pub rows: Option<u64>,
+    /// Number of holes in a row.
+    #[key(min = 1, max = 1000)]
+    pub holes: u64,
+    /// Distance of the holes of a row, m.
+    pub spacing: Quantity<PositiveLength>,
+    /// Distance of the rows, m.
+    pub burden: Quantity<PositiveLength>,
+    /// Whether every second row is shifted by half of the spacing, along the row. Default false: a square pattern.
+    #[serde(default)]
+    pub staggered: bool,
+    /// Length of a hole from its collar to its toe, m.
+    pub length: Quantity<PositiveLength>,
+    /// Angle between holes and the vertical: the toes lie to the front of the collars.
+    #[key(default = "0 deg")]
+    pub inclination: Option<Quantity<Angle>>,
+    /// Length of a hole without explosive below the collar, m.
+    #[key(default = "0 m")]
+    pub stemming: Option<Quantity<NotNegativeLength>>,
+    /// Mass of the charge of a hole, kg.
+    pub charge: Option<Quantity<Mass>>,
+    /// Diameter of the holes, m: the mass is that of the explosive which fills them.
+    pub diameter: Option<Quantity<PositiveLength>>,
+    /// Time from one hole of a row to the next, s.
+    #[key(default = "0 s")]
+    pub delay_holes: Option<Quantity<NotNegativeTime>>,
+    /// Time from the first hole of a row to that of the next row, s.
+    #[key(default = "0 s")]
+    pub delay_rows: Option<Quantity<NotNegativeTime>>,
 }
 
 /// A cavity with a given pressure.

@@ -7,6 +7,7 @@ use riprap_geom::Vec3;
 use riprap_geom::polyhedron::{Charge, Finest, Grading, graded_cells};
 
 use super::global;
+use super::pattern::span_of_pattern;
 use super::shapes::{MOST_CELLS, box_of, whole};
 use super::turn::Turn;
 use crate::model::builder::Builder;
@@ -173,9 +174,9 @@ impl Builder<'_> {
                 enter(name_of, span, global(&line.from), global(&line.to), mass);
             }
             (None, None, Some(pattern)) => {
-                let holes = self.holes(pattern, density?)?;
+                let holes = self.holes(name, pattern, density?)?;
                 for (number, hole) in (1..).zip(holes) {
-                    let span = pattern.csv.span.clone();
+                    let span = span_of_pattern(pattern);
                     enter(format!("{name_of}.{number}"), span, hole.from, hole.to, Some(hole.mass));
                 }
             }

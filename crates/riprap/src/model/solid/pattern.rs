@@ -1,11 +1,11 @@
-//! Blast patterns, many holes from a CSV file, and holes with decks.
+//! Blast patterns, many holes from a CSV file or in rows, and holes with decks.
 
 use riprap_geom::Vec3;
 
 use super::global;
 use crate::model::builder::Builder;
 use crate::scenario::csv_columns::Column;
-use crate::scenario::language::{Deck, Pattern, Segment};
+use crate::scenario::language::{Deck, Pattern, PatternGrid, Segment, span_of};
 use crate::scenario::read::with_unit;
 use crate::scenario::units::Dim;
 use crate::scenario::{Name, Span};
@@ -41,20 +41,100 @@ const COLUMNS: [Column; 10] = [
     Column::optional(&["stemming", "stemming_length"], Dim::LENGTH, "m"),
 ];
 
+/// Where a scene gives a pattern.
+pub(super) fn span_of_pattern(pattern: &Pattern) -> Span {
+    let csv = pattern.csv.as_ref().map(|csv| csv.span.clone());
+    let grid = pattern.grid.as_ref().map(|grid| span_of(&grid.collar));
+    csv.or(grid).unwrap_or_default()
+}
+
 impl Builder<'_> {
     /// The holes of a pattern; `None` after an error. `density` of the explosive, kg/m³, makes a mass
     /// of a diameter.
-    pub(super) fn holes(&mut self, pattern: &Pattern, density: f64) -> Option<Vec<Hole>> {
-        let table = self.table(&pattern.csv, &COLUMNS)?;
+    pub(super) fn holes(
+        &mut self,
+        name: &Name,
+        pattern: &Pattern,
+        density: f64,
+    ) -> Option<Vec<Hole>> {
+        match (&pattern.csv, &pattern.grid) {
+            (Some(csv), _) => self.holes_of_file(csv, density),
+            (None, Some(grid)) => self.holes_in_rows(name, grid, density),
+            (None, None) => None,
+        }
+    }
+
+    /// Equal holes, row by row; `None` after an error.
+    fn holes_in_rows(
+        &mut self,
+        name: &Name,
+        said: &PatternGrid,
+        density: f64,
+    ) -> Option<Vec<Hole>> {
+        let mut read = self.reading(format!("sources.{name}.gas_cavity.pattern.grid"), said);
+        let (rows, inclination, stemmed) = (read.rows(), read.inclination(), read.stemming());
+        let (per_hole, per_row) = (read.delay_holes(), read.delay_rows());
+        let along = said.along.as_ref().map_or(Vec3::X, |along| Vec3::from(along.xyz()));
+        let flat = Vec3::new(along.x, along.y, 0.0).try_normalize();
+        let Some(along) = flat.filter(|_| along.z == 0.0) else {
+            let at = said.along.as_ref().map_or(name.span.clone(), |along| along.span.clone());
+            let help = "give a level direction, for example along = [1, 0, 0]";
+            self.error_at("source.pattern", at, "the rows of the pattern are not level", help);
+            return None;
+        };
+        let (length, back) = (said.length.si(), Vec3::Z.cross(along));
+        let charged = length - stemmed;
+        if charged <= 0.0 || inclination.abs() >= std::f64::consts::FRAC_PI_2 {
+            let (at, message) = if charged <= 0.0 {
+                let [stemmed, length] = [stemmed, length].map(|x| with_unit(x, "m"));
+                let at = said.stemming.as_ref().map_or(&said.length.span, |of| &of.span);
+                let why =
+                    format!("a stemming of {stemmed} leaves no room for a charge in {length}");
+                (at, why)
+            } else {
+                let at = said.inclination.as_ref().map_or(&said.length.span, |of| &of.span);
+                (at, "the holes do not go down".to_owned())
+            };
+            let help = "give holes longer than their stemming, inclined by less than 90 deg";
+            self.error_at("source.pattern", at.clone(), message, help);
+            return None;
+        }
+        let down = -libm::sin(inclination) * back - libm::cos(inclination) * Vec3::Z;
+        let mass = match (&said.charge, &said.diameter) {
+            (Some(charge), _) => charge.si(),
+            (None, Some(d)) => 0.25 * std::f64::consts::PI * d.si() * d.si() * charged * density,
+            (None, None) => return None,
+        };
+        let mut holes = Vec::new();
+        for row in 0..rows {
+            let shift = if said.staggered && row % 2 == 1 { 0.5 } else { 0.0 };
+            for hole in 0..said.holes {
+                let collar = global(&said.collar)
+                    + (hole as f64 + shift) * said.spacing.si() * along
+                    + row as f64 * said.burden.si() * back;
+                holes.push(Hole {
+                    from: collar + stemmed * down,
+                    to: collar + length * down,
+                    mass,
+                    delay: hole as f64 * per_hole + row as f64 * per_row,
+                    stemmed,
+                });
+            }
+        }
+        Some(holes)
+    }
+
+    fn holes_of_file(&mut self, csv: &Name, density: f64) -> Option<Vec<Hole>> {
+        let table = self.table(csv, &COLUMNS)?;
         let [cx, cy, cz, tx, ty, tz, delay] = std::array::from_fn(|k| table.values(k));
         let [charge, diameter, stemming] = [7, 8, 9].map(|k| {
             let found = table.columns[k].as_ref();
             found.map(|found| &found.values)
         });
         if charge.is_some() == diameter.is_some() {
-            let message = format!("`{}` needs a column charge_kg or diameter_mm", pattern.csv);
+            let message = format!("`{csv}` needs a column charge_kg or diameter_mm");
             let help = "the mass of each charge is derived from one of them";
-            self.error_at("file.csv", &pattern.csv, message, help);
+            self.error_at("file.csv", csv, message, help);
             return None;
         }
         let mut holes = Vec::new();
@@ -83,7 +163,7 @@ impl Builder<'_> {
                 None
             };
             if let Some(wrong) = wrong {
-                let (file, line) = (&pattern.csv, table.lines[k]);
+                let (file, line) = (csv, table.lines[k]);
                 let message = format!("`{file}`, line {line}: hole {}: {wrong}", k + 1);
                 let help = "a hole must be longer than its stemming, and needs a charge and a delay of 0 s or more";
                 self.error_at("file.csv", file, message, help);

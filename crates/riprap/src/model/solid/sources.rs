@@ -3,6 +3,7 @@
 use riprap_geom::Vec3;
 
 use super::global;
+use super::pattern::span_of_pattern;
 use super::places::region_of;
 use crate::laws::explosive::{Explosive, ExplosiveError, Products};
 use crate::laws::jwl::{self, Jwl};
@@ -67,7 +68,7 @@ impl Builder<'_> {
         let origin = self.spatial.origin;
         let (holes, span) = match (&gas.pattern, &gas.line, &gas.decks) {
             (Some(pattern), ..) => {
-                (self.holes(pattern, explosive.density()), pattern.csv.span.clone())
+                (self.holes(name, pattern, explosive.density()), span_of_pattern(pattern))
             }
             (None, Some(line), Some(decks)) => (self.decks(name, line, decks), span_of(&line.from)),
             (None, _, _) => {
