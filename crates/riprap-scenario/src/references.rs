@@ -137,6 +137,8 @@ impl<'a> References<'a> {
                 let part = name.strip_prefix(block.name.as_str());
                 block.masonry.as_ref().is_some_and(|wall| {
                     part == Some("_lintels") && !wall.openings.is_empty()
+                        || part == Some("_arches")
+                            && wall.openings.iter().any(|opening| opening.arch.is_some())
                         || part == Some("_buttresses") && !wall.buttresses.is_empty()
                 })
             })

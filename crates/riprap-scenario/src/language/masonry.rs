@@ -65,6 +65,7 @@ pub enum MasonryBond {
 /// A door or a window.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
+#[keys(at_most_one("lintel", "arch"))]
 pub struct WallOpening {
     /// Distance of its left side from the corner of the wall, m.
     pub left: Quantity<NotNegativeLength>,
@@ -76,6 +77,21 @@ pub struct WallOpening {
     pub height: Quantity<PositiveLength>,
     /// The beam above it, in the group `NAME_lintels` of a wall NAME. Default none.
     pub lintel: Option<Lintel>,
+    /// The arch above it, in the group `NAME_arches` of a wall NAME: stones between joints that meet in one point, with a level top. Default none.
+    pub arch: Option<OpeningArch>,
+}
+
+/// A segmental arch over an opening, as thick as the wall. It springs from the upper corners of the opening; bricks beside it are cut to its skewbacks.
+#[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
+#[serde(deny_unknown_fields)]
+pub struct OpeningArch {
+    /// Height of its underside over the springing in the middle, m: less than 0.38 of the width, so that the skewbacks are steep enough for a level top.
+    pub rise: Quantity<PositiveLength>,
+    /// Height from the springing to its level top, m: whole rows, more than the rise.
+    pub height: Quantity<PositiveLength>,
+    /// Number of stones.
+    #[key(min = 1, max = 1_000)]
+    pub voussoirs: u32,
 }
 
 /// A beam over an opening, as thick as the wall.

@@ -51,7 +51,9 @@ pub use loads::{
     BodyLoad, Control, EdgeLoad, Fixed, Load, Motion, MotionComponents, Nodes, PointLoad, Support,
     Target,
 };
-pub use masonry::{Buttress, Dome, Lintel, Masonry, MasonryBond, Vault, VaultBond, WallOpening};
+pub use masonry::{
+    Buttress, Dome, Lintel, Masonry, MasonryBond, OpeningArch, Vault, VaultBond, WallOpening,
+};
 pub use outputs::{Every, History, Moment, Output, Period, Pictures, Schedule};
 pub use phases::{CutAxis, Cutting, Damping, Leavers, Phase, Relaxation, Reset, Rest, Until};
 pub use points::{Point, Point3};

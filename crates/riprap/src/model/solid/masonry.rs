@@ -16,19 +16,21 @@ use crate::scenario::{Quantity, Span};
 use crate::spatial::setup::{Shape, Solid};
 
 /// A height is whole rows if it is so to this share of a row.
-const WHOLE: f64 = 1e-6;
+pub(super) const WHOLE: f64 = 1e-6;
 /// Bricks are not cut shorter than this share; their neighbours are longer instead.
-const SHORTEST: f64 = 0.3;
+pub(super) const SHORTEST: f64 = 0.3;
 
 /// Most stones of one table.
 const MOST: f64 = 1e6;
 
 /// What interrupts the rows of a wall: an opening or a lintel.
-struct Gap {
+pub(super) struct Gap {
     /// Rows, the first and the one behind the last.
-    rows: [u64; 2],
-    /// From where to where along the wall, m.
-    along: [f64; 2],
+    pub(super) rows: [u64; 2],
+    /// From where to where along the wall, m; of what is narrower below at the top of its row.
+    pub(super) along: [f64; 2],
+    /// How much farther bricks on both sides reach into it at the bottom of the row, m.
+    pub(super) slant: f64,
 }
 
 /// Pieces of a row between its ends and what interrupts it: `first` is the length of the first brick, `brick` that of the others, m.
@@ -85,15 +87,24 @@ impl Builder<'_> {
             let top = corner + Vec3::new(x1, y1, r1 as f64 * high);
             Shape::Brick { centre: 0.5 * (low + top), half: 0.5 * (top - low) }
         };
-        let mut gaps = Vec::new();
-        let mut lintels = Vec::new();
+        let (mut gaps, mut arches) = (Vec::new(), Vec::new());
+        let (mut lintels, mut voussoirs) = (Vec::new(), Vec::new());
         for opening in &wall.openings {
             let of = self.opening_of_wall(wall, opening, [length, high])?;
             if let Some(lintel) = of.get(1) {
                 lintels.push(brick(lintel.along, [0.0, depth], lintel.rows));
             }
+            let spring = of[0].rows[1];
             gaps.extend(of);
+            if let Some(said) = &opening.arch {
+                let (stones, beside) = self.arch_of_wall(wall, opening, said, spring)?;
+                let place = |p: Vec2| [0.0, depth].map(|y| corner + Vec3::new(p.x, y, p.y));
+                voussoirs.extend(stones.iter().map(|outline| prism(&outline.map(place))));
+                arches.extend(beside);
+            }
         }
+        self.arches_are_apart(wall, &gaps, &arches)?;
+        gaps.extend(arches);
         let mut piers = Vec::new();
         for said in &wall.buttresses {
             let (stones, headers) = self.buttress(wall, said, &gaps, [depth, high])?;
@@ -109,7 +120,19 @@ impl Builder<'_> {
         for row in 0..wall.courses {
             let odd = row % 2 == 1;
             let here = gaps.iter().filter(|gap| (gap.rows[0]..gap.rows[1]).contains(&row));
-            let here: Vec<[f64; 2]> = here.map(|gap| gap.along).collect();
+            let here: Vec<&Gap> = here.collect();
+            let brick = |piece: [f64; 2], across: [f64; 2]| {
+                // Beside an arch a brick reaches farther at its foot.
+                let ends = |k: usize| here.iter().find(|gap| gap.along[1 - k] == piece[k]);
+                let slants = [0, 1].map(|k| ends(k).map_or(0.0, |gap| gap.slant));
+                if slants == [0.0; 2] {
+                    return brick(piece, across, [row, row + 1]);
+                }
+                let [low, up] = [row, row + 1].map(|r| r as f64 * high);
+                let feet = [piece[0] - slants[0], piece[1] + slants[1]];
+                let outline = [(feet[0], low), (feet[1], low), (piece[1], up), (piece[0], up)];
+                prism(&outline.map(|(x, z)| across.map(|y| corner + Vec3::new(x, y, z))))
+            };
             let headers = odd && bond == MasonryBond::English;
             let (first, step) = match bond {
                 // Joints over the middle of stretchers and headers: a closer at the ends.
@@ -117,14 +140,13 @@ impl Builder<'_> {
                 MasonryBond::Running if odd => (0.5 * long, long),
                 MasonryBond::Running | MasonryBond::Stack | MasonryBond::English => (long, long),
             };
-            for piece in pieces(length, first, step, here) {
+            for piece in pieces(length, first, step, here.iter().map(|gap| gap.along).collect()) {
                 if headers {
-                    shapes.push(brick(piece, [0.0, depth], [row, row + 1]));
+                    shapes.push(brick(piece, [0.0, depth]));
                     continue;
                 }
                 for leaf in 0..leaves {
-                    let across = [leaf as f64 * thick, (leaf + 1) as f64 * thick];
-                    shapes.push(brick(piece, across, [row, row + 1]));
+                    shapes.push(brick(piece, [leaf, leaf + 1].map(|k| k as f64 * thick)));
                 }
             }
         }
@@ -134,9 +156,15 @@ impl Builder<'_> {
         let behind = shapes.len() as u32;
         let leaning = (behind..behind + piers.len() as u32).collect();
         shapes.extend(piers);
+        let behind = shapes.len() as u32;
+        let wedges: Vec<u32> = (behind..behind + voussoirs.len() as u32).collect();
+        shapes.extend(voussoirs);
         let mut made = Made::of(shapes);
         if !wall.openings.is_empty() {
             made.groups.push((format!("{}_lintels", block.name), beams));
+        }
+        if !wedges.is_empty() {
+            made.groups.push((format!("{}_arches", block.name), wedges));
         }
         if !wall.buttresses.is_empty() {
             made.groups.push((format!("{}_buttresses", block.name), leaning));
@@ -145,7 +173,7 @@ impl Builder<'_> {
     }
 
     /// A height (m) in rows of the height `high` (m); `None` after an error.
-    fn whole_rows(&mut self, height: f64, high: f64, span: &Span) -> Option<u64> {
+    pub(super) fn whole_rows(&mut self, height: f64, high: f64, span: &Span) -> Option<u64> {
         let count = height / high;
         let whole = count.round();
         if (count - whole).abs() <= WHOLE {
@@ -199,7 +227,7 @@ impl Builder<'_> {
             [Vec2::new(y0, z0), Vec2::new(y1, z1), Vec2::new(inner, z1), Vec2::new(inner, z0)]
         });
         let taken = (0..rows).filter(|row| headers(*row));
-        let taken = taken.map(|row| Gap { rows: [row, row + 1], along });
+        let taken = taken.map(|row| Gap { rows: [row, row + 1], along, slant: 0.0 });
         Some((outlines.collect(), taken.collect()))
     }
 
@@ -217,11 +245,12 @@ impl Builder<'_> {
         };
         let top = sill + rows(said.height.si(), &said.height.span)?;
         let (left, right) = (said.left.si(), said.left.si() + said.width.si());
-        let mut all = vec![Gap { rows: [sill, top], along: [left, right] }];
+        let mut all = vec![Gap { rows: [sill, top], along: [left, right], slant: 0.0 }];
         if let Some(lintel) = &said.lintel {
             let over = top + rows(lintel.height.si(), &lintel.height.span)?;
             let bearing = lintel.bearing.si();
-            all.push(Gap { rows: [top, over], along: [left - bearing, right + bearing] });
+            let along = [left - bearing, right + bearing];
+            all.push(Gap { rows: [top, over], along, slant: 0.0 });
         }
         let slack = WHOLE * length;
         let inside = |gap: &Gap| {

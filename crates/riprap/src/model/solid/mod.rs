@@ -31,6 +31,7 @@ mod sources;
 mod supports;
 mod terrain;
 mod turn;
+mod wall_arch;
 
 pub(super) use boundaries::{boundary_name, has_face};
 pub(super) use joints::{change_joint, reduce_joint};
