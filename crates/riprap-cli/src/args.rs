@@ -12,7 +12,7 @@ mod shot;
 mod strength;
 mod view;
 
-pub use blocks::{ProbeContact, Removable};
+pub use blocks::{ProbeContact, Removable, Sizes};
 pub use muckpile::Muckpile;
 pub use plot::Plot;
 pub use runout::Runout;
@@ -88,6 +88,7 @@ pub enum Verb {
     Safety(Safety),
     Trust(Trust),
     Removable(Removable),
+    Sizes(Sizes),
     Runout(Runout),
     Muckpile(Muckpile),
     Strength(Strength),

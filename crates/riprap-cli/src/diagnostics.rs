@@ -9,6 +9,7 @@ use miette::{
 use riprap::scenario::{Diagnostic, Diagnostics, Severity};
 
 use crate::args::ColorChoice;
+use crate::numbers::counted;
 
 /// Longest line that is drawn; longer ones (rubbish, data) would flood the screen.
 const LONGEST_DRAWN_LINE: usize = 200;
@@ -61,7 +62,7 @@ pub fn print(diagnostics: &Diagnostics, style: Style) {
             0 => String::new(),
             n => format!("; {n} of them not shown"),
         };
-        say(&format!("\n{}: {}{rest}", diagnostics.source.name, counted(errors, warnings)));
+        say(&format!("\n{}: {}{rest}", diagnostics.source.name, tally(errors, warnings)));
     }
 }
 
@@ -80,15 +81,11 @@ fn first_of(all: &Diagnostics) -> (Diagnostics, usize) {
 }
 
 /// `2 errors, 1 warning`.
-fn counted(errors: usize, warnings: usize) -> String {
-    let plural = |n: usize, word: &str| match n {
-        1 => format!("1 {word}"),
-        n => format!("{n} {word}s"),
-    };
+fn tally(errors: usize, warnings: usize) -> String {
     match (errors, warnings) {
-        (e, 0) => plural(e, "error"),
-        (0, w) => plural(w, "warning"),
-        (e, w) => format!("{}, {}", plural(e, "error"), plural(w, "warning")),
+        (e, 0) => counted(e, "error"),
+        (0, w) => counted(w, "warning"),
+        (e, w) => format!("{}, {}", counted(e, "error"), counted(w, "warning")),
     }
 }
 
@@ -205,8 +202,8 @@ mod tests {
 
     #[test]
     fn counts_are_in_words() {
-        assert_eq!(counted(1, 0), "1 error");
-        assert_eq!(counted(2, 1), "2 errors, 1 warning");
-        assert_eq!(counted(0, 3), "3 warnings");
+        assert_eq!(tally(1, 0), "1 error");
+        assert_eq!(tally(2, 1), "2 errors, 1 warning");
+        assert_eq!(tally(0, 3), "3 warnings");
     }
 }

@@ -48,6 +48,7 @@ fn dispatch(verb: Verb, style: Style) -> Result<(), Failure> {
         Verb::Safety(args) => commands::safety::run(&args, style),
         Verb::Trust(args) => commands::trust::run(&args, style),
         Verb::Removable(args) => commands::removable::run(&args, style),
+        Verb::Sizes(args) => commands::sizes::run(&args, style),
         Verb::Runout(args) => commands::runout::run(&args),
         Verb::Muckpile(args) => commands::muckpile::run(&args),
         Verb::Strength(args) => commands::strength::run(&args),

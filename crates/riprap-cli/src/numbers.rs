@@ -83,6 +83,12 @@ pub fn grouped(number: u64) -> String {
     text
 }
 
+/// A number of things in words: `1 pair`, `12 345 pairs`.
+pub fn counted(number: usize, one: &str) -> String {
+    let many = if number == 1 { "" } else { "s" };
+    format!("{} {one}{many}", grouped(number as u64))
+}
+
 /// A wall time: `under 0.1 s`, `0.4 s`, `42 s`, `6 min 40 s`, `3 h 05 min`.
 pub fn duration(seconds: f64) -> String {
     if !seconds.is_finite() {

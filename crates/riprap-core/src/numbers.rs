@@ -26,3 +26,10 @@ pub fn one_each(what: &str, length: usize, count: usize) -> Result<(), String> {
         Err(format!("there are {length} {what} instead of {count}"))
     }
 }
+
+/// A number of things in words: `1 block`, `2 blocks`.
+#[must_use]
+pub fn counted(number: usize, one: &str) -> String {
+    let many = if number == 1 { "" } else { "s" };
+    format!("{number} {one}{many}")
+}

@@ -56,7 +56,7 @@ pub use riprap_keys::Words;
 pub use rose::rose;
 pub use samples::{Sampled, Tornado, histograms, tornado, tornado_with};
 pub use shot::{Asked, Cut, Eye, Shot, is_film, shots};
-pub use sieve::fragments;
+pub use sieve::{blocks as block_sizes, fits as fits_of_sizes, fragments, passing};
 pub use signals::{cavity, spectrum};
 pub use surface::{CraterOptions, crater, heave};
 

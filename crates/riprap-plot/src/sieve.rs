@@ -50,26 +50,61 @@ pub fn fragments<'t>(
     };
     let all = amounts.iter().enumerate();
     let amounts: Vec<f64> = all.filter(|(k, _)| counts(*k)).map(|(_, v)| *v).collect();
-    // The edge of the cube of the same volume, the side of the square of the same area.
-    let edge = |v: f64| if flat { v.sqrt() } else { libm::cbrt(v) };
-    let sizes = Passing::of(amounts.iter().map(|v| (edge(*v), *v)));
+    let sizes = passing(&amounts, flat);
     if sizes.size.is_empty() {
         let of = group.map_or_else(String::new, |group| format!(" with a block of {group:?}"));
         let what = format!("{} lists no free fragments{of}", path.display());
         return Err(PlotError::NothingToDraw { what });
     }
     let count = amounts.iter().filter(|v| **v > 0.0).count();
-    let sieves = sizes.sieves(SIEVES);
-    let passing: Vec<f64> = sieves.iter().map(|x| sizes.at(*x)).collect();
-    let fits = if sizes.size.len() < 4 {
-        None
-    } else {
-        rosin_rammler_fit(&sieves, &passing).ok().zip(swebrec_fit(&sieves, &passing).ok())
-    };
     let of = group.map_or_else(String::new, |group| format!(" of {group}"));
     let title = suffix(&manifest, &format!("{count} fragments{of}"));
-    let panel = panel(&sizes, fits.as_ref());
-    let page = chart::draw((&manifest.title, &title), ("", ""), &[panel]);
+    curve((&manifest.title, &title), "fragment size", &sizes, out.into())
+}
+
+/// Sizes of blocks by volume (m3), in the plane by area (m2), and the share that is smaller: the edge of the cube of the same volume, the side
+/// of the square of the same area.
+#[must_use]
+pub fn passing(amounts: &[f64], flat: bool) -> Passing {
+    let edge = |v: f64| if flat { v.sqrt() } else { libm::cbrt(v) };
+    Passing::of(amounts.iter().map(|v| (edge(*v), *v)))
+}
+
+/// Draws the curve of sizes of blocks as [`fragments`] does that of fragments. `head`: title and what stands below it.
+///
+/// # Errors
+/// Files that cannot be written.
+pub fn blocks<'t>(
+    head: (&str, &str),
+    sizes: &Passing,
+    out: impl Into<Target<'t>>,
+) -> Result<Vec<PathBuf>, PlotError> {
+    if sizes.size.is_empty() {
+        return Err(PlotError::NothingToDraw { what: "there is no block".to_owned() });
+    }
+    curve(head, "block size", sizes, out.into())
+}
+
+/// Rosin-Rammler and Swebrec, with four different sizes or more.
+#[must_use]
+pub fn fits(sizes: &Passing) -> Option<(RosinRammler, Swebrec)> {
+    if sizes.size.len() < 4 {
+        return None;
+    }
+    let sieves = sizes.sieves(SIEVES);
+    let passing: Vec<f64> = sieves.iter().map(|x| sizes.at(*x)).collect();
+    rosin_rammler_fit(&sieves, &passing).ok().zip(swebrec_fit(&sieves, &passing).ok())
+}
+
+/// Draws a curve of sizes and writes its numbers.
+fn curve(
+    head: (&str, &str),
+    axis: &str,
+    sizes: &Passing,
+    out: Target<'_>,
+) -> Result<Vec<PathBuf>, PlotError> {
+    let fits = fits(sizes);
+    let page = chart::draw(head, ("", ""), &[panel(axis, sizes, fits.as_ref())]);
     let at = |f: &dyn Fn(f64) -> f64| sizes.size.iter().map(|x| f(*x)).collect();
     let mut columns = vec![
         column("size", "m", sizes.size.clone()),
@@ -79,11 +114,10 @@ pub fn fragments<'t>(
         columns.push(column("Rosin-Rammler", "-", at(&|x| rr.at(x))));
         columns.push(column("Swebrec", "-", at(&|x| sw.at(x))));
     }
-    let out = out.into();
     let mut files = write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out.clone())?;
     let stem = out.path.file_stem().unwrap_or_default().to_string_lossy();
     let path = out.path.with_file_name(format!("{stem}_fit.csv"));
-    let text = numbers(&sizes, fits.as_ref());
+    let text = numbers(sizes, fits.as_ref());
     write_whole(&path, table_csv(&text.iter().collect::<Vec<_>>()).as_bytes())?;
     files.push(path);
     Ok(files)
@@ -131,7 +165,7 @@ fn numbers(sizes: &Passing, fits: Option<&(RosinRammler, Swebrec)>) -> Vec<Serie
     out
 }
 
-fn panel(sizes: &Passing, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
+fn panel(axis: &str, sizes: &Passing, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
     let percent = |p: &f64| 100.0 * p;
     // From size to size as [`Passing::quantile`] goes: x50 and x80 lie on the curve. The smallest pass all at once.
     let (mut x, mut y) = (vec![sizes.size[0]], vec![0.0]);
@@ -179,7 +213,7 @@ fn panel(sizes: &Passing, fits: Option<&(RosinRammler, Swebrec)>) -> Panel {
         unit: "%".to_owned(),
         curves,
         height: 380.0,
-        x: Some(Abscissa { name: "fragment size".to_owned(), unit: "m".to_owned(), log: true }),
+        x: Some(Abscissa { name: axis.to_owned(), unit: "m".to_owned(), log: true }),
         notes,
         ..Panel::default()
     }

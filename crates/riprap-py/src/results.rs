@@ -64,6 +64,7 @@ pub struct Reading {
     charge: Option<String>,
     strength: f64,
     uniformity: Option<f64>,
+    of: Option<String>,
 }
 
 /// What the blast of a run has made, as JSON, and in words.
@@ -77,7 +78,8 @@ pub fn muckpile(py: Python<'_>, folder: PathBuf, reading: Reading) -> PyResult<(
         reading.strength,
         reading.uniformity,
     );
-    let rules = rules.map_err(PyValueError::new_err)?;
+    let mut rules = rules.map_err(PyValueError::new_err)?;
+    rules.of = reading.of;
     let found = py.detach(|| pile_of(&folder, &rules));
     let answer = found.map_err(|wrong| PyValueError::new_err(wrong.to_string()))?;
     Ok((json(&answer)?, answer.words()))

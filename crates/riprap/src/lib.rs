@@ -22,7 +22,9 @@ pub mod prelude;
 pub mod run;
 pub mod setup;
 
-pub use riprap_core::{accounts, dynamics, exec, lanes, laws, ledger, peers, profile, rhythm};
+pub use riprap_core::{
+    accounts, dynamics, exec, lanes, laws, ledger, numbers, peers, profile, rhythm,
+};
 pub use riprap_geom as geom;
 pub use riprap_geom::{Vec2, Vec3};
 pub use riprap_planar as planar;

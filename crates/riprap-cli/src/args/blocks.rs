@@ -52,6 +52,31 @@ pub struct Removable {
     pub json: bool,
 }
 
+/// Show the sizes of the blocks of a scene before it runs: curve, x50, x80, fit.
+///
+/// The size of a block is the edge of the cube of its volume, in the plane the side of the square of its area. Terrain has none. Blocks that are split
+/// before the first step count as what they are split into.
+#[derive(Debug, Args)]
+#[command(visible_alias = "block-sizes")]
+#[command(after_help = "\
+Examples:
+  riprap sizes slope.toml
+  riprap sizes slope.toml --of 'rock and not wall' --out sizes.svg
+  riprap sizes slope.toml --json")]
+pub struct Sizes {
+    #[command(flatten)]
+    pub scene: Scene,
+    /// Only the blocks of this group, block or condition
+    #[arg(long, value_name = "GROUP")]
+    pub of: Option<String>,
+    /// Draw the curve into this file (SVG, PDF or PNG by its name); the numbers go beside it as CSV
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Print as JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
 /// Show the contact forces of a scene at its start, without any step.
 ///
 /// One row per contact: overlap, length, centre, force on the first block, moments about each block's

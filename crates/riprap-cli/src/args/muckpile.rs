@@ -15,6 +15,7 @@ use clap::Args;
 Examples:
   riprap muckpile shot.run
   riprap muckpile shot.run --rock-factor 7 --uniformity 1.3
+  riprap muckpile shot.run --of 'burden and not toe'
   riprap muckpile shot.run --along 1,0 --moved '0.5 m' --json")]
 pub struct Muckpile {
     /// Run folder
@@ -23,6 +24,9 @@ pub struct Muckpile {
     /// Way from which on a block counts as thrown [default: half the edge of the cube of its volume]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub moved: Option<String>,
+    /// Only blocks of this group, block or condition make the pile; all others are ground
+    #[arg(long, value_name = "GROUP")]
+    pub of: Option<String>,
     /// Direction of the throw in the plan [default: the mean one]
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     pub along: Option<String>,

@@ -12,7 +12,7 @@ use serde_json::json;
 use crate::args::Check;
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
-use crate::numbers::{coordinate, duration, grouped, ratio, si};
+use crate::numbers::{coordinate, counted, duration, grouped, ratio, si};
 use crate::{scenes, screen};
 
 /// Fewer blocks than these have no distribution of sizes, nor have those whose sizes differ by less than this factor.
@@ -101,11 +101,11 @@ fn ranks_text(setup: &Setup, ranks: usize, memory: f64) -> Result<String, Failur
     let mut text = format!("  ranks      {ranks}; {each}\n");
     let line = |part: &Part| {
         format!(
-            "{} blocks, {} joints ({} at the cut); sends {} messages and {} a step",
-            grouped(part.blocks as u64),
-            grouped(part.patches as u64),
+            "{}, {} ({} at the cut); sends {} and {} a step",
+            counted(part.blocks, "block"),
+            counted(part.patches, "joint"),
             grouped(part.cut as u64),
-            part.messages,
+            counted(part.messages, "message"),
             si(part.bytes as f64, "B")
         )
     };
@@ -133,7 +133,7 @@ pub(super) fn imports_text(s: &Summary) -> String {
 fn model_text(s: &Summary) -> String {
     let mut text = format!(
         "  blocks     {} ({} held), {} corners, sizes {} / {} / {} (smallest, median, largest)\n  region     {}; mass {}\n  shortest   edge {} on \
-         block {}\n  near       {} pairs at the start (overlapping bounding boxes)",
+         block {}\n  near       {} at the start (overlapping bounding boxes)",
         grouped(s.blocks as u64),
         grouped(s.supported as u64),
         grouped(s.vertices as u64),
@@ -144,7 +144,7 @@ fn model_text(s: &Summary) -> String {
         mass(s.mass, "/m"),
         si(s.shortest_edge.0, "m"),
         s.shortest_edge.1,
-        grouped(s.near_pairs as u64),
+        counted(s.near_pairs, "pair"),
     );
     if let Some((depth, [a, b])) = &s.deepest_overlap {
         text.push_str(&format!(", deepest overlap {} between {a} and {b}", si(*depth, "m")));
@@ -229,7 +229,7 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
 /// A charge and the blocks that it replaces.
 fn charge_text(charge: &Charge) -> String {
     let name = &charge.name;
-    let removed = format!("{} blocks of {:.4e} m3", charge.blocks, charge.cavity);
+    let removed = format!("{} of {:.4e} m3", counted(charge.blocks, "block"), charge.cavity);
     match (charge.mass, charge.volume, charge.ratio) {
         (Some(mass), Some(volume), Some(times)) => format!(
             "{name}: {} kg of {volume:.4e} m3 in place of {removed} (Vc/V0 = {})",
@@ -387,15 +387,12 @@ fn found_text(found: &Outlook) -> String {
             si(time, "s")
         )
     });
-    let blocks = match found.blocks {
-        1 => "1 block".to_owned(),
-        several => format!("{} blocks", grouped(several as u64)),
-    };
+    let blocks = counted(found.blocks, "block");
     let fall = height.map_or(String::new(), |height| format!(", a fall of {}", si(height, "m")));
     format!(
-        "  contact    {blocks} can come into contact; {} pairs are near and {} touch at the start{steps}\n             overlap under own weight \
+        "  contact    {blocks} can come into contact; near at the start: {}, touching: {}{steps}\n             overlap under own weight \
          {flat} % of the size lying flat, {corner} % on a corner; without dashpots a cube's corner penetrates too far at {}{fall} (block {block})\n",
-        grouped(found.pairs as u64),
+        counted(found.pairs, "pair"),
         grouped(found.touching as u64),
         si(*speed, "m/s"),
     )

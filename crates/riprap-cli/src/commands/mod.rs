@@ -18,6 +18,7 @@ pub mod scratch;
 pub mod self_test;
 pub mod shell;
 pub mod shot;
+pub mod sizes;
 pub mod strength;
 pub mod sweep;
 pub mod trials;

@@ -21,7 +21,8 @@ pub fn run(args: &Muckpile) -> Result<(), Failure> {
         args.strength,
         args.uniformity,
     );
-    let rules = rules.map_err(Failure::Input)?;
+    let mut rules = rules.map_err(Failure::Input)?;
+    rules.of.clone_from(&args.of);
     let answer = muckpile(&args.run, &rules).map_err(|e| Failure::Input(e.to_string()))?;
     let (folder, existing) = target(args.out.as_deref(), &args.run, "muckpile", args.force);
     make_folder(&folder, existing)?;

@@ -21,7 +21,7 @@ use crate::commands::{check_lines, default_folder, run_folder, threads};
 use crate::diagnostics::{Style, print_line};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
-use crate::numbers::{duration, grouped, ratio, si};
+use crate::numbers::{counted, duration, grouped, ratio, si};
 use crate::progress::Display;
 use crate::{scenes, screen};
 
@@ -41,14 +41,14 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "run", args.force);
     let summary = &prepared.model.summary;
     let near = match &prepared.model.setup {
-        Setup::Planar(_) => format!(", {} near pairs", grouped(summary.near_pairs as u64)),
+        Setup::Planar(_) => format!(", {}", counted(summary.near_pairs, "near pair")),
         Setup::Spatial(_) => String::new(),
     };
     let head = format!(
-        "riprap {}  {}: {} blocks{near}, results in {}\n{}",
+        "riprap {}  {}: {}{near}, results in {}\n{}",
         env!("CARGO_PKG_VERSION"),
         prepared.parsed.scenario.title,
-        grouped(summary.blocks as u64),
+        counted(summary.blocks, "block"),
         folder.display(),
         imports_text(summary)
     );

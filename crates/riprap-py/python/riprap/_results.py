@@ -186,6 +186,7 @@ def muckpile(
     charge: str | None = None,
     strength: float = 100.0,
     uniformity: float | None = None,
+    of: str | None = None,
 ) -> Muckpile:
     """Gives what the blast of a run in space has made: pile, throw, fragments, crater, gas, energy.
 
@@ -199,13 +200,14 @@ def muckpile(
         charge: of a hole, for Kuz-Ram, ``"40 kg"``; by default the mean one of the run.
         strength: by weight relative to ANFO, %.
         uniformity: n of Kuz-Ram.
+        of: group, block or condition whose blocks alone make the pile; all others are ground.
 
     Raises:
         ValueError: a folder without a run, a run in the plane, a number that cannot be.
     """
     (folder,) = _folders((run,))
     given = {"moved": moved, "cell": cell, "rock_factor": rock_factor, "powder_factor": powder_factor}
-    given |= {"charge": charge, "strength": strength, "uniformity": uniformity}
+    given |= {"charge": charge, "strength": strength, "uniformity": uniformity, "of": of}
     given["along"] = None if along is None else f"{along[0]!r},{along[1]!r}"
     told, words = _riprap.muckpile(folder, given)
     answer = json.loads(told)

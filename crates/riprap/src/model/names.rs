@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::{Diagnostic, Name};
 use riprap_core::condition::Condition;
+use riprap_core::numbers::counted;
 
 /// One `[[blocks]]` table after generation.
 #[derive(Clone, Debug)]
@@ -165,8 +166,7 @@ impl Directory {
                 let all = self.materials.iter().map(|(material, _)| material.as_str());
                 return Err(Box::new(self.unknown_of(&name, "group, block or material", all)));
             };
-            let many = if blocks.len() == 1 { "" } else { "s" };
-            counts.push(format!("`{}` has {} block{many}", word.text, blocks.len()));
+            counts.push(format!("`{}` has {}", word.text, counted(blocks.len(), "block")));
             let mut set = vec![false; self.centroids.len()];
             for block in blocks {
                 set[block as usize] = true;

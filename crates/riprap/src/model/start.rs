@@ -8,6 +8,7 @@ use riprap_geom::{Quat, Vec2, Vec3};
 
 use super::builder::Builder;
 use super::solid::put_solid;
+use crate::numbers::counted;
 use crate::scenario::Name;
 use crate::scenario::csv_columns::{Column, csv_labels};
 use crate::scenario::diagnostic::list;
@@ -134,8 +135,8 @@ impl Builder<'_> {
             }
         }
         let why = format!(
-            "{} blocks start from their rows, {} as given in the scene",
-            states.len(),
+            "{} from the rows, {} as given in the scene",
+            counted(states.len(), "block"),
             count - states.len()
         );
         self.explain("start.csv", format!("\"{csv}\""), Provenance::Given, &why);

@@ -39,6 +39,8 @@ pub mod runout;
 pub mod scene;
 pub mod simulation;
 #[cfg(feature = "scenario")]
+pub mod sizes;
+#[cfg(feature = "scenario")]
 pub mod strength;
 pub mod study;
 

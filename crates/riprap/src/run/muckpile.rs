@@ -53,6 +53,8 @@ pub struct Rules {
     pub cell: Option<f64>,
     /// The Kuz-Ram curve to stand beside the fragments; `None` is without.
     pub kuz_ram: Option<Pattern>,
+    /// Group, block or condition of both whose blocks alone make the pile: all others are ground. `None` is all.
+    pub of: Option<String>,
 }
 
 /// What Kuz-Ram needs of a pattern.
@@ -174,6 +176,9 @@ pub enum MuckpileError {
     /// Of the plane.
     #[error("{} is in the plane; a muckpile is read in [space.spatial]", .0.display())]
     Planar(PathBuf),
+    /// No such group.
+    #[error("{}: {}", .0.display(), .1)]
+    Of(PathBuf, String),
     /// Several runs in a folder.
     #[error("{} holds several runs; give one of them", .0.display())]
     Several(PathBuf),
@@ -236,7 +241,11 @@ pub fn muckpile(folder: &Path, rules: &Rules) -> Result<Answer, MuckpileError> {
         return Err(MuckpileError::Planar(folder.clone()));
     }
     let names = Names::read(folder)?;
-    let pieces = pieces(&after, &names, &track::densities(folder, &manifest), rules);
+    let chosen = rules.of.as_deref().map(|of| names.chosen(of)).transpose();
+    let chosen = chosen.map_err(|what| MuckpileError::Of(folder.clone(), what))?;
+    let counts =
+        |b: u32| chosen.as_ref().is_none_or(|of| names.stem(b).any(|ancestor| of.has(ancestor)));
+    let pieces = pieces(&after, &names, &track::densities(folder, &manifest), rules, &counts);
     let charges: Vec<Vec3> = manifest.sources.iter().map(|s| Vec3::from(s.centre())).collect();
     let throw = throw(&pieces, &charges, rules, left(folder));
     let along = throw.as_ref().map_or([1.0, 0.0], |throw| throw.along);
@@ -305,6 +314,7 @@ impl Rules {
             along: along.map(plan).transpose()?,
             cell: number(cell, Dim::LENGTH, "0.1 m")?,
             kuz_ram,
+            of: None,
         })
     }
 
@@ -342,7 +352,14 @@ fn track_name(folder: &Path) -> String {
 }
 
 /// The blocks of a frame that are not held, and those that are as blocks that are not thrown.
-fn pieces(frame: &Frame, names: &Names, densities: &[Option<f64>], rules: &Rules) -> Vec<Piece> {
+/// `counts`: which of them may make the pile.
+fn pieces(
+    frame: &Frame,
+    names: &Names,
+    densities: &[Option<f64>],
+    rules: &Rules,
+    counts: &dyn Fn(u32) -> bool,
+) -> Vec<Piece> {
     let value = |name: &str, i: usize| {
         frame.column(name).and_then(|column| column.data.get(i)).copied().unwrap_or(0.0)
     };
@@ -367,7 +384,9 @@ fn pieces(frame: &Frame, names: &Names, densities: &[Option<f64>], rules: &Rules
             mass: density.map(|density| density * volume),
             broken: value("broken_share", i),
             held: track::held(frame, i),
-            thrown: !track::held(frame, i) && way.length() > rules.moved.unwrap_or(edge),
+            thrown: !track::held(frame, i)
+                && way.length() > rules.moved.unwrap_or(edge)
+                && counts(number),
             points: frame.outline(i).iter().map(|p| Vec3::from(*p)).collect(),
             faces: faces.map(<[u32]>::to_vec).collect(),
         }

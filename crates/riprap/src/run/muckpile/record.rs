@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::{Answer, Fragments, KuzRam, Part, Partition, Pile, Station, Throw};
+use crate::numbers::counted;
 use crate::plot::{Labels, Line, Share};
 use crate::record::{OutputError, write_whole};
 
@@ -135,8 +136,11 @@ fn thrown(throw: &Throw) -> Vec<String> {
     let [x, y, z] = throw.shift;
     let mut lines = vec![
         format!(
-            "thrown: {} blocks, {:.2} m3{mass}; their centroid moved by ({x:.2}, {y:.2}, {z:.2}) m; median throw {:.2} m, 90th percentile {:.2} m",
-            throw.blocks, throw.volume, throw.half, throw.most
+            "thrown: {}, {:.2} m3{mass}; their centroid moved by ({x:.2}, {y:.2}, {z:.2}) m; median throw {:.2} m, 90th percentile {:.2} m",
+            counted(throw.blocks, "block"),
+            throw.volume,
+            throw.half,
+            throw.most
         ),
         format!(
             "flyrock: {}; the largest beyond the 90th percentile is {}",
@@ -145,12 +149,13 @@ fn thrown(throw: &Throw) -> Vec<String> {
         ),
     ];
     if throw.moving > 0 {
-        lines.push(format!("not at rest: {} blocks are still moving", throw.moving));
+        lines.push(format!("not at rest: {} still moving", counted(throw.moving, "block")));
     }
     if throw.left.0 > 0 {
         let (blocks, mass) = throw.left;
         lines.push(format!(
-            "left the model: {blocks} blocks, {:.3} t; they are in none of these numbers",
+            "left the model: {}, {:.3} t, in none of these numbers",
+            counted(blocks, "block"),
             1e-3 * mass
         ));
     }

@@ -99,6 +99,17 @@ fn a_pile_is_measured_over_its_ground() {
 }
 
 #[test]
+fn a_pile_of_a_group_lies_on_all_others() {
+    // Of two that have flown only the small one counts; the large one, though free, is ground.
+    let rules = Rules { of: Some("small and not held".to_owned()), ..Rules::default() };
+    let answer = asked(&out_of_the_gap(), &rules);
+    let throw = answer.throw.as_ref().unwrap();
+    assert_eq!((throw.blocks, answer.fragments.unwrap().count), (1, 1));
+    near(throw.volume, 0.125);
+    near(throw.half, 2.0);
+}
+
+#[test]
 fn kuz_ram_is_that_of_cunningham() {
     let pattern = Pattern {
         rock_factor: 7.0,
@@ -130,6 +141,8 @@ fn what_cannot_be_is_refused() {
     };
     let rules = Rules { kuz_ram: Some(none), ..Rules::default() };
     assert!(said(&rules).contains("the run has no charges; give it"));
+    let rules = Rules { of: Some("smal".to_owned()), ..Rules::default() };
+    assert!(said(&rules).contains("unknown block or group \"smal\""), "{}", said(&rules));
     let nowhere = muckpile(&dir.path().join("nothing"), &Rules::default());
     assert!(nowhere.unwrap_err().to_string().contains("holds no run"));
 }
