@@ -296,8 +296,14 @@ impl<'a> References<'a> {
             let Some(Geometry::Grid(Grid::Cells(cells))) = block.geometry() else { return None };
             cells.graded.as_ref()?.at.as_ref()
         });
-        let refined = scenario.refine.iter().map(|refine| &refine.octree.around);
-        for around in refined.chain(graded) {
+        for refine in &scenario.refine {
+            if let Around::Source(name) = &refine.octree.around
+                && !self.is_source(name.as_str())
+            {
+                self.block_or_group(name);
+            }
+        }
+        for around in graded {
             if let Around::Source(name) = around
                 && !self.is_source(name.as_str())
             {

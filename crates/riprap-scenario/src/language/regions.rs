@@ -40,8 +40,7 @@ pub struct Group {
     /// The blocks near a face, which is a polygon.
     #[key(space = "spatial", instead = "use `near`")]
     pub near_face: Option<NearFace>,
-    /// The blocks with a face along a set of joints.
-    #[key(space = "spatial", instead = "use `half_space` or `near`")]
+    /// The blocks with a face along a set of joints; in the plane with an edge inside the region in its direction, up to three times its scatter.
     pub joint_set: Option<AlongSet>,
     /// The blocks of a size: the edge of the cube, in the plane of the square, that is as large.
     pub size: Option<SizeRange>,

@@ -393,7 +393,7 @@ pub struct Refine {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct Octree {
-    /// What blocks must touch to be split: the name of a source, a point [x, y, z], or a place.
+    /// What blocks must touch to be split: the name of a source, a point [x, y, z], or a place; or the blocks of a group, a block or a condition.
     pub around: Around,
     /// How often a block is split: each level halves the edges. 0 (not at all) to 12. Default around a charge
     /// with fitted coupling: the number for which the cell changes least.

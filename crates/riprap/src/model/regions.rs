@@ -1,7 +1,7 @@
 //! Groups: sets of blocks by place, size, material and name, and what `and`, `or`, `not` make of them.
 
-use riprap_geom::Vec3;
 use riprap_geom::polyhedron::joints::{Extent, Joint};
+use riprap_geom::{Vec2, Vec3, polygon};
 
 use super::builder::Builder;
 use super::solid::{Opening, has_face, volume};
@@ -13,6 +13,8 @@ use crate::scenario::vectors::InSpace;
 use crate::scenario::{Diagnostic, Name, Span};
 use riprap_core::condition::Condition;
 
+/// Sine of the angle, and share of the size of a region, that round-off may make.
+const PARALLEL: f64 = 1e-6;
 /// Blocks that the warning of an empty region names.
 const NAMED: usize = 3;
 
@@ -56,7 +58,10 @@ impl Builder<'_> {
             blocks.extend(group.size.iter().flat_map(|size| self.of_size(size)));
             blocks.extend(opening.iter().flat_map(|opening| self.rounds(name, opening)));
             if let Some(set) = &group.joint_set {
-                blocks.extend(self.along_set(name, set));
+                blocks.extend(match self.space {
+                    InSpace::Planar => self.along_traces(name, set),
+                    InSpace::Spatial => self.along_set(name, set),
+                });
             }
             self.is_face(group);
             if let Some(material) = &group.material {
@@ -158,14 +163,10 @@ impl Builder<'_> {
     fn along_set(&mut self, name: &Name, said: &AlongSet) -> Vec<u32> {
         let sets = self.sets.get(said.of.as_str()).map_or(&[][..], Vec::as_slice);
         let Some(joints) = sets.get(said.number as usize - 1) else {
-            let message = format!("`{}` has {} sets of joints", said.of, sets.len());
-            let help = "give the number of a set in its `cut.joint_sets`, from 1";
-            self.error_at("group.set", &said.of, message, help);
+            self.no_such_set(said, sets.len());
             return Vec::new();
         };
-        let tables: Vec<_> = self.directory.tables().collect();
-        let range = tables.iter().find(|(table, _)| *table == said.of.as_str());
-        let range = range.map_or(0..0, |(_, range)| range.clone());
+        let range = self.blocks_of_table(said.of.as_str());
         let along = |b: &u32| {
             let shape = &self.spatial.blocks[*b as usize].shape;
             joints.iter().any(|joint| {
@@ -174,12 +175,66 @@ impl Builder<'_> {
             })
         };
         let found: Vec<u32> = range.filter(along).collect();
+        self.is_there(name, said, &found);
+        found
+    }
+
+    /// Blocks in the plane with an edge inside the region that was cut in the direction of a set.
+    fn along_traces(&mut self, name: &Name, said: &AlongSet) -> Vec<u32> {
+        let block = self.parsed.scenario.blocks.iter().find(|b| b.name.text == said.of.text);
+        let cut = block.and_then(|block| block.cut.as_ref());
+        let sets = cut.map_or(&[][..], |cut| cut.joint_sets.as_slice());
+        let Some(set) = sets.get(said.number as usize - 1) else {
+            self.no_such_set(said, sets.len());
+            return Vec::new();
+        };
+        let shift = block.and_then(|b| b.shift.as_ref()).map_or([0.0; 2], |shift| shift.xy());
+        let corners = cut.and_then(|cut| cut.region.as_deref()).unwrap_or_default();
+        let outline: Vec<Vec2> =
+            corners.iter().map(|p| self.point(p) + Vec2::from(shift)).collect();
+        let size = polygon::Aabb::of(&outline).size();
+        let on_outline = |p: Vec2| {
+            let space = |v: Vec2| Vec3::new(v.x, v.y, 0.0);
+            let near = |(a, b): (Vec2, Vec2)| {
+                from_line(space(p), [space(a), space(b)]).0 <= PARALLEL * size
+            };
+            polygon::edges(&outline).any(near)
+        };
+        let (sin, cos) = libm::sincos(set.dip.si());
+        let scatter = set.angle_scatter.as_ref().map_or(0.0, Quantity::si);
+        let most = libm::sin((3.0 * scatter).min(std::f64::consts::FRAC_PI_2)).max(PARALLEL);
+        let along = |(a, b): (Vec2, Vec2)| {
+            let way = b - a;
+            (way.x * sin - way.y * cos).abs() <= most * way.length() && !on_outline(0.5 * (a + b))
+        };
+        let has = |b: &u32| polygon::edges(&self.setup.blocks[*b as usize].vertices).any(along);
+        let found: Vec<u32> = self.blocks_of_table(said.of.as_str()).filter(has).collect();
+        self.is_there(name, said, &found);
+        found
+    }
+
+    fn no_such_set(&mut self, said: &AlongSet, sets: usize) {
+        let message = match sets {
+            1 => format!("`{}` has 1 set of joints", said.of),
+            sets => format!("`{}` has {sets} sets of joints", said.of),
+        };
+        let help = "give the number of a set in its `cut.joint_sets`, from 1";
+        self.error_at("group.set", &said.of, message, help);
+    }
+
+    /// Numbers of the blocks of a table.
+    fn blocks_of_table(&self, name: &str) -> std::ops::Range<u32> {
+        let mut tables = self.directory.tables();
+        tables.find(|(table, _)| *table == name).map_or(0..0, |(_, range)| range.clone())
+    }
+
+    /// A warning where no block lies along a set.
+    fn is_there(&mut self, name: &Name, said: &AlongSet, found: &[u32]) {
         if found.is_empty() {
             let message = format!("no block of `{}` has a face along the set of `{name}`", said.of);
             let help = "its joints may lie outside of the blocks: check `spacing` and `origin`; the group is empty";
             self.warn_at("group.empty", &said.of, message, help);
         }
-        found
     }
 
     /// The blocks nearest to the middle of an empty region, in words.

@@ -58,6 +58,72 @@ fn pieces(length: f64, first: f64, brick: f64, mut gaps: Vec<[f64; 2]>) -> Vec<[
     all
 }
 
+/// The rows of a wall.
+struct Rows {
+    /// Lowest corner, m.
+    corner: Vec3,
+    /// m.
+    length: f64,
+    /// Length, thickness and height of a brick, m.
+    brick: [f64; 3],
+    leaves: u64,
+    bond: MasonryBond,
+}
+
+impl Rows {
+    /// A brick from where to where along and across the wall, m, and in rows.
+    fn brick(&self, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2], [r0, r1]: [u64; 2]) -> Shape {
+        let high = self.brick[2];
+        let low = self.corner + Vec3::new(x0, y0, r0 as f64 * high);
+        let top = self.corner + Vec3::new(x1, y1, r1 as f64 * high);
+        Shape::Brick { centre: 0.5 * (low + top), half: 0.5 * (top - low) }
+    }
+
+    /// A brick of a row; beside an arch it reaches farther at its foot.
+    fn beside(&self, piece: [f64; 2], across: [f64; 2], row: u64, gaps: &[&Gap]) -> Shape {
+        let slant = |k: usize| {
+            gaps.iter().find(|gap| gap.along[1 - k] == piece[k]).map_or(0.0, |gap| gap.slant)
+        };
+        let slants = [0, 1].map(slant);
+        if slants == [0.0; 2] {
+            return self.brick(piece, across, [row, row + 1]);
+        }
+        let [low, up] = [row, row + 1].map(|r| r as f64 * self.brick[2]);
+        let feet = [piece[0] - slants[0], piece[1] + slants[1]];
+        let outline = [(feet[0], low), (feet[1], low), (piece[1], up), (piece[0], up)];
+        prism(&outline.map(|(x, z)| across.map(|y| self.corner + Vec3::new(x, y, z))))
+    }
+
+    /// The bricks of a row between what interrupts it.
+    fn row(&self, row: u64, gaps: &[Gap]) -> Vec<Shape> {
+        let [long, thick, _] = self.brick;
+        let odd = row % 2 == 1;
+        let here = gaps.iter().filter(|gap| (gap.rows[0]..gap.rows[1]).contains(&row));
+        let here: Vec<&Gap> = here.collect();
+        let headers = odd && self.bond == MasonryBond::English;
+        let (first, step) = match self.bond {
+            // Joints over the middle of stretchers and headers: a closer at the ends.
+            _ if headers => (0.5 * thick, thick),
+            MasonryBond::Running if odd => (0.5 * long, long),
+            MasonryBond::Running | MasonryBond::Stack | MasonryBond::English => (long, long),
+        };
+        let along = here.iter().map(|gap| gap.along).collect();
+        let mut shapes = Vec::new();
+        for piece in pieces(self.length, first, step, along) {
+            let through = [0.0, thick * self.leaves as f64];
+            if headers {
+                shapes.push(self.beside(piece, through, row, &here));
+                continue;
+            }
+            for leaf in 0..self.leaves {
+                let across = [leaf, leaf + 1].map(|k| k as f64 * thick);
+                shapes.push(self.beside(piece, across, row, &here));
+            }
+        }
+        shapes
+    }
+}
+
 impl Builder<'_> {
     /// Bricks and lintels of a wall, in local coordinates; `None` after an error.
     pub(super) fn masonry(
@@ -82,17 +148,13 @@ impl Builder<'_> {
             return None;
         }
         let depth = thick * leaves as f64;
-        let brick = |[x0, x1]: [f64; 2], [y0, y1]: [f64; 2], [r0, r1]: [u64; 2]| {
-            let low = corner + Vec3::new(x0, y0, r0 as f64 * high);
-            let top = corner + Vec3::new(x1, y1, r1 as f64 * high);
-            Shape::Brick { centre: 0.5 * (low + top), half: 0.5 * (top - low) }
-        };
+        let rows = Rows { corner, length, brick: [long, thick, high], leaves, bond };
         let (mut gaps, mut arches) = (Vec::new(), Vec::new());
         let (mut lintels, mut voussoirs) = (Vec::new(), Vec::new());
         for opening in &wall.openings {
             let of = self.opening_of_wall(wall, opening, [length, high])?;
             if let Some(lintel) = of.get(1) {
-                lintels.push(brick(lintel.along, [0.0, depth], lintel.rows));
+                lintels.push(rows.brick(lintel.along, [0.0, depth], lintel.rows));
             }
             let spring = of[0].rows[1];
             gaps.extend(of);
@@ -116,40 +178,8 @@ impl Builder<'_> {
             }));
             gaps.extend(headers);
         }
-        let mut shapes = Vec::new();
-        for row in 0..wall.courses {
-            let odd = row % 2 == 1;
-            let here = gaps.iter().filter(|gap| (gap.rows[0]..gap.rows[1]).contains(&row));
-            let here: Vec<&Gap> = here.collect();
-            let brick = |piece: [f64; 2], across: [f64; 2]| {
-                // Beside an arch a brick reaches farther at its foot.
-                let ends = |k: usize| here.iter().find(|gap| gap.along[1 - k] == piece[k]);
-                let slants = [0, 1].map(|k| ends(k).map_or(0.0, |gap| gap.slant));
-                if slants == [0.0; 2] {
-                    return brick(piece, across, [row, row + 1]);
-                }
-                let [low, up] = [row, row + 1].map(|r| r as f64 * high);
-                let feet = [piece[0] - slants[0], piece[1] + slants[1]];
-                let outline = [(feet[0], low), (feet[1], low), (piece[1], up), (piece[0], up)];
-                prism(&outline.map(|(x, z)| across.map(|y| corner + Vec3::new(x, y, z))))
-            };
-            let headers = odd && bond == MasonryBond::English;
-            let (first, step) = match bond {
-                // Joints over the middle of stretchers and headers: a closer at the ends.
-                _ if headers => (0.5 * thick, thick),
-                MasonryBond::Running if odd => (0.5 * long, long),
-                MasonryBond::Running | MasonryBond::Stack | MasonryBond::English => (long, long),
-            };
-            for piece in pieces(length, first, step, here.iter().map(|gap| gap.along).collect()) {
-                if headers {
-                    shapes.push(brick(piece, [0.0, depth]));
-                    continue;
-                }
-                for leaf in 0..leaves {
-                    shapes.push(brick(piece, [leaf, leaf + 1].map(|k| k as f64 * thick)));
-                }
-            }
-        }
+        let mut shapes: Vec<Shape> =
+            (0..wall.courses).flat_map(|row| rows.row(row, &gaps)).collect();
         let bricks = shapes.len() as u32;
         let beams = (bricks..bricks + lintels.len() as u32).collect();
         shapes.extend(lintels);

@@ -13,6 +13,8 @@ use crate::spatial::setup::{CavityPressure, Place, Region, Shape};
 
 /// Places nearer than this share of a block's size are in it.
 const NEAR: f64 = 1e-9;
+/// By this share a cell is taken smaller where its neighbours shall not touch it.
+const APART: f64 = 1e-6;
 /// Share of a hole that may be in no block without a word: coordinates that are given in whole centimetres.
 const IN_AIR: f64 = 0.005;
 /// Cells of one block that are looked at around one charge.
@@ -28,6 +30,30 @@ pub(super) fn region_of(place: &Place) -> Option<Region> {
 }
 
 impl Builder<'_> {
+    /// The boxes around blocks, smaller by a share.
+    pub(super) fn boxes_of(&self, blocks: &[u32], smaller: f64) -> Vec<Region> {
+        let cell = |b: &u32| {
+            let Bounds { centre, half } = Bounds::of(&self.spatial.blocks[*b as usize].shape);
+            let half = (1.0 - smaller) * half;
+            Region::Box(centre - half, centre + half)
+        };
+        blocks.iter().map(cell).collect()
+    }
+
+    /// The cells of a group, a block or a condition, without their neighbours; `None` after an error.
+    pub(super) fn cells_of_group(&mut self, name: &Name) -> Option<Vec<Region>> {
+        let of_source = |source: &Name| {
+            let rest = name.as_str().strip_prefix(source.as_str());
+            rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        if self.parsed.scenario.sources.iter().any(|(source, _)| of_source(source)) {
+            return None; // the source has an error of its own
+        }
+        let blocks = self.directory.blocks(name).map_err(|error| vec![*error]);
+        let blocks = self.take(blocks)?;
+        Some(self.boxes_of(&blocks, APART))
+    }
+
     /// The first block whose volume holds a point (local coordinates).
     pub(in crate::model) fn holder(&self, point: Vec3) -> Option<u32> {
         let mut blocks = (0u32..).zip(&self.spatial.blocks);

@@ -20,7 +20,6 @@ use crate::scenario::vectors::unit;
 use crate::scenario::words::WordOr;
 use crate::scenario::{Diagnostic, Name, Span};
 use crate::spatial::divisible::Divisible;
-use crate::spatial::region::Bounds;
 use crate::spatial::setup::{
     BlockSpec, CavityPressure, Coupling, Cracks, Criterion, During, Hole, Place, Refinement,
     Region, Shape, Source, Venting,
@@ -411,16 +410,10 @@ impl Builder<'_> {
                     .filter(|s| s.name == name.text || s.name.starts_with(&pattern))
                     .collect();
                 if own.is_empty() {
-                    return None; // the source has an error of its own
+                    return self.cells_of_group(name);
                 }
                 let regions = own.iter().flat_map(|source| match &source.place {
-                    Place::Blocks { blocks } => blocks
-                        .iter()
-                        .map(|&b| {
-                            let cell = Bounds::of(&self.spatial.blocks[b as usize].shape);
-                            Region::Box(cell.centre - cell.half, cell.centre + cell.half)
-                        })
-                        .collect(),
+                    Place::Blocks { blocks } => self.boxes_of(blocks, 0.0),
                     place @ (Place::Point { .. } | Place::Line { .. }) => {
                         region_of(place).into_iter().collect::<Vec<_>>()
                     }
