@@ -79,8 +79,8 @@ pub fn run(args: &Check, style: Style) -> Result<(), Failure> {
     }
     let checks = model.checks.len();
     screen::line(&format!(
-        "  checks     {checks}\nno errors, {} warnings",
-        model.warnings.len() + expected.warnings.len()
+        "  checks     {checks}\nno errors, {}",
+        counted(model.warnings.len() + expected.warnings.len(), "warning")
     ));
     Ok(())
 }

@@ -7,6 +7,7 @@ use riprap_geom::polygon::{self, Collinear};
 
 use super::builder::Builder;
 use super::generated::{Drawn, Generated};
+use crate::numbers::counted;
 use crate::scenario::csv_columns::Column;
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::foreign::dxf::{Drawing, Outlines, Why, parse_dxf};
@@ -337,11 +338,18 @@ fn left_out_text<'a>(all: impl Iterator<Item = (&'a (String, Why), &'a usize)>) 
 fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
     let left = || outlines.left_out.iter().chain(&drawing.left_out);
     let all = outlines.used + left().map(|(_, count)| count).sum::<usize>();
-    let mut words =
-        format!("read {} of {all} entities as {} outlines", outlines.used, outlines.closed.len());
+    let mut words = format!(
+        "read {} of {all} entities as {}",
+        outlines.used,
+        counted(outlines.closed.len(), "outline")
+    );
     let [chains, lines] = outlines.joined;
     if chains > 0 {
-        words.push_str(&format!("; {chains} outlines were assembled from {lines} lines"));
+        words.push_str(&format!(
+            "; {} assembled from {}",
+            counted(chains, "outline"),
+            counted(lines, "line")
+        ));
     }
     if outlines.over_gaps > 0 {
         words.push_str(&format!("; {} open polylines were closed", outlines.over_gaps));
@@ -360,7 +368,10 @@ fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
             true => least.to_string(),
             false => format!("{least} to {most}"),
         };
-        words.push_str(&format!("; {} circles became polygons with {many} corners", round.count()));
+        words.push_str(&format!(
+            "; {} as polygons with {many} corners",
+            counted(round.count(), "circle")
+        ));
     }
     if outlines.healed > 0 {
         let healed = outlines.healed;

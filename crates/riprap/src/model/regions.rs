@@ -5,6 +5,7 @@ use riprap_geom::{Vec2, Vec3, polygon};
 
 use super::builder::Builder;
 use super::solid::{Opening, has_face, volume};
+use crate::numbers::counted;
 use crate::scenario::language::{
     AlongSet, Cylinder, Group, HalfSpace, Near, NearFace, Prism, SizeRange, Sphere, span_of,
 };
@@ -214,10 +215,7 @@ impl Builder<'_> {
     }
 
     fn no_such_set(&mut self, said: &AlongSet, sets: usize) {
-        let message = match sets {
-            1 => format!("`{}` has 1 set of joints", said.of),
-            sets => format!("`{}` has {sets} sets of joints", said.of),
-        };
+        let message = format!("`{}` has {}", said.of, counted(sets, "joint set"));
         let help = "give the number of a set in its `cut.joint_sets`, from 1";
         self.error_at("group.set", &said.of, message, help);
     }

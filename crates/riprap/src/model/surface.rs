@@ -7,6 +7,7 @@ use riprap_geom::surface::{Triangulated, is_above, is_inside};
 use super::builder::Builder;
 use super::drawn::Wanted;
 use super::regions::Region;
+use crate::numbers::counted;
 use crate::scenario::foreign::dxf::{Drawing, parse_dxf};
 use crate::scenario::foreign::obj::parse_obj;
 use crate::scenario::foreign::stl::{parse_surface, surface};
@@ -98,7 +99,7 @@ impl Builder<'_> {
             self.error_at("group.surface", file, message, help);
             return None;
         }
-        self.note_import(file, &format!("read {} lines as a surface", lines.len()));
+        self.note_import(file, &format!("read {} as a surface", counted(lines.len(), "line")));
         let mut pieces = Vec::new();
         for line in &lines {
             let place = |[x, y]: &[f64; 2]| Vec3::from(self.local3([unit * x, unit * y, 0.0]));
@@ -176,7 +177,7 @@ impl Builder<'_> {
         };
         let left =
             if flat > 0 { format!("; left out {flat} without an area") } else { String::new() };
-        self.note_import(file, &format!("read {} triangles{left}", triangles.len()));
+        self.note_import(file, &format!("read {}{left}", counted(triangles.len(), "triangle")));
         let points = points.iter().map(|p| unit * Vec3::from_array(*p) + shift).collect();
         Some((file, HeightField { points, triangles }))
     }

@@ -12,6 +12,7 @@ use super::global;
 use super::mesh::{Made, shape_of};
 use super::shapes::{bounds, solid};
 use crate::model::builder::Builder;
+use crate::numbers::counted;
 use crate::scenario::Name;
 use crate::scenario::csv_columns::Column;
 use crate::scenario::foreign::dfn::{Network, Shape, parse_fab};
@@ -139,9 +140,9 @@ impl Builder<'_> {
         match divided {
             Ok(divided) => {
                 let why = format!(
-                    "{} joints; {} cuts skipped because a part would be too thin",
-                    joints.len(),
-                    divided.spared
+                    "{}; {} skipped because a part would be too thin",
+                    counted(joints.len(), "joint"),
+                    counted(divided.spared, "cut")
                 );
                 let count = divided.solids.len().to_string();
                 self.note_intensity(block, &divided, bridges);
@@ -194,8 +195,8 @@ impl Builder<'_> {
         }
         if divided.spared > 0 {
             words.push_str(&format!(
-                "; {} cuts skipped because a part would be thinner than `smallest_edge`",
-                divided.spared
+                "; {} skipped because a part would be thinner than `smallest_edge`",
+                counted(divided.spared, "cut")
             ));
         }
         self.summary.joints.push(words);

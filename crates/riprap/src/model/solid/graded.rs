@@ -11,6 +11,7 @@ use super::pattern::span_of_pattern;
 use super::shapes::{MOST_CELLS, box_of, whole};
 use super::turn::Turn;
 use crate::model::builder::Builder;
+use crate::numbers::counted;
 use crate::scenario::language::{
     Around, Block, CouplingWord, Explosive, GasCavity, Geometry, Graded, Grid, GridCells, Place,
     Source,
@@ -78,13 +79,13 @@ impl Builder<'_> {
         });
         let shapes = self.made_cells(block, made, shift)?;
         self.summary.fitted.push(format!(
-            "{}: {} graded cells, from {} to {} over {}, room for {} charges",
+            "{}: {} graded cells, from {} to {} over {}, room for {}",
             block.name,
             shapes.len(),
             with_unit(grading.from, "m"),
             with_unit(grading.to, "m"),
             with_unit(grading.over, "m"),
-            rooms.len(),
+            counted(rooms.len(), "charge"),
         ));
         Some(shapes)
     }

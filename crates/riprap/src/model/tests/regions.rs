@@ -263,7 +263,7 @@ fn a_joint_set_holds_the_blocks_along_its_joints() {
     // The joint at 6 m divides the block in two: `along` is empty.
     assert_eq!(count(&set(1)), 2);
     let wrong = try_space(&set(2)).unwrap_err().render();
-    assert!(wrong.contains("`rock` has 1 sets of joints"), "{wrong}");
+    assert!(wrong.contains("`rock` has 1 joint set"), "{wrong}");
 }
 
 #[test]
