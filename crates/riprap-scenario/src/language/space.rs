@@ -14,6 +14,7 @@ use crate::quantity::{
 /// The space in which the blocks move.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[expect(clippy::large_enum_variant, reason = "a scene has one space")]
 pub enum Space {
     /// Two dimensions: polygons of unit thickness, x to the right, y up; forces per metre.
     Planar(Planar),

@@ -352,14 +352,14 @@ fn outlines_text(drawing: &Drawing, outlines: &Outlines, unit: f64) -> String {
         ));
     }
     if outlines.over_gaps > 0 {
-        words.push_str(&format!("; {} open polylines were closed", outlines.over_gaps));
+        words.push_str(&format!("; closed {}", counted(outlines.over_gaps, "open polyline")));
     }
     if outlines.largest_gap > 0.0 {
         let gap = with_unit(unit * outlines.largest_gap, "m");
         words.push_str(&format!("; ends up to {gap} apart were joined"));
     }
     if drawing.inserted > 0 {
-        words.push_str(&format!("; {} block references were expanded", drawing.inserted));
+        words.push_str(&format!("; expanded {}", counted(drawing.inserted, "block reference")));
     }
     let round = outlines.closed.iter().filter(|line| line.kind == "CIRCLE");
     let corners: BTreeSet<usize> = round.clone().map(|line| line.points.len()).collect();

@@ -189,10 +189,10 @@ impl Builder<'_> {
             self.no_such_set(said, sets.len());
             return Vec::new();
         };
-        let shift = block.and_then(|b| b.shift.as_ref()).map_or([0.0; 2], |shift| shift.xy());
+        let shift = block.and_then(|b| b.shift.as_ref());
+        let shift = shift.map_or(Vec2::ZERO, |shift| Vec2::from(shift.xy()));
         let corners = cut.and_then(|cut| cut.region.as_deref()).unwrap_or_default();
-        let outline: Vec<Vec2> =
-            corners.iter().map(|p| self.point(p) + Vec2::from(shift)).collect();
+        let outline: Vec<Vec2> = corners.iter().map(|p| self.point(p) + shift).collect();
         let size = polygon::Aabb::of(&outline).size();
         let on_outline = |p: Vec2| {
             let space = |v: Vec2| Vec3::new(v.x, v.y, 0.0);
