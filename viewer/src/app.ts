@@ -3,9 +3,10 @@
 import { el, iconButton } from "./dom";
 import * as film from "./film";
 import { listen, sheet, type Shortcut } from "./keys";
+import type { Loading } from "./loading";
 import { legendElement, legendOf } from "./legend";
 import { STATES } from "./marks";
-import { Panel } from "./panel";
+import { Panel, coloured, quickFields } from "./panel";
 import { Plots, namesOf, type AlongLine } from "./plots";
 import { Run, told, type Moment } from "./run";
 import { SavedViews } from "./saved";
@@ -48,7 +49,10 @@ export class App {
   private measuring = false;
   private work: AbortController | null = null;
 
-  constructor(private readonly host: HTMLElement) {}
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly loading: Loading,
+  ) {}
 
   async start(sources: Source[]): Promise<void> {
     this.runs = await Promise.all(sources.map((s) => Run.open(s)));
@@ -79,6 +83,7 @@ export class App {
     if (leader) for (const other of others) other.view.stage.follow(leader.view.stage.standpoint());
     const flat = this.panes[0]?.view.flat ?? true;
     this.panel?.rebuild(flat ? 2 : 3);
+    this.panel?.refill();
     document.documentElement.dataset.shown = "true";
     for (const { view } of this.panes) view.hasty = false;
     await this.timeline.go(this.timeline.at);
@@ -90,7 +95,8 @@ export class App {
     const names = runs.flatMap((r) => namesOf(r));
     // A picture of removable blocks is looked at for them.
     if (names.includes("removable_type")) this.choices.now.field = "removable_type";
-    if (!names.includes(this.choices.now.field)) this.choices.now.field = names.find((n) => n !== "block") ?? "";
+    // Runs of earlier versions do not tell materials: all blocks have shades of one colour then.
+    if (!names.includes(this.choices.now.field)) this.choices.now.field = "";
     this.choices.now.map = defaultMap(this.choices.now.field);
   }
 
@@ -132,7 +138,7 @@ export class App {
       iconButton("help", "Keys and mouse (?)", () => keys.showModal()),
       iconButton("menu", "Panel (m)", toggle("no-panel")),
     );
-    this.host.replaceChildren(header, el("main", {}, el("div.middle", {}, this.stages, this.plots.object), this.panel.object), this.timeline.object, keys);
+    this.host.replaceChildren(header, el("main", {}, el("div.middle", {}, this.stages, this.plots.object), this.panel.object), this.timeline.object, keys, this.loading.object);
     if (window.innerWidth < 760) this.host.classList.add("no-panel");
     this.choices.listen((changed) => void this.changed(changed));
     theme.follow(() => this.themed());
@@ -147,7 +153,7 @@ export class App {
     const host = el("div.stage");
     const pane: Pane = {
       host,
-      view: new View(run, host),
+      view: new View(run, host, this.loading),
       legend: el("div.legendhost"),
       banner: el("div.banner", { role: "alert", hidden: true }),
       head: el("div.panehead"),
@@ -315,6 +321,7 @@ export class App {
         const scale = first()?.scale;
         return scale ? [scale.low, scale.high] : [0, 1];
       },
+      unshaded: () => this.panes.map(({ view }) => view.unshaded).find((why) => why !== "") ?? "",
       states: () => STATES.map((_, i) => this.panes.some(({ view }) => (view.between?.counts[i] ?? 0) > 0)),
     };
   }
@@ -354,6 +361,11 @@ export class App {
       const clip = all.filter((axis) => axis !== "z" || this.panes.some(({ view }) => !view.flat));
       choices.set({ clipAxis: clip[(clip.indexOf(choices.now.clipAxis) + 1) % clip.length]! });
     };
+    const nextField = () => {
+      const all = quickFields(this.runs);
+      const field = all[(all.indexOf(choices.now.field) + 1) % all.length];
+      if (field !== undefined) choices.set(coloured(choices.now, field));
+    };
     const nextJoints = () => {
       const all = ["", "set", "interface"] as const;
       choices.set({ joints: all[(all.indexOf(choices.now.joints) + 1) % all.length]! });
@@ -375,6 +387,8 @@ export class App {
         act: () => actions.fit(side),
       })),
       { keys: ["e"], label: "e", what: "edges", act: () => choices.set({ edges: !choices.now.edges }) },
+      { keys: ["y"], label: "y", what: "light and shadow (in space)", act: () => choices.set({ shadows: !choices.now.shadows }) },
+      { keys: ["q"], label: "q", what: "colours: materials, displacement, velocity", act: nextField },
       { keys: ["u"], label: "u", what: "supports", act: () => choices.set({ supports: !choices.now.supports }) },
       { keys: ["h"], label: "h", what: "boundaries: held, moved, viscous, loaded faces (in space)", act: () => choices.set({ boundaries: !choices.now.boundaries }) },
       { keys: ["l"], label: "l", what: "loads: arrows", act: () => choices.set({ loads: !choices.now.loads }) },

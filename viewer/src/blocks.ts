@@ -6,6 +6,8 @@ import type { Scale } from "./colour";
 import { moveInPlane, moveInSpace } from "./moving";
 import type { MotionInfo, ShapeInfo } from "./run";
 import { Section, caps, sides, type Cut } from "./section";
+import { NOTHING, Ridges } from "./ridges";
+import { litBy, type Lit } from "./shade";
 import type { Packet } from "./wire";
 
 /** Faces farther apart than this share of a block, as drawn, are open. */
@@ -13,8 +15,10 @@ const OPEN = 0.004;
 /** With more faces than this, openings are told from this share of a block on only: nobody sees finer ones then. */
 const MANY = 120_000;
 const OPEN_IF_MANY = 0.03;
-/** Above this many visible faces edges cost more than they show. */
-const EDGES = 40_000;
+/** Above this many visible faces edges cost more than they show; the second where the processor draws. */
+const EDGES = [1_000_000, 100_000] as const;
+/** Blocks with more faces than this are ground from a survey. */
+const SURVEY = 300;
 /** Blocks smaller than the first number of pixels have no edges, or these would be all that is seen; larger than the second, whole ones. */
 const FADE = [3, 9] as const;
 /** Corners nearer to a cut than this share of a block lie in it. */
@@ -35,6 +39,8 @@ export interface Look {
 /** Blocks of one shape. */
 export class Blocks {
   readonly object = new THREE.Group();
+  /** The same without colours and lines: what stands in the light. */
+  readonly solid = new THREE.Group();
   readonly dimension: 2 | 3;
   readonly count: number;
   readonly ids: Uint32Array;
@@ -66,6 +72,7 @@ export class Blocks {
   /** Place of each corner among those drawn. */
   private readonly drawnAs: Uint32Array;
   private readonly mesh: THREE.Mesh;
+  private readonly cast: THREE.Mesh<THREE.BufferGeometry, THREE.MeshBasicMaterial>;
   private readonly lines: THREE.LineSegments;
   private readonly section: Section;
   /** Which side of the flat cut each block is on, as `sides` tells. */
@@ -74,17 +81,22 @@ export class Blocks {
   private readonly plane = new THREE.Plane();
   private readonly shown: Uint8Array;
   private readonly faceShown: Uint8Array;
+  private readonly ridges: Ridges;
   private triangleFace = new Uint32Array();
   private seen = "";
   private gaps: Uint8Array | null = null;
   private gapLimit = 0;
   private withEdges = false;
+  /** Whether there are too many faces for edges. */
+  crowded = false;
   private clear = false;
   private ink = "#000000";
 
   constructor(
     readonly shape: Packet<ShapeInfo>,
     scale: Scale,
+    lit: Lit,
+    private readonly software: boolean,
   ) {
     const { info } = shape;
     this.dimension = info.dimension;
@@ -127,7 +139,10 @@ export class Blocks {
     const material = flat
       ? new THREE.MeshBasicMaterial(common)
       : new THREE.MeshLambertMaterial({ ...common, flatShading: true });
+    if (material instanceof THREE.MeshLambertMaterial) litBy(material, lit);
     this.mesh = new THREE.Mesh(this.geometry, material);
+    this.cast = new THREE.Mesh(this.geometry, new THREE.MeshBasicMaterial({ colorWrite: false }));
+    this.cast.frustumCulled = false;
     this.lines = new THREE.LineSegments(
       this.edgeGeometry,
       new THREE.LineBasicMaterial({ color: 0x000000, transparent: true, opacity: flat ? 0.55 : 0.35 }),
@@ -136,13 +151,16 @@ export class Blocks {
     this.lines.frustumCulled = false;
     this.section = new Section(scale.texture);
     this.side = new Uint8Array(this.count);
+    this.ridges = new Ridges(this, (b) => this.isSurvey(b));
     this.object.add(this.mesh, this.lines, this.section.object);
+    this.solid.add(this.cast, this.section.cast);
   }
 
   dispose(): void {
     this.geometry.dispose();
     this.edgeGeometry.dispose();
     (this.mesh.material as THREE.Material).dispose();
+    this.cast.material.dispose();
     (this.lines.material as THREE.Material).dispose();
     this.section.dispose();
   }
@@ -166,12 +184,22 @@ export class Blocks {
   }
 
   /** Fits the edges to the scale of the picture. */
-  fade(metresPerPixel: number): void {
+  fade(metresPerPixel: number, quick = false): void {
     const pixels = this.size / metresPerPixel;
-    const share = Math.min(1, (pixels - FADE[0]) / (FADE[1] - FADE[0]));
+    const share = quick ? 0 : Math.min(1, (pixels - FADE[0]) / (FADE[1] - FADE[0]));
     this.lines.visible = this.withEdges && share > 0;
     (this.lines.material as THREE.Material).opacity = share * (this.dimension === 2 ? 0.55 : 0.35);
     this.section.fade(share);
+  }
+
+  /** Whether light and shadow belong to them: not in the plane, and glass has none. */
+  get isSolid(): boolean {
+    return this.dimension === 3 && !this.clear;
+  }
+
+  /** Around what is drawn. */
+  get sphere(): THREE.Sphere {
+    return this.geometry.boundingSphere!;
   }
 
   /** Blocks that the flat cut goes through. */
@@ -263,7 +291,17 @@ export class Blocks {
 
   /** Colours the blocks by their values; none: all in the first colour. */
   paint(values: Float32Array | null, scale: Scale): void {
-    for (let b = 0; b < this.count; b++) this.shades[b] = values ? scale.place(values[b]!) : 0.25;
+    const { ids, shades } = this;
+    for (let b = 0; b < this.count; b++) {
+      // Its kinds are told, its amounts are those of all that stands still.
+      const survey = (!scale.kinds || scale.field === "material") && this.isSurvey(b);
+      shades[b] = survey ? scale.terrain : values ? scale.place(values[b]!, ids[b]!) : scale.tone(ids[b]!);
+    }
+  }
+
+  /** Whether a block is ground from a survey. */
+  isSurvey(b: number): boolean {
+    return this.dimension === 3 && this.facesOf[b + 1]! - this.facesOf[b]! > SURVEY;
   }
 
   /** Decides which faces are drawn. */
@@ -335,7 +373,7 @@ export class Blocks {
   /** Ends everything at the flat cut and fills what it opens. */
   private close(edges: boolean): void {
     const { cut, side, shown } = this;
-    for (const one of [this.mesh, this.lines]) (one.material as THREE.Material).clippingPlanes = this.planes;
+    for (const one of [this.mesh, this.lines, this.cast]) (one.material as THREE.Material).clippingPlanes = this.planes;
     if (!cut) {
       this.section.clear();
       return;
@@ -406,7 +444,8 @@ export class Blocks {
       triangles += this.hollow.has(f) ? this.hollow.get(f)!.length / 3 : faceEnds[f + 1]! - faceEnds[f]! - 2;
     }
     this.visibleFaces = faces;
-    const withEdges = edges && (faces <= EDGES || this.dimension === 2);
+    this.crowded = faces > EDGES[this.software ? 1 : 0] && this.dimension === 3;
+    const withEdges = edges && !this.crowded;
     const state = `${hash} ${faces} ${withEdges}`;
     this.withEdges = withEdges;
     if (state === this.seen) return;
@@ -421,8 +460,10 @@ export class Blocks {
     drawn.count = 0;
     let t = 0;
     let e = 0;
+    const flat = this.dimension === 2;
     let block = -1;
     let begun = 0;
+    let ridges: Int32Array = new Int32Array();
     for (let f = 0; f < faceShown.length; f++) {
       if (!faceShown[f]) continue;
       const from = faceEnds[f]!;
@@ -447,19 +488,21 @@ export class Blocks {
         }
       }
       if (withEdges) {
-        if (this.blockOf[f] !== block) {
-          block = this.blockOf[f]!;
-          begun = e;
+        const b = this.blockOf[f]!;
+        if (!flat && b !== block) {
+          block = b;
+          begun = faceEnds[this.facesOf[b]!]!;
+          ridges = this.ridges.at(b);
         }
         for (let k = from; k < to; k++) {
-          const p = drawnAs[corners[k]!]!;
-          const q = drawnAs[corners[k + 1 < to ? k + 1 : from]!]!;
-          // The neighbouring face of the block has the same edge the other way round.
-          let known = false;
-          for (let i = this.dimension === 3 ? begun : e; i < e && !known; i += 2) known = lines[i] === q && lines[i + 1] === p;
-          if (known) continue;
-          lines[e++] = p;
-          lines[e++] = q;
+          if (!flat) {
+            const beyond = ridges[k - begun]!;
+            const g = beyond >> 1;
+            // Where the face beyond is seen too, one of them draws what is between them, if they meet at an angle.
+            if (beyond !== NOTHING && faceShown[g] && (g < f || !(beyond & 1))) continue;
+          }
+          lines[e++] = drawnAs[corners[k]!]!;
+          lines[e++] = drawnAs[corners[k + 1 < to ? k + 1 : from]!]!;
         }
       }
     }

@@ -21,15 +21,27 @@ export function boxOf(blocks: Extent): THREE.Box3 {
     const spare = Math.max(0.15 * (at(0.9975) - at(0.0025)), blocks.size);
     return [at(0.0025) - spare, at(0.9975) + spare];
   });
-  const point = new THREE.Vector3();
+  const { positions, offsets } = blocks;
+  const [[xl, xh], [yl, yh], [zl, zh]] = limits as [[number, number], [number, number], [number, number]];
+  const isInside = (p: number) => {
+    const [x, y, z] = [positions[3 * p]!, positions[3 * p + 1]!, positions[3 * p + 2]!];
+    return x >= xl && x <= xh && y >= yl && y <= yh && z >= zl && z <= zh;
+  };
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
   for (let b = 0; b < blocks.count; b++) {
-    const first = 3 * blocks.offsets[b]!;
-    const inside = [0, 1, 2].every((k) => {
-      const v = blocks.positions[first + k]!;
-      return v >= limits[k]![0]! && v <= limits[k]![1]!;
-    });
-    if (!inside) continue;
-    for (let p = blocks.offsets[b]!; p < blocks.offsets[b + 1]!; p++) box.expandByPoint(point.fromArray(blocks.positions, 3 * p));
+    const [from, to] = [offsets[b]!, offsets[b + 1]!];
+    let p = from;
+    // A stray has no corner there; a slab under everything else has its first one outside.
+    while (p < to && !isInside(p)) p++;
+    if (p === to) continue;
+    for (let i = 3 * from; i < 3 * to; i++) {
+      const v = positions[i]!;
+      const k = (i - 3 * from) % 3;
+      if (v < low[k]!) low[k] = v;
+      if (v > high[k]!) high[k] = v;
+    }
   }
+  if (high[0]! >= low[0]!) box.set(new THREE.Vector3(...(low as [number, number, number])), new THREE.Vector3(...(high as [number, number, number])));
   return box;
 }

@@ -19,7 +19,10 @@ export function compose(views: View[], settings: Settings, canvas = document.cre
   const ink = style.getPropertyValue("--ink").trim();
   const paper = style.getPropertyValue("--paper").trim();
   const head = Math.round(26 * ratio);
-  for (const view of views) view.stage.draw();
+  for (const { stage } of views) {
+    stage.stand();
+    stage.draw();
+  }
   const sizes = views.map((v) => [v.stage.canvas.width, v.stage.canvas.height] as const);
   // Films want even sizes.
   const width = sizes.reduce((sum, s) => sum + s[0], 0) & ~1;

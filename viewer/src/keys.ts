@@ -19,7 +19,7 @@ export function listen(shortcuts: Shortcut[], host: HTMLElement): void {
     if (host.classList.contains("replay") && !inside) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as HTMLElement;
-    const typing = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type === "number");
+    const typing = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && ["number", "text"].includes(target.type));
     if (typing) return;
     // A slider or button keeps the keys that move or press it.
     const slider = target instanceof HTMLInputElement && target.type === "range";

@@ -1,6 +1,6 @@
 // The legend on a picture: colours with numbers, arrows, contacts; as elements and drawn into exported pictures.
 
-import { kindColour, type Scale } from "./colour";
+import { TERRAIN, kindColour, type Scale } from "./colour";
 import { el } from "./dom";
 import { scaleFor, short, ticks, quantity } from "./format";
 import { RULER } from "./line";
@@ -21,13 +21,16 @@ export interface LegendText {
 export function legendOf(view: View, settings: Settings): LegendText {
   const { scale } = view;
   const out: LegendText = { title: "", marks: [], kinds: scale.kinds, notes: [] };
+  const survey = view.survey;
   if (view.values && settings.field) {
     if (scale.kinds) {
       out.title = settings.field;
       const kinds = [...new Set(view.values)].filter(Number.isFinite).sort((a, b) => a - b);
       // Of more kinds two would have one colour.
       if (kinds.length <= 10) {
-        out.marks = kinds.map((k, i) => ({ at: i, text: kindName(view.run, settings.field, k), colour: kindColour(k, settings.field) }));
+        const ground = settings.field === "material" ? survey.map((b) => view.values![b]!) : [];
+        const colour = (k: number) => (ground.includes(k) ? TERRAIN : kindColour(k, settings.field));
+        out.marks = kinds.map((k, i) => ({ at: i, text: kindName(view.run, settings.field, k), colour: colour(k) }));
       }
     } else {
       const unit = scaleFor(Math.max(Math.abs(scale.low), Math.abs(scale.high)), view.unit);
@@ -37,6 +40,7 @@ export function legendOf(view: View, settings: Settings): LegendText {
       if (beyond > 0) out.notes.push({ text: `${beyond} block${beyond === 1 ? "" : "s"} beyond` });
     }
   }
+  if (survey.length > 0 && !scale.kinds) out.notes.push({ text: "ground, without the field", colour: TERRAIN });
   if (view.warned > 0) out.notes.push({ text: `${view.warned} block${view.warned === 1 ? "" : "s"} with warnings`, colour: WARNED });
   if (view.supports !== null) out.notes.push({ text: `${view.supports} held or moved`, colour: "#2f7bd9" });
   if (view.supports !== null && view.driven > 0) out.notes.push({ text: `${view.driven} of them driven`, colour: "#e07b1a" });

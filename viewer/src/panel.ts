@@ -23,6 +23,8 @@ export interface Actions {
   line: () => void;
   history: () => void;
   range: () => [number, number];
+  /** Why there are no shadows or edges though they are asked for; empty if there are. */
+  unshaded: () => string;
   /** Which states of contacts the frames shown have. */
   states: () => boolean[];
 }
@@ -95,10 +97,15 @@ export class Panel {
     const field = choice(
       [["", "one colour"], ...names.map((n): [string, string] => [n, n])],
       now.field,
-      (name) => choices.set({ field: name, map: defaultMap(name), log: false, rangeMode: now.rangeMode === "fixed" ? "most" : now.rangeMode }),
+      (name) => choices.set(coloured(now, name)),
       "field",
     );
-    const rows = [row("Field", field)];
+    const quick = quickFields(this.runs).map((name) => {
+      const act = () => choices.set(coloured(now, name));
+      return el("button", { type: "button", title: "Colour by this field (q: the next)", "aria-pressed": String(name === now.field), onclick: act }, name || "one colour");
+    });
+    const rows: HTMLElement[] = [row("Field", field)];
+    if (quick.length > 1) rows.push(el("div.buttons", {}, ...quick));
     const meaning = this.meaning(now.field);
     if (meaning) rows.push(el("p.hint", {}, meaning));
     // Kinds have their own colours and no range.
@@ -183,11 +190,13 @@ export class Panel {
         small("line", "Distance, and the field along a line: click both ends; again: remove it (d)", actions.line),
       ),
       el("div.checks", {}, check("edges", now.edges, (edges) => choices.set({ edges }), "Draw the edges of the blocks (e)"),
+        this.dimension === 3 ? check("shadows", now.shadows, (shadows) => choices.set({ shadows }), "Shadows of the sun, and darker hollows (y)") : null,
         this.runs.some((r) => r.hasField("held"))
           ? check("supports", now.supports, (supports) => choices.set({ supports }), "Outline the blocks that supports hold or move (u)")
           : null,
         ...this.conditionChecks(),
       ),
+      ...((now.shadows || now.edges) && actions.unshaded() ? [el("p.hint", {}, actions.unshaded())] : []),
       row(
         "Joints",
         choice(
@@ -388,6 +397,17 @@ export class Panel {
       el("table", {}, ...(numbers.name ? [named("number", String(numbers.block))] : []), ...groups, ...rows),
     );
   }
+}
+
+/** Fields that most people look at. */
+export function quickFields(runs: Run[]): string[] {
+  const names = new Set(runs.flatMap((r) => namesOf(r)));
+  return [names.has("material") ? "material" : "", ...["displacement", "velocity"].filter((name) => names.has(name))];
+}
+
+/** Another field for the colours, with what goes with it. */
+export function coloured(now: Settings, field: string): Partial<Settings> {
+  return { field, map: defaultMap(field), log: false, rangeMode: now.rangeMode === "fixed" ? "most" : now.rangeMode };
 }
 
 function named(name: string, text: string): HTMLElement {

@@ -112,7 +112,7 @@ export function read(text: string): SavedView[] {
   return given.map((one: Partial<SavedView>, i) => {
     const { name, eye, target } = one;
     if (typeof name !== "string" || !isTriple(eye) || !isTriple(target)) throw wrong(`view ${i + 1} needs a name, an eye and a target`);
-    const rest = { up: [0, 0, 1] as Triple, angle: 32, zoom: 1, field: DEFAULTS.field, log: false, range: null, exaggeration: 1, cut: null, bolts: true };
+    const rest = { up: [0, 0, 1] as Triple, angle: 32, zoom: 1, field: "displacement", log: false, range: null, exaggeration: 1, cut: null, bolts: true };
     return { ...rest, ...one, name, eye, target, settings: one.settings ?? {} };
   });
 }
@@ -234,7 +234,8 @@ export class SavedViews {
   }
 
   private go(saved: SavedView): void {
-    const { states, ...rest } = { ...DEFAULTS, ...saved.settings };
+    // The field stands in the view itself: files of earlier versions do not repeat that of a new page.
+    const { states, ...rest } = { ...DEFAULTS, ...saved.settings, field: saved.field };
     this.choices.set({ ...rest, states: [...states] });
     for (const view of this.views()) if (view.blocks) view.stage.follow(standpointOf(view, saved));
   }

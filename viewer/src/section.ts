@@ -213,6 +213,8 @@ function inside(p: THREE.Vector2, outline: THREE.Vector2[]): boolean {
 /** The caps on the stage. */
 export class Section {
   readonly object = new THREE.Group();
+  /** The caps without colours. */
+  readonly cast: THREE.Mesh<THREE.BufferGeometry, THREE.MeshBasicMaterial>;
   private readonly mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshBasicMaterial>;
   private readonly lines: THREE.LineSegments<THREE.BufferGeometry, THREE.LineBasicMaterial>;
   private owners: number[] = [];
@@ -226,6 +228,8 @@ export class Section {
       new THREE.BufferGeometry(),
       new THREE.LineBasicMaterial({ color: 0x000000, transparent: true, opacity: 0.55 }),
     );
+    this.cast = new THREE.Mesh(this.mesh.geometry, new THREE.MeshBasicMaterial({ colorWrite: false, side: THREE.DoubleSide }));
+    this.cast.frustumCulled = false;
     for (const one of [this.mesh, this.lines]) {
       one.frustumCulled = false;
       this.object.add(one);
@@ -239,6 +243,7 @@ export class Section {
 
   clear(): void {
     this.object.visible = false;
+    this.cast.visible = false;
     this.owners = [];
   }
 
@@ -248,6 +253,7 @@ export class Section {
     this.object.visible = lines.length > 0;
     this.withEdges = edges;
     this.mesh.visible = triangles.length > 0;
+    this.cast.visible = this.mesh.visible;
     const uv = new Float32Array(6 * owners.length);
     owners.forEach((b, t) => {
       for (let k = 0; k < 3; k++) uv[6 * t + 2 * k] = shades[b]!;

@@ -11,6 +11,8 @@ export interface Settings {
   log: boolean;
   exaggeration: number;
   edges: boolean;
+  /** Shadows of the sun, and darker hollows. */
+  shadows: boolean;
   /** Outlines of the blocks that supports hold. */
   supports: boolean;
   /** Faces of boundaries in colours. */
@@ -49,7 +51,8 @@ export interface Settings {
 }
 
 export const DEFAULTS: Settings = {
-  field: "displacement",
+  // Until somebody chooses: the start is 0 everywhere, and at the end what the model is made of is seen first.
+  field: "material",
   map: "light",
   rangeMode: "most",
   low: 0,
@@ -57,6 +60,7 @@ export const DEFAULTS: Settings = {
   log: false,
   exaggeration: 1,
   edges: true,
+  shadows: true,
   supports: false,
   boundaries: false,
   loads: false,

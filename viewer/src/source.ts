@@ -1,5 +1,6 @@
 // Where answers about a run come from: the server of `riprap view`, or the page itself in a report.
 
+import { wordsOf, type Loading, type Waiting } from "./loading";
 import { Packet } from "./wire";
 
 /** Why something cannot be shown, in words for the person in front of the page. */
@@ -21,14 +22,27 @@ export interface Source {
 
 /** Asks the server about one of its runs. */
 export class Served implements Source {
-  constructor(private readonly run: number) {}
+  constructor(
+    private readonly run: number,
+    private readonly loading: Loading,
+  ) {}
 
-  async json<T>(question: string): Promise<T> {
-    return (await (await this.ask(question)).json()) as T;
+  json<T>(question: string): Promise<T> {
+    return this.told(question, async (response) => (await response.json()) as T);
   }
 
-  async packet<T>(question: string): Promise<Packet<T>> {
-    return new Packet<T>(await (await this.ask(question)).arrayBuffer());
+  packet<T>(question: string): Promise<Packet<T>> {
+    return this.told(question, async (response, waiting) => new Packet<T>(await bytesOf(response, waiting)));
+  }
+
+  /** Asks, and tells how far the answer has come. */
+  private async told<T>(question: string, read: (response: Response, waiting: Waiting) => Promise<T>): Promise<T> {
+    const waiting = this.loading.begin(wordsOf(question));
+    try {
+      return await read(await this.ask(question), waiting);
+    } finally {
+      this.loading.end(waiting);
+    }
   }
 
   file(name: string): string {
@@ -46,6 +60,23 @@ export class Served implements Source {
     const told = (await response.json().catch(() => ({}))) as { what?: string; hint?: string };
     throw new Problem(told.what ?? `${question}: ${response.status}`, told.hint ?? "Reload the page.");
   }
+}
+
+/** The bytes of an answer, counted while they come where they are many. */
+async function bytesOf(response: Response, waiting: Waiting): Promise<ArrayBuffer> {
+  const length = Number(response.headers.get("content-length"));
+  if (!response.body || !(length > 1e6)) return response.arrayBuffer();
+  waiting.of = length;
+  const all = new Uint8Array(length);
+  const reader = response.body.getReader();
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    all.set(value, waiting.got);
+    waiting.got += value.length;
+  }
+  if (waiting.got !== length) throw new Problem("The answer of the viewer was cut off.", "Reload the page.");
+  return all.buffer;
 }
 
 /** Answers that the page itself holds: gzip in base64 by question. */

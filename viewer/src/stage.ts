@@ -3,6 +3,8 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import type { Blocks } from "./blocks";
+import { Shading } from "./shade";
 import { Problem } from "./source";
 
 type Camera = THREE.OrthographicCamera | THREE.PerspectiveCamera;
@@ -13,6 +15,14 @@ export interface Standpoint {
   target: THREE.Vector3;
   zoom: number;
 }
+
+/** With more faces than this, shadows would take longer than the picture itself; the second where the processor draws. */
+const SHADED = [1_500_000, 150_000] as const;
+
+/** Where the processor draws more faces than this, pictures of a camera that moves have neither shadows nor edges. */
+const QUICK = 20_000;
+/** A camera that has not moved for so long stands, ms. */
+const STANDS = 220;
 
 export type Side = "default" | "x" | "y" | "z";
 
@@ -25,8 +35,16 @@ export class Stage {
   onMove: ((from: Standpoint) => void) | null = null;
   onDrawn: (() => void) | null = null;
   /** Called before a picture is drawn, with its scale. */
-  onDraw: ((metresPerPixel: number) => void) | null = null;
-  private readonly light = new THREE.DirectionalLight(0xffffff, 1.6);
+  onDraw: ((metresPerPixel: number, quick: boolean) => void) | null = null;
+  private standing = 0;
+  private moving = false;
+  /** What stands in the light, if shadows are wanted. */
+  shadowed: Blocks | null = null;
+  readonly shading: Shading;
+  /** Whether the processor draws, for want of graphics. */
+  readonly software: boolean;
+  private readonly light = new THREE.DirectionalLight(0xffffff, 1.5);
+  private readonly sky = new THREE.HemisphereLight(0xffffff, 0xd0d0d0, 1.35);
   private due = false;
   /** Which way is up in space. */
   up: "y" | "z" = "z";
@@ -46,6 +64,7 @@ export class Stage {
     }
     // Smooth edges cost a processor more than all else.
     const software = drawnBySoftware();
+    this.software = software;
     // Kept after drawing, since saved pictures are read from the canvas.
     this.renderer = new THREE.WebGLRenderer({ antialias: !software, preserveDrawingBuffer: true });
     this.renderer.localClippingEnabled = true;
@@ -54,8 +73,9 @@ export class Stage {
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("aria-label", "the blocks");
     host.append(this.canvas);
-    // One light over the shoulder and much from everywhere: shades tell faces apart, colours stay readable.
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0xdcdcdc, 1.75), this.light, this.light.target, this.axes);
+    this.shading = new Shading(this.renderer, software);
+    // The sun stands still beside the model, and much light comes from everywhere: shades tell faces apart, colours stay readable.
+    this.scene.add(this.sky, this.light, this.axes);
     this.camera = this.makeCamera();
     this.controls = this.makeControls();
     new ResizeObserver(() => this.resize()).observe(host);
@@ -95,10 +115,29 @@ export class Stage {
       controls.touches = { ONE: THREE.TOUCH.PAN, TWO: THREE.TOUCH.DOLLY_PAN };
     }
     controls.addEventListener("change", () => {
+      this.moves();
       this.redraw();
       if (!this.following) this.onMove?.(this.standpoint());
     });
     return controls;
+  }
+
+  /** Someone turns the model: it follows at once, and gets its shadows when it stands. */
+  private moves(): void {
+    const { shadowed } = this;
+    if (!this.software || this.following || !shadowed || shadowed.visibleFaces <= QUICK) return;
+    this.moving = true;
+    clearTimeout(this.standing);
+    this.standing = window.setTimeout(() => {
+      this.moving = false;
+      this.redraw();
+    }, STANDS);
+  }
+
+  /** The camera stands from now on: the next picture is whole. */
+  stand(): void {
+    clearTimeout(this.standing);
+    this.moving = false;
   }
 
   standpoint(): Standpoint {
@@ -146,6 +185,7 @@ export class Stage {
     }
     this.camera.updateProjectionMatrix();
     this.controls.update();
+    this.stand();
     this.redraw();
   }
 
@@ -183,12 +223,22 @@ export class Stage {
   /** Draws now. */
   draw(): void {
     this.due = false;
-    const away = this.camera.position.clone().sub(this.controls.target);
-    this.light.position.copy(this.camera.position).add(new THREE.Vector3(0.3, this.up === "y" ? 0.8 : 0.2, this.up === "y" ? 0.2 : 0.8).multiplyScalar(away.length()));
-    this.light.target.position.copy(this.controls.target);
-    this.onDraw?.(this.metresPerPixel());
+    // To the left of and above the eye as it stands at first.
+    const sun = this.up === "y" ? new THREE.Vector3(-1.0, 1.5, 0.5) : new THREE.Vector3(-1.0, -0.5, 1.5);
+    this.light.position.copy(sun);
+    this.sky.position.set(0, this.up === "y" ? 1 : 0, this.up === "y" ? 0 : 1);
+    this.onDraw?.(this.metresPerPixel(), this.moving);
+    const { shadowed, camera } = this;
+    if (shadowed?.isSolid && !this.moving && !this.tooMany(shadowed) && camera instanceof THREE.PerspectiveCamera) {
+      this.shading.draw(shadowed.solid, camera, shadowed.sphere, sun, shadowed.size);
+    } else this.shading.clear();
     this.renderer.render(this.scene, this.camera);
     this.onDrawn?.();
+  }
+
+  /** Whether blocks have too many faces to be shown in light and shadow. */
+  tooMany(blocks: Blocks): boolean {
+    return blocks.visibleFaces > SHADED[this.software ? 1 : 0];
   }
 
   /** A ray through a place of the canvas. */

@@ -6,6 +6,7 @@ import { KINDS, Scale } from "./colour";
 import { ConditionMarks, type Note } from "./conditions";
 import { quantity, short } from "./format";
 import { JointMarks } from "./joints";
+import type { Loading } from "./loading";
 import { piecesAlong, Ruler, type Piece } from "./line";
 import { Arrows, Bolts, Chains, Charges, Contacts, Picked, contactPlaces } from "./marks";
 import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run, type StressInfo } from "./run";
@@ -34,6 +35,8 @@ interface Fetched {
 /** Outline and dot of blocks that warnings name, and how many of them have these at most. */
 export const WARNED = "#e8a200";
 const WARNED_MOST = 2000;
+/** It takes a while to prepare more blocks than this. */
+const MANY = 50_000;
 /** A corner nearer than this to the pointer is meant, pixels. */
 const SNAP = 9;
 
@@ -96,9 +99,10 @@ export class View {
   constructor(
     readonly run: Run,
     readonly host: HTMLElement,
+    private readonly loading: Loading,
   ) {
     this.stage = new Stage(host, 2);
-    this.stage.onDraw = (metresPerPixel) => this.blocks?.fade(metresPerPixel);
+    this.stage.onDraw = (metresPerPixel, quick) => this.blocks?.fade(metresPerPixel, quick);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
     this.warnedDots.frustumCulled = false;
@@ -111,6 +115,16 @@ export class View {
 
   get flat(): boolean {
     return this.blocks?.dimension !== 3;
+  }
+
+  /** Why there are no shadows or edges where there could be; empty if there is nothing to say. */
+  get unshaded(): string {
+    const { blocks, stage } = this;
+    if (!blocks || blocks.dimension === 2) return "";
+    if (!blocks.isSolid) return "No shadows between blocks of glass.";
+    const many = stage.tooMany(blocks);
+    if (!many && !blocks.crowded) return "";
+    return `No ${[many ? "shadows" : "", blocks.crowded ? "edges" : ""].filter(Boolean).join(" and ")}: ${blocks.visibleFaces.toLocaleString("en")} faces are too many ${stage.software ? "without graphics hardware" : "for them"}.`;
   }
 
   setTheme(background: string, ink: string): void {
@@ -132,7 +146,11 @@ export class View {
       if (this.blocks?.shape.info.key !== key) {
         const shape = await this.run.shape(key, k);
         if (ticket !== this.ticket) return false;
-        this.build(new Blocks(shape, this.scale));
+        const many = shape.u32("ids").length;
+        const waiting = many > MANY ? await this.loading.announce(`Preparing ${many.toLocaleString("en")} blocks`) : null;
+        if (ticket === this.ticket) this.build(new Blocks(shape, this.scale, this.stage.shading.lit, this.stage.software));
+        if (waiting) this.loading.end(waiting);
+        if (ticket !== this.ticket) return false;
         // Blocks that were made since.
         const { conditions, blocks } = { conditions: this.run.conditions, blocks: this.blocks! };
         if (conditions && blocks.ids.some((id) => id >= conditions.blocks)) await this.run.readModel();
@@ -224,6 +242,8 @@ export class View {
     blocks.paint(this.values, this.scale);
     blocks.reveal(look, this.values);
     blocks.glass = (settings.cracks || settings.chains || settings.joints !== "") && !this.flat;
+    this.stage.shadowed = settings.shadows ? blocks : null;
+    this.stage.shading.moved();
     const { planes } = blocks;
     for (const marks of Object.values(this.marks)) marks.end(planes);
     this.charges.object.visible = settings.charges;
@@ -372,7 +392,7 @@ export class View {
     scale.field = settings.field;
     if (!this.values) {
       scale.kinds = false;
-      scale.plain("#b9a88c");
+      scale.plain();
       return;
     }
     const own = last?.field?.info;
@@ -394,6 +414,13 @@ export class View {
     scale.high = high;
     scale.log = settings.log;
     scale.paint(settings.map);
+  }
+
+  /** Places of the blocks that are ground from a survey. */
+  get survey(): number[] {
+    const { blocks } = this;
+    if (!blocks || this.flat) return [];
+    return Array.from({ length: blocks.count }, (_, b) => b).filter((b) => blocks.isSurvey(b));
   }
 
   private shiftOf(b: number, factor: number, target: THREE.Vector3): THREE.Vector3 {

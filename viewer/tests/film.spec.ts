@@ -128,7 +128,7 @@ test("saved views come back, go into a file and lead the camera of a film", asyn
   await page.keyboard.press("Enter");
   await expect.poll(() => different(page, whole)).toBeGreaterThan(0.02);
   await page.getByRole("button", { name: "whole", exact: true }).click();
-  await expect(field).toHaveValue("displacement");
+  await expect(field).toHaveValue("material");
   await expect.poll(() => different(page, whole)).toBeLessThan(0.001);
   await shoot(page, "saved-views");
 

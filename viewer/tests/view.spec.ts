@@ -6,6 +6,9 @@ test("a planar run plays, scrubs, colours, picks and plots", async ({ view }) =>
   const page = await view("topple");
   await expect(page.locator("h1")).toContainText(/topple|column/i);
   await expect(page.locator(".badge")).toHaveText("finished");
+  // What it is made of comes first, any other field after one click.
+  await expect(page.locator(".legend .title")).toHaveText("material");
+  await page.getByRole("button", { name: "displacement", exact: true }).click();
   await expect(page.locator(".legend .title")).toHaveText(/^displacement/);
   // A finished run opens at its last frame.
   await page.keyboard.press("Home");

@@ -13,6 +13,8 @@ use crate::run::{Problem, Run};
 
 /// Fields of the replay, as far as the frames have them and there is room.
 const FIELDS: [&str; 8] = [
+    // What a page shows first.
+    "material",
     "displacement",
     "velocity",
     "sigma1_compressive",
@@ -20,7 +22,6 @@ const FIELDS: [&str; 8] = [
     "rotation",
     "peak_speed",
     "level",
-    "material",
 ];
 /// Vectors of the replay, after the fields.
 const ARROWS: [&str; 3] = ["displacement", "velocity", "force"];
