@@ -6,6 +6,7 @@ import { listen, sheet, type Shortcut } from "./keys";
 import type { Loading } from "./loading";
 import { legendElement, legendOf } from "./legend";
 import { STATES } from "./marks";
+import { labelElements, pinned } from "./notes";
 import { Panel, coloured, quickFields } from "./panel";
 import { Plots, namesOf, type AlongLine } from "./plots";
 import { Run, told, type Moment } from "./run";
@@ -30,6 +31,7 @@ interface Pane {
   banner: HTMLElement;
   head: HTMLElement;
   triad: HTMLElement;
+  notes: HTMLElement;
 }
 
 export class App {
@@ -41,12 +43,18 @@ export class App {
   private timeline!: Timeline;
   private panel: Panel | null = null;
   private plots: Plots | null = null;
-  private readonly saved = new SavedViews(() => this.panes.map(({ view }) => view), this.choices);
+  private readonly saved = new SavedViews(
+    () => this.panes.map(({ view }) => view),
+    this.choices,
+    (text) => this.setMeasuring(true, text),
+  );
   private readonly stages = el("div.stages");
   private readonly badge = el("span.badge");
   private readonly title = el("h1");
   /** Whether the next click is an end of the line. */
   private measuring = false;
+  /** A text whose place the next click tells; empty: none. */
+  private writing = "";
   private work: AbortController | null = null;
 
   constructor(
@@ -158,21 +166,27 @@ export class App {
       banner: el("div.banner", { role: "alert", hidden: true }),
       head: el("div.panehead"),
       triad: el("div.triad", { "aria-hidden": "true" }),
+      notes: el("div.notes"),
     };
-    host.append(pane.head, pane.legend, pane.banner, pane.triad);
+    host.append(pane.notes, pane.head, pane.legend, pane.banner, pane.triad);
     this.stages.append(host);
     this.panes.push(pane);
     const { view } = pane;
     view.stage.onMove = (from) => {
       for (const other of this.panes) if (other !== pane) other.view.stage.follow(from);
     };
-    view.stage.onDrawn = () => drawTriad(pane);
+    view.stage.onDrawn = () => {
+      drawTriad(pane);
+      pane.notes.replaceChildren(...labelElements(view.labels()));
+    };
+    view.onChange = () => this.refreshPane(pane);
     let down: [number, number] | null = null;
     view.stage.canvas.addEventListener("pointerdown", (e) => (down = [e.clientX, e.clientY]));
     view.stage.canvas.addEventListener("pointerup", (e) => {
       // A click, not the end of a drag.
       if (down && Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 5 && e.button === 0) {
-        if (this.measuring) this.measure(view, e.clientX, e.clientY);
+        if (this.writing) this.write(view, e.clientX, e.clientY);
+        else if (this.measuring) this.measure(view, e.clientX, e.clientY);
         else void this.pick(pane, view.pickAt(e.clientX, e.clientY));
       }
       down = null;
@@ -205,8 +219,18 @@ export class App {
     this.plots?.changed();
   }
 
-  private setMeasuring(on: boolean): void {
+  /** Puts the text that waits where a click was. */
+  private write(view: View, x: number, y: number): void {
+    const place = view.placeAt(x, y);
+    if (!place || !view.blocks || !view.motion) return;
+    this.saved.addNote(pinned(this.writing, place, view.pickAt(x, y), view.blocks, view.motion, this.choices.now.exaggeration));
+    this.setMeasuring(false);
+  }
+
+  /** The next click tells a place: of the line, or of a text. */
+  private setMeasuring(on: boolean, text = ""): void {
     this.measuring = on;
+    this.writing = text;
     this.host.classList.toggle("measuring", on);
   }
 
@@ -413,7 +437,15 @@ export class App {
       { keys: ["m"], label: "m", what: "panel", act: () => this.toggle("no-panel") },
       { keys: ["s"], label: "s", what: "save a picture", act: () => void this.save("picture") },
       { keys: ["t"], label: "t", what: "light, dark", act: () => this.flipTheme() },
-      { keys: ["Escape"], label: "Esc", what: "deselect the block", act: () => actions.unpick() },
+      {
+        keys: ["Escape"],
+        label: "Esc",
+        what: "deselect the block; no note after all",
+        act: () => {
+          if (this.writing) this.setMeasuring(false);
+          actions.unpick();
+        },
+      },
       { keys: ["?"], label: "?", what: "this sheet", act: () => document.querySelector<HTMLDialogElement>("dialog.sheet")?.showModal() },
     ];
   }

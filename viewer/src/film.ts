@@ -3,6 +3,7 @@
 import { zipSync } from "fflate";
 import { save } from "./dom";
 import { legendOf, paintLegend } from "./legend";
+import { paintLabels } from "./notes";
 import type { Settings } from "./settings";
 import type { Standpoint } from "./stage";
 import type { Timeline } from "./timeline";
@@ -44,6 +45,7 @@ export function compose(views: View[], settings: Settings, canvas = document.cre
     ctx.font = `600 ${13 * ratio}px system-ui, sans-serif`;
     ctx.fillText(`${manifest.title || view.run.summary.name}   ${time}`, x + 12 * ratio, head / 2, sizes[i]![0] - 24 * ratio);
     paintLegend(ctx, legendOf(view, settings), view.scale, [x + 14 * ratio, head + 8 * ratio], ratio, ink);
+    paintLabels(ctx, view.labels(), [x, head, ...sizes[i]!], ratio, [ink, paper]);
     x += sizes[i]![0];
   });
   return canvas;

@@ -1,6 +1,6 @@
 // The legend on a picture: colours with numbers, arrows, contacts; as elements and drawn into exported pictures.
 
-import { TERRAIN, kindColour, type Scale } from "./colour";
+import { MAPS, TERRAIN, kindColour, type Scale } from "./colour";
 import { el } from "./dom";
 import { scaleFor, short, ticks, quantity } from "./format";
 import { RULER } from "./line";
@@ -57,6 +57,11 @@ export function legendOf(view: View, settings: Settings): LegendText {
   if (view.chained) {
     const { count, longest, unit } = view.chained;
     out.notes.push({ text: `forces of ${count} contacts up to ${quantity(longest, unit, 3)}`, colour: CHAINS });
+  }
+  if (view.trailed) {
+    const { count, fastest, left } = view.trailed;
+    const of = `trail${count === 1 ? "" : "s"} of ${count} block${count === 1 ? "" : "s"}${left > 0 ? ` (${left} more)` : ""}`;
+    out.notes.push(settings.trailColour === "speed" && fastest > 0 ? { text: `${of}, up to ${quantity(fastest, "m/s", 3)}`, colour: MAPS.turbo!(0.95) } : { text: of });
   }
   if (view.stressShown?.range) {
     const { range: [low, high], longest, unit, beyond } = view.stressShown;

@@ -309,6 +309,7 @@ export class Panel {
       size.addEventListener("input", () => choices.set({ vectorSize: 10 ** Number(size.value) }));
       rows.push(row("Size", size));
     }
+    if (this.runs.some((r) => r.frames > 1)) rows.push(...this.trailRows());
     if (!contacts) return [...rows, ...hint];
     rows.push(
       el(
@@ -344,6 +345,20 @@ export class Panel {
       );
     }
     return [...rows, ...hint];
+  }
+
+  private trailRows(): HTMLElement[] {
+    const { choices } = this;
+    const { trails, trailColour } = choices.now;
+    const which: [Settings["trails"], string][] = [["", "none"], ["moving", "of all that moved"], ["picked", "of the picked block"]];
+    const colour: [Settings["trailColour"], string][] = [["speed", "by speed"], ["block", "by block"]];
+    return [
+      row(
+        "Trails",
+        choice(which, trails, (v) => choices.set({ trails: v as Settings["trails"] }), "trails"),
+      ),
+      ...(trails ? [row("Coloured", choice(colour, trailColour, (v) => choices.set({ trailColour: v as Settings["trailColour"] }), "colour of trails"))] : []),
+    ];
   }
 
   private saveBox(): HTMLElement {

@@ -3,6 +3,7 @@
 import * as THREE from "three";
 import { KINDS } from "./colour";
 import { choice, el, row, save } from "./dom";
+import { LONGEST, readNotes, type Annotation } from "./notes";
 import { DEFAULTS, type Choices, type Settings } from "./settings";
 import { Problem } from "./source";
 import type { Standpoint } from "./stage";
@@ -123,12 +124,16 @@ export class SavedViews {
   /** How the camera of a film moves. */
   path: Path = "";
   private all: SavedView[] = [];
+  private notes: Annotation[] = [];
+  private readonly noteList = el("div.buttons");
   private readonly said = el("p.hint", { role: "status" });
   private readonly list = el("div.buttons");
 
   constructor(
     private readonly views: () => View[],
     private readonly choices: Choices,
+    /** Lets somebody click the place of a text. */
+    private readonly annotate: (text: string) => void,
   ) {
     const name = el("input", { type: "text", placeholder: "name", "aria-label": "name of the view", maxLength: 60 });
     const keep = () => {
@@ -142,9 +147,37 @@ export class SavedViews {
     this.object.append(
       el("div.buttons", {}, name, button("save view", "Keep camera, colours and cut under this name", keep), button("views.json", "All saved views in a file: riprap shot RUN --views FILE --saved NAME draws them; in the run folder the viewer finds them again", () => this.write())),
       this.list,
+      this.noteRow(),
+      this.noteList,
       this.said,
     );
     this.fill();
+  }
+
+  /** Where texts are written. */
+  private noteRow(): HTMLElement {
+    const text = el("input", { type: "text", placeholder: "text", "aria-label": "text of the note", maxLength: LONGEST });
+    const put = () => {
+      const said = text.value.trim();
+      if (!said) {
+        this.said.textContent = "Write a text first, then click its place.";
+        return;
+      }
+      this.said.textContent = "Click its place: on a block it goes along with it.";
+      this.annotate(said);
+      text.value = "";
+      text.blur();
+    };
+    text.addEventListener("keydown", (e) => {
+      if (e.key === "Enter") put();
+    });
+    return el("div.buttons", {}, text, el("button", { type: "button", title: "Put this text on a block or a place of the model; it is kept with the views, and in pictures and films", onclick: put }, "note"));
+  }
+
+  /** Keeps a text. */
+  addNote(note: Annotation): void {
+    this.notes.push(note);
+    this.kept();
   }
 
   /** What the camera does while frames and films are saved. */
@@ -166,13 +199,18 @@ export class SavedViews {
     if (!run) return;
     try {
       const kept = localStorage.getItem(this.key());
-      if (kept) this.all = read(kept);
+      if (kept) [this.all, this.notes] = [read(kept), readNotes(kept)];
     } catch {
       // A page that may keep nothing, or what another version kept.
     }
     try {
       const href = run.summary.views ? run.source.file("views.json") : undefined;
-      if (href) for (const view of read(await (await fetch(href)).text())) this.put(view);
+      const text = href ? await (await fetch(href)).text() : null;
+      if (text !== null) {
+        for (const view of read(text)) this.put(view);
+        const same = (a: Annotation, b: Annotation) => a.text === b.text && a.block === b.block && a.at.every((v, k) => v === b.at[k]);
+        for (const note of readNotes(text)) if (!this.notes.some((other) => same(note, other))) this.notes.push(note);
+      }
     } catch (error) {
       this.said.textContent = error instanceof Problem ? `${error.what} ${error.hint}` : String(error);
     }
@@ -206,11 +244,11 @@ export class SavedViews {
   }
 
   private text(): string {
-    return JSON.stringify({ views: this.all }, null, 1);
+    return JSON.stringify({ views: this.all, notes: this.notes }, null, 1);
   }
 
   private write(): void {
-    if (this.all.length === 0) this.said.textContent = "No views saved yet.";
+    if (this.all.length + this.notes.length === 0) this.said.textContent = "No views and no notes saved yet.";
     else save(new Blob([this.text()], { type: "application/json" }), "views.json");
   }
 
@@ -225,7 +263,20 @@ export class SavedViews {
         ),
       ),
     );
+    this.noteList.replaceChildren(
+      ...this.notes.map((note) => {
+        const drop = () => {
+          this.notes = this.notes.filter((n) => n !== note);
+          this.kept();
+        };
+        return el("span.saved", {}, el("span", {}, note.text), el("button", { type: "button", title: "Remove this note", "aria-label": `remove note ${note.text}`, onclick: drop }, "×"));
+      }),
+    );
     this.said.textContent = "";
+    for (const view of this.views()) {
+      view.notes = this.notes;
+      view.stage.redraw();
+    }
   }
 
   private remove(view: SavedView): void {

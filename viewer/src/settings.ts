@@ -44,6 +44,11 @@ export interface Settings {
   bolts: boolean;
   /** Tubes through contacts, as thick as their forces. */
   chains: boolean;
+  /** Ways of blocks up to the frame that is shown: of all that have moved, or of the picked one. */
+  trails: "" | "moving" | "picked";
+  trailColour: "speed" | "block";
+  /** Texts at places of the model. */
+  notes: boolean;
   /** Stars at charges. */
   charges: boolean;
   speed: number;
@@ -82,6 +87,9 @@ export const DEFAULTS: Settings = {
   cracks: false,
   bolts: true,
   chains: false,
+  trails: "",
+  trailColour: "speed",
+  notes: true,
   charges: true,
   speed: 10,
   loop: true,

@@ -10,10 +10,13 @@ import type { Loading } from "./loading";
 import { piecesAlong, Ruler, type Piece } from "./line";
 import { Arrows, Bolts, Chains, Charges, Contacts, Picked, contactPlaces } from "./marks";
 import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run, type StressInfo } from "./run";
-import { normalInPlane, normalOf, type Cut } from "./section";
+import { cutAway, cutOf, cutText } from "./cutting";
+import type { Cut } from "./section";
 import type { Settings } from "./settings";
 import { Stage } from "./stage";
 import { StressMarks, type StressShown } from "./stress";
+import { placeOf, type Annotation, type Label } from "./notes";
+import { Trails, type TrailsShown } from "./trails";
 import { blocksOf } from "./warnings";
 import type { Packet } from "./wire";
 
@@ -89,10 +92,19 @@ export class View {
   /** Principal stresses that are drawn as crosses, with the number of blocks beyond the longest. */
   stressShown: StressShown | null = null;
   private last: Fetched | null = null;
+  private atRest = new THREE.Box3();
   private ticket = 0;
   private ink = "#000000";
   /** Colours span the values of the frame alone where those of the run are not known: these need all frames to be read. */
   hasty = false;
+  /** Trails that are drawn. */
+  trailed: TrailsShown | null = null;
+  /** Texts at places of the model. */
+  notes: Annotation[] = [];
+  /** Called when something has come that the legend tells of. */
+  onChange: (() => void) | null = null;
+  private readonly trails: Trails;
+  private now: Settings | null = null;
   /** Runs shown with this one: their colours mean the same. */
   others: Run[] = [];
 
@@ -103,6 +115,8 @@ export class View {
   ) {
     this.stage = new Stage(host, 2);
     this.stage.onDraw = (metresPerPixel, quick) => this.blocks?.fade(metresPerPixel, quick);
+    this.trails = new Trails(run, loading);
+    this.stage.scene.add(this.trails.object);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
     this.warnedDots.frustumCulled = false;
@@ -156,9 +170,12 @@ export class View {
         if (conditions && blocks.ids.some((id) => id >= conditions.blocks)) await this.run.readModel();
         if (ticket !== this.ticket) return false;
       }
+      const first = this.last === null;
       this.last = fetched;
       this.trouble = null;
       this.apply(settings, true);
+      // What has moved far since the start is in the first picture, too.
+      if (first && this.blocks) this.stage.look(this.blocks.box().union(this.atRest));
     } catch (error) {
       if (ticket !== this.ticket) return false;
       this.trouble = told(error);
@@ -225,7 +242,8 @@ export class View {
     this.stage.scene.add(blocks.object);
     if (first) {
       this.charges.build(this.run.summary.manifest.sources ?? [], blocks.shape.info.origin, 0.3 * blocks.size);
-      this.stage.look(blocks.box());
+      this.atRest = blocks.box();
+      this.stage.look(this.atRest);
     }
   }
 
@@ -257,7 +275,47 @@ export class View {
     this.drawWarned();
     this.drawSupports(settings);
     this.drawConditions(settings);
+    this.now = settings;
+    void this.drawTrails();
     this.stage.redraw();
+  }
+
+  /** Draws the trails, after reading them where that has not been done. */
+  private async drawTrails(): Promise<void> {
+    const { trails, picked, now } = this;
+    this.trailed = null;
+    if (!now || now.trails === "" || (now.trails === "picked" && picked === null)) {
+      trails.hide();
+      return;
+    }
+    const which = now.trails;
+    if (!trails.has(which, picked)) {
+      trails.hide();
+      try {
+        await trails.load(which, picked);
+      } catch (error) {
+        this.trouble = told(error);
+      }
+      // Another choice may have been made meanwhile.
+      if (trails.has(which, picked) && this.now) await this.drawTrails();
+      this.stage.redraw();
+      this.onChange?.();
+      return;
+    }
+    this.trailed = trails.draw(this.last!.k, now.exaggeration, now.trailColour);
+  }
+
+  /** The annotations as they are on the picture. */
+  labels(): Label[] {
+    const { blocks, motion, now, stage } = this;
+    if (!blocks || !motion || !now?.notes) return [];
+    return this.notes.flatMap((note) => {
+      const place = placeOf(note, blocks, motion, now.exaggeration);
+      if (!place || blocks.isAway(place)) return [];
+      const at = place.project(stage.camera);
+      const ahead = Math.abs(at.x) < 1 && Math.abs(at.y) < 1 && at.z < 1;
+      return ahead ? [{ text: note.text, x: 0.5 + 0.5 * at.x, y: 0.5 - 0.5 * at.y }] : [];
+    });
   }
 
   private drawBolts(settings: Settings): void {
@@ -332,57 +390,19 @@ export class View {
     return {
       exaggeration: settings.exaggeration,
       edges: settings.edges,
-      clip: this.cut(settings),
+      clip: cutOf(this.blocks!, settings),
       only: settings.only ? [this.scale.low, this.scale.high] : null,
     };
   }
 
-  /** The cut that is asked for, less the origin of what is drawn. */
-  private cut(settings: Settings): Cut | null {
-    const { clipAxis, clipAt, clipDip, clipDirection, clipFlip, clipFlat } = settings;
-    if (clipAxis === "" || (clipAxis === "z" && this.flat)) return null;
-    let normal: Cut["normal"] = [0, 0, 0];
-    if (clipAxis !== "free") normal["xyz".indexOf(clipAxis)] = 1;
-    else normal = this.flat ? normalInPlane(clipDip) : normalOf(clipDip, clipDirection);
-    const { low, high } = this.blocks!.shape.info;
-    // Ends of the model's box along the normal.
-    const reach = [0, 0];
-    normal.forEach((n, k) => {
-      reach[0] += Math.min(n * low[k]!, n * high[k]!);
-      reach[1] += Math.max(n * low[k]!, n * high[k]!);
-    });
-    const wanted = reach[0]! + clipAt * (reach[1]! - reach[0]!);
-    // A flat cut along faces of blocks would show either side of them, or both at once.
-    const at = clipFlat ? this.blocks!.clearOf(normal, wanted) : wanted;
-    // The camera begins in front, to the left and above: what is nearer to it goes first.
-    const upper = clipAxis === "z" || clipAxis === "free";
-    return { normal, at, keep: upper === clipFlip ? 1 : -1, flat: clipFlat };
-  }
-
   /** The cut in the axes of the model: what lies along the normal beyond a place, m, is taken away. */
   cutAway(settings: Settings): { normal: Cut["normal"]; at: number } | null {
-    const cut = this.blocks && this.cut(settings);
-    if (!cut) return null;
-    const side = -cut.keep;
-    return { normal: cut.normal.map((n) => side * n) as Cut["normal"], at: side * this.placeAlong(cut) };
-  }
-
-  /** Where a cut lies along its normal in the axes of the model, m. */
-  private placeAlong({ normal, at }: Cut): number {
-    const { origin } = this.blocks!.shape.info;
-    return at + normal.reduce((sum, n, k) => sum + n * origin[k]!, 0);
+    return this.blocks && cutAway(this.blocks, settings);
   }
 
   /** Where the cut is, in words; empty without one. */
   cutText(settings: Settings): string {
-    const cut = this.blocks && this.cut(settings);
-    if (!cut) return "";
-    const { clipAxis, clipDip, clipDirection } = settings;
-    if (clipAxis !== "free") return `cut at ${clipAxis} = ${quantity(this.placeAlong(cut), "m", 3)}`;
-    const angle = (v: number) => String(Math.round(v)).padStart(this.flat ? 1 : 2, "0");
-    return this.flat
-      ? `cut at ${angle(clipDip)}° from x`
-      : `cut ${angle(clipDip)}°/${angle(clipDirection).padStart(3, "0")}° (dip/direction)`;
+    return this.blocks ? cutText(this.blocks, settings) : "";
   }
 
   /** Range and colours of the scale. */
@@ -573,6 +593,7 @@ export class View {
   pick(id: number | null): void {
     this.picked = id;
     if (this.blocks) this.drawPicked();
+    if (this.now?.trails === "picked") void this.drawTrails();
     this.stage.redraw();
   }
 
