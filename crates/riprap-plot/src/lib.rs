@@ -55,7 +55,7 @@ pub use ppv::ppv;
 pub use riprap_keys::Words;
 pub use rose::rose;
 pub use samples::{Sampled, Tornado, histograms, tornado, tornado_with};
-pub use shot::{Asked, Cut, Eye, Shot, is_film, shots};
+pub use shot::{Asked, Cut, Eye, Note, Shot, is_film, shots};
 pub use sieve::{blocks as block_sizes, fits as fits_of_sizes, fragments, passing};
 pub use signals::{cavity, spectrum};
 pub use surface::{CraterOptions, crater, heave};

@@ -4,9 +4,12 @@
 //! block that the cut goes through, and has the plain colour of that block.
 
 mod camera;
+mod chains;
 mod drawing;
 mod film;
 mod kinds;
+mod light;
+mod notes;
 mod rods;
 mod views;
 
@@ -27,6 +30,8 @@ use super::{Look, PlotError, bolts, suffix};
 use camera::{Camera, Window};
 use drawing::Drawing;
 use kinds::Kinds;
+use light::Light;
+pub use notes::Note;
 pub use views::Asked;
 
 /// Points of the drawing along a side of a point of the picture.
@@ -97,6 +102,14 @@ pub struct Shot {
     pub cut: Option<Cut>,
     /// Bolts as rods in front of the blocks.
     pub bolts: bool,
+    /// Shadows of the sun, and darker hollows.
+    pub shadows: bool,
+    /// Contact forces as tubes from block to block.
+    pub chains: bool,
+    /// A field of vectors, drawn as arrows from the middles of the blocks.
+    pub vectors: Option<String>,
+    /// Texts at places of the model.
+    pub notes: Vec<Note>,
     /// Of these range, percentiles, scale and exaggeration.
     pub options: BlockOptions,
 }
@@ -109,6 +122,10 @@ impl Default for Shot {
             size: [1000, 700],
             cut: None,
             bolts: true,
+            shadows: true,
+            chains: false,
+            vectors: None,
+            notes: Vec::new(),
             options: BlockOptions::default(),
         }
     }
@@ -237,6 +254,12 @@ struct Seen {
     kinds: Option<Kinds>,
     /// Largest force of a bolt, N, and what is said of the bolts; `None`: none are drawn.
     bolts: Option<(f64, String)>,
+    /// Largest contact force, N, and longest vector, in its unit.
+    strongest: [f64; 2],
+    /// What is said of chains and arrows.
+    said: Vec<String>,
+    /// Materials of ground from a survey.
+    ground: Vec<f64>,
 }
 
 impl Seen {
@@ -250,14 +273,24 @@ impl Seen {
         let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let mut values = Vec::new();
         let (mut most, mut bars) = (0.0_f64, false);
+        let mut ground = Vec::new();
+        let (mut strongest, mut unit) = ([0.0_f64; 2], String::new());
         for which in all {
             let frame = load_frame(folder, *which)?;
             need_space(&frame, "blocks in space")?;
-            values.extend(choose(&frame, &shot.field)?.values);
+            let chosen = choose(&frame, &shot.field)?.values;
+            let survey = (0..frame.blocks()).filter(|i| drawing::is_survey(&frame, *i));
+            ground.extend(survey.filter_map(|i| chosen.get(i)));
+            values.extend(chosen);
             let corners = drawing::corners(&frame, shot);
             for corner in corners.iter().flatten().filter(|c| c.is_finite()) {
                 let seen = Vec3::from(axes.map(|axis| axis.dot(*corner)));
                 (low, high) = (low.min(seen), high.max(seen));
+            }
+            let [force, vector] = chains::most(&frame, shot);
+            strongest = [strongest[0].max(force), strongest[1].max(vector)];
+            if let Some(name) = &shot.vectors {
+                unit = chains::unit_of(&frame, name)?;
             }
             if shot.bolts {
                 let one = std::slice::from_ref(&frame);
@@ -267,7 +300,9 @@ impl Seen {
         }
         let (camera, window) = camera::fitted(&shot.eye, axes, [low, high], shot.size);
         let kinds = Kinds::of(&shot.field, materials);
-        Ok(Self { camera, window, values, kinds, bolts: bars.then(|| (most, rods::note(most))) })
+        let bolts = bars.then(|| (most, rods::note(most)));
+        let said = chains::notes(shot, strongest, &unit);
+        Ok(Self { camera, window, values, kinds, bolts, strongest, said, ground })
     }
 
     /// The picture of a frame with title and legend.
@@ -281,9 +316,17 @@ impl Seen {
             Some(kinds) => rgb(kinds.colour(*value)),
             None => rgb(&colours.at(scale.share(*value))),
         };
-        let of: Vec<[f64; 3]> = chosen.values.iter().map(paint).collect();
-        let mut drawing = Drawing::of(frame, shot, (&self.camera, &self.window));
-        drawing.paint(&of);
+        let mut of: Vec<[f64; 3]> = chosen.values.iter().map(paint).collect();
+        self.shade(frame, &mut of);
+        let seen = (&self.camera, &self.window);
+        let mut drawing = Drawing::of(frame, shot, seen);
+        let light = match shot.shadows {
+            true => Light::on(&drawing, frame, shot, seen, drawing::usual(frame)),
+            false => Light::even(),
+        };
+        drawing.paint(&of, &light);
+        let rods = chains::rods(frame, shot, seen, self.strongest, self.window.reach());
+        drawing.lay(&rods, seen.1, 0.0);
         if let Some((most, _)) = &self.bolts {
             drawing.rods(frame, shot, (&self.camera, &self.window), *most);
         }
@@ -300,21 +343,42 @@ impl Seen {
                 map.pixels_mut()[place] = ColorU8::from_rgba(r, g, b, 255).premultiply();
             }
         }
+        notes::write(&mut map, frame, shot, seen)?;
         Ok(map)
+    }
+
+    /// Shades of materials by block; ground from a survey is grey, but for kinds that it has.
+    fn shade(&self, frame: &Frame, of: &mut [[f64; 3]]) {
+        let materials = self.kinds.as_ref().is_some_and(Kinds::are_materials);
+        if self.kinds.is_some() && !materials {
+            return;
+        }
+        let numbers = frame.column("block").map(|c| &c.data);
+        for (i, colour) in of.iter_mut().enumerate() {
+            let number = numbers.and_then(|all| all.get(i)).map_or(i as u32, |n| *n as u32);
+            if drawing::is_survey(frame, i) {
+                *colour = rgb(kinds::TERRAIN);
+            } else if materials {
+                *colour = kinds::shaded(*colour, number);
+            }
+        }
     }
 
     /// Title, legend and what is said of bolts, with room for the blocks.
     fn page(&self, chosen: &Chosen, [title, suffix]: [&str; 2], shot: &Shot) -> Page {
         let [wide, high] = shot.size.map(f64::from);
-        let foot = if self.bolts.is_some() { FOOT } else { 0.0 };
+        let lines: Vec<&String> =
+            self.bolts.iter().map(|(_, note)| note).chain(&self.said).collect();
+        let foot = FOOT * lines.len() as f64;
         let mut page = Page::new(wide + LEGEND, high + TITLE + foot);
         page.title([12.0, 22.0], 12.0, title, suffix);
-        if let Some((_, note)) = &self.bolts {
-            page.text([12.0, high + TITLE + 14.0], 11.0, Anchor::Start, note);
+        for (k, line) in lines.into_iter().enumerate() {
+            let y = high + TITLE + 14.0 + FOOT * k as f64;
+            page.text([12.0, y], 11.0, Anchor::Start, line);
         }
         let at = [wide + 8.0, TITLE + 0.15 * high];
         match &self.kinds {
-            Some(kinds) => chips_of(&mut page, &kinds.there(&self.values), at),
+            Some(kinds) => chips_of(&mut page, &kinds.there(&self.values, &self.ground), at),
             None => {
                 let (map, scale) = colours(&self.values, shot.options);
                 bar(&mut page, (map, &scale), chosen, at, 0.7 * high);

@@ -24,6 +24,7 @@ pub mod crosses;
 #[cfg(test)]
 mod fixture;
 pub mod motion;
+mod parts;
 mod problem;
 pub mod report;
 pub mod run;

@@ -8,6 +8,7 @@ use riprap_geom::{Mat3, Quat};
 use riprap_record::Frame;
 use serde_json::{Value, json};
 
+use crate::parts::in_parts;
 use crate::shape::{Shape, mean, single};
 use crate::wire::Wire;
 
@@ -19,21 +20,18 @@ const STEPS: f64 = 2.0;
 
 /// The answer `frame`: the motion from `shape` to `frame`, whose shape it is.
 pub fn wire(shape: &Shape, frame: &Frame) -> Vec<u8> {
-    let now: Vec<Vec3> = frame.points.iter().map(|p| Vec3::from(*p) - shape.origin).collect();
+    let now = in_parts(frame.points.len(), |range| {
+        frame.points[range].iter().map(|p| Vec3::from(*p) - shape.origin).collect()
+    });
     let blocks = shape.ids.len();
-    let (mut shifts, mut turns) = (Vec::with_capacity(blocks), Vec::with_capacity(blocks));
+    let moves = in_parts(blocks, |range| range.map(|b| Move::of(shape, &now, b)).collect());
+    let shifts: Vec<Vec3> = moves.iter().map(|m| m.shift).collect();
+    let turns: Vec<Quat> = moves.iter().map(|m| m.turn).collect();
     let (mut bent, mut bent_shifts) = (Vec::new(), Vec::new());
-    for b in 0..blocks {
+    for (b, _) in moves.iter().enumerate().filter(|(_, m)| m.bent) {
         let (rest, here) = (&shape.points[shape.range(b)], &now[shape.range(b)]);
-        let middle = mean(here);
-        let turn = turn_of(rest, here);
-        let far = farthest(rest, here, shape.middles[b], middle, turn);
-        if far.is_none_or(|far| far > RIGID) && middle.is_finite() {
-            bent.push(b as u32);
-            bent_shifts.extend(rest.iter().zip(here).flat_map(|(r, h)| single(*h - *r)));
-        }
-        shifts.push(middle - shape.middles[b]);
-        turns.push(turn);
+        bent.push(b as u32);
+        bent_shifts.extend(rest.iter().zip(here).flat_map(|(r, h)| single(*h - *r)));
     }
     let info = |turn_scale: f64| -> Value {
         json!({
@@ -53,6 +51,28 @@ pub fn wire(shape: &Shape, frame: &Frame) -> Vec<u8> {
         .i16("turns", &turns)
         .u8("gaps", &gaps(shape, &now))
         .finish(&info(scale))
+}
+
+/// What a block did.
+struct Move {
+    shift: Vec3,
+    turn: Quat,
+    /// It changed its shape.
+    bent: bool,
+}
+
+impl Move {
+    fn of(shape: &Shape, now: &[Vec3], b: usize) -> Self {
+        let (rest, here) = (&shape.points[shape.range(b)], &now[shape.range(b)]);
+        if rest == here {
+            return Move { shift: Vec3::ZERO, turn: Quat::IDENTITY, bent: false };
+        }
+        let middle = mean(here);
+        let turn = turn_of(rest, here);
+        let far = farthest(rest, here, shape.middles[b], middle, turn);
+        let bent = far.is_none_or(|far| far > RIGID) && middle.is_finite();
+        Move { shift: middle - shape.middles[b], turn, bent }
+    }
 }
 
 /// Vector parts of unit quaternions with a scalar part that is not negative, as shares of the largest component.
@@ -113,23 +133,27 @@ fn farthest(rest: &[Vec3], here: &[Vec3], middle: Vec3, moved: Vec3, turn: Quat)
 /// (below `10^SHUT_DECADE`), each further number is `1 / STEPS` of a decade.
 fn gaps(shape: &Shape, now: &[Vec3]) -> Vec<u8> {
     let pairs = shape.twin_ends.len() - 1;
-    let mut out = vec![0_u8; pairs.div_ceil(2)];
     let shut = (shape.size * 10_f64.powf(SHUT_DECADE)).powi(2);
-    for k in 0..pairs {
+    let code = |k: usize| -> u8 {
         let range = shape.twin_ends[k] as usize..shape.twin_ends[k + 1] as usize;
         let gap2 = shape.twin_corners[range]
             .iter()
             .map(|[a, b]| now[*a as usize].distance_squared(now[*b as usize]))
             .fold(0.0, f64::max);
-        let code = if gap2 < shut {
+        if gap2 < shut {
             0
         } else {
             // Saturates; what is no number is shut.
             (1.0 + 0.5 * STEPS * (gap2 / shut).log10()).min(15.0) as u8
+        }
+    };
+    in_parts(pairs.div_ceil(2), |range| {
+        let both = |i: usize| {
+            let high = if 2 * i + 1 < pairs { code(2 * i + 1) << 4 } else { 0 };
+            code(2 * i) | high
         };
-        out[k / 2] |= code << (4 * (k % 2));
-    }
-    out
+        range.map(both).collect()
+    })
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use riprap_record::Frame;
 use serde_json::json;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
+use crate::parts::in_parts;
 use crate::wire::Wire;
 
 /// Faces whose corners lie nearer than this share of the typical block size are the same face: more than what deformable
@@ -92,7 +93,9 @@ impl Shape {
         }
         shape.add_faces(frame);
         shape.points = at_rest(frame, &shape).iter().map(|p| *p - origin).collect();
-        shape.middles = (0..frame.blocks()).map(|b| mean(&shape.points[shape.range(b)])).collect();
+        shape.middles = in_parts(frame.blocks(), |range| {
+            range.map(|b| mean(&shape.points[shape.range(b)])).collect()
+        });
         shape.size = shape.typical_size();
         shape.triangulate();
         shape.find_twins();
@@ -135,15 +138,18 @@ impl Shape {
 
     /// Median over the blocks of the diagonal of their boxes, by the square root of the dimension.
     fn typical_size(&self) -> f64 {
-        let mut sizes: Vec<f64> = (0..self.ids.len())
-            .map(|b| {
-                let (low, high) = bounds(&self.points[self.range(b)]);
-                (high - low).length() / f64::from(self.dimension).sqrt()
-            })
-            .filter(|s| s.is_finite() && *s > 0.0)
-            .collect();
-        sizes.sort_by(f64::total_cmp);
-        sizes.get(sizes.len() / 2).copied().unwrap_or(1.0)
+        let size = |b: usize| {
+            let (low, high) = bounds(&self.points[self.range(b)]);
+            (high - low).length() / f64::from(self.dimension).sqrt()
+        };
+        let mut sizes = in_parts(self.ids.len(), |range| {
+            range.map(size).filter(|s| s.is_finite() && *s > 0.0).collect()
+        });
+        let middle = sizes.len() / 2;
+        match sizes.len() {
+            0 => 1.0,
+            _ => *sizes.select_nth_unstable_by(middle, f64::total_cmp).1,
+        }
     }
 
     /// Cuts faces that are not convex into triangles; convex ones are fans.
@@ -151,12 +157,17 @@ impl Shape {
         self.hollow_ends.push(0);
         let mut cutter = earcut::Earcut::new();
         let mut triangles: Vec<u32> = Vec::new();
-        for f in 0..self.faces() {
+        // Few faces are hollow, and to see that the others are not takes longest.
+        let outline = |f: usize| -> Option<Vec<[f64; 2]>> {
+            let outline: Vec<Vec3> =
+                self.face(f).iter().map(|c| self.points[*c as usize]).collect();
+            flattened(&outline).filter(|flat| !convex(flat))
+        };
+        let found = in_parts(self.faces(), |range| {
+            range.filter_map(|f| Some((f, outline(f)?))).collect::<Vec<_>>()
+        });
+        for (f, flat) in found {
             let face = self.face(f);
-            let outline: Vec<Vec3> = face.iter().map(|c| self.points[*c as usize]).collect();
-            let Some(flat) = flattened(&outline).filter(|flat| !convex(flat)) else {
-                continue;
-            };
             let no_holes: [u32; 0] = [];
             cutter.earcut(flat.iter().copied(), &no_holes, &mut triangles);
             let corners: Vec<u32> = triangles.iter().map(|k| face[*k as usize]).collect();
@@ -173,12 +184,10 @@ impl Shape {
             return;
         }
         let near = SAME * self.size;
-        let block_of: Vec<u32> = (0..self.ids.len())
-            .flat_map(|b| {
-                let faces = (self.faces_of[b + 1] - self.faces_of[b]) as usize;
-                std::iter::repeat_n(b as u32, faces)
-            })
-            .collect();
+        let mut block_of = Vec::with_capacity(self.faces());
+        for b in 0..self.ids.len() {
+            block_of.resize(self.faces_of[b + 1] as usize, b as u32);
+        }
         let cells = self.cells(CELL * near);
         let mut taken = vec![false; self.faces()];
         let mut matched = Vec::new();
@@ -201,17 +210,27 @@ impl Shape {
         }
     }
 
-    /// Faces with the cell of their middle, sorted so that faces at the same place are neighbours.
-    fn cells(&self, step: f64) -> Vec<([i64; 3], u32)> {
+    /// Faces with the number of the cell of their middle, sorted so that faces at the same place are neighbours. Two cells may have one
+    /// number: the faces are compared in any case.
+    fn cells(&self, step: f64) -> Vec<(u64, u32)> {
         // Off by a part of a step, because models like to have their corners at whole numbers of it.
         let cell = |v: f64| (v / step + 0.437).floor() as i64;
-        let mut cells: Vec<([i64; 3], u32)> = (0..self.faces())
-            .map(|f| (self.face_middle(f), f as u32))
-            .filter(|(m, _)| m.is_finite())
-            .map(|(m, f)| ([cell(m.x), cell(m.y), cell(m.z)], f))
-            .collect();
-        cells.sort_unstable();
-        cells
+        let number = |m: Vec3| {
+            // Neighbours in space are neighbours in the list, too, and in memory.
+            [m.x, m.y, m.z].iter().fold(0, |sum, v| sum << 21 | (cell(*v) as u64 & 0x1f_ffff))
+        };
+        let mut parts = in_parts(self.faces(), |range| {
+            let mut part: Vec<(u64, u32)> = range
+                .map(|f| (self.face_middle(f), f as u32))
+                .filter(|(m, _)| m.is_finite())
+                .map(|(m, f)| (number(m), f))
+                .collect();
+            part.sort_unstable();
+            part
+        });
+        // Parts are sorted already, which this makes use of.
+        parts.sort();
+        parts
     }
 
     fn face_middle(&self, f: usize) -> Vec3 {
@@ -239,11 +258,11 @@ impl Shape {
     /// The answer `shape`.
     pub fn wire(&self) -> Vec<u8> {
         let (low, high) = bounds(&self.points);
-        let flat: Vec<f32> = self.points.iter().flat_map(|p| single(*p)).collect();
+        let flat: Vec<[f32; 3]> = self.points.iter().map(|p| single(*p)).collect();
         Wire::default()
             .u32("ids", &self.ids)
             .u32("offsets", &self.offsets)
-            .f32("points", &flat)
+            .f32("points", flat.as_flattened())
             .u32("facesOf", &self.faces_of)
             .u32("faceEnds", &self.face_ends)
             .u32("corners", &self.corners)
@@ -277,15 +296,18 @@ fn at_rest(frame: &Frame, shape: &Shape) -> Vec<Vec3> {
         return points;
     };
     let rotation = vectors("rotation");
-    for (b, shift) in displacement.iter().enumerate() {
+    let moved = |b: usize| {
+        let shift = displacement[b];
         let turn = rotation.as_ref().map_or(Vec3::ZERO, |r| r[b]);
-        if (*shift == Vec3::ZERO && turn == Vec3::ZERO) || !(*shift + turn).is_finite() {
-            continue;
-        }
-        let centre = shape.centroid(b, &points);
-        let back = Quat::from_scaled_axis(-turn);
+        let still = (shift == Vec3::ZERO && turn == Vec3::ZERO) || !(shift + turn).is_finite();
+        (!still).then(|| (shape.centroid(b, &points), Quat::from_scaled_axis(-turn), shift))
+    };
+    let moves =
+        in_parts(displacement.len().min(frame.blocks()), |range| range.map(moved).collect());
+    for (b, there) in moves.iter().enumerate() {
+        let Some((centre, back, shift)) = *there else { continue };
         for p in &mut points[shape.range(b)] {
-            *p = back * (*p - centre) + centre - *shift;
+            *p = back * (*p - centre) + centre - shift;
         }
     }
     points

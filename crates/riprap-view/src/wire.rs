@@ -49,9 +49,10 @@ impl Wire {
         self.arrays.push(json!({
             "name": name, "type": kind, "at": self.body.len(), "length": values.len(),
         }));
-        self.body.reserve(N * values.len() + 8);
-        for v in values {
-            self.body.extend_from_slice(&bytes(v));
+        let from = self.body.len();
+        self.body.resize(from + N * values.len(), 0);
+        for (to, v) in self.body[from..].chunks_exact_mut(N).zip(values) {
+            to.copy_from_slice(&bytes(v));
         }
         // Typed arrays of a page can only begin at multiples of the size of their numbers.
         pad(&mut self.body);

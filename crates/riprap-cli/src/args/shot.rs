@@ -18,6 +18,7 @@ Examples:
   riprap shot wedge.run --view 180 0 --by block       from the south
   riprap shot wedge.run --view 225 90                 from above, the south-west at the foot of the picture
   riprap shot blast.run --cut y --at '0 m' --by peak_speed --log
+  riprap shot wall.run --chains --vectors velocity    contact forces as tubes, velocities as arrows
   riprap shot wedge.run --perspective=50              things farther away are smaller
   riprap shot wedge.run --saved south                 a view saved in riprap view, from wedge.run/views.json
   riprap shot wedge.run -o wedge.apng --fps 20        a film of all frames that browsers and slides play
@@ -32,7 +33,7 @@ pub struct Shot {
     /// File to write, .png or .apng (a film) [default: plots/shot.png in the run folder]
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
-    /// Field that colours the blocks; `block`, `material` and `removable_type` are kinds [default: displacement, of removable blocks
+    /// Field that colours the blocks; `block`, `material` and `removable_type` are kinds [default: material, of removable blocks
     /// their type, of a saved view its field]
     #[arg(long, alias = "field", value_name = "FIELD")]
     pub by: Option<String>,
@@ -63,6 +64,15 @@ pub struct Shot {
     /// Leave out bolts
     #[arg(long)]
     pub no_bolts: bool,
+    /// Leave out the shadows of the sun and the dark of hollows
+    #[arg(long)]
+    pub no_shadows: bool,
+    /// Contact forces as tubes from block to block
+    #[arg(long)]
+    pub chains: bool,
+    /// Field of vectors, drawn as arrows: displacement, velocity or force
+    #[arg(long, value_name = "FIELD")]
+    pub vectors: Option<String>,
     /// Normal of a plane; the side nearer to the eye is cut away
     #[arg(long, value_parser = word::<Normal>(), value_name = "AXIS", requires = "at")]
     pub cut: Option<Normal>,

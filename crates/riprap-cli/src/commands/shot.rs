@@ -59,6 +59,11 @@ fn asked(args: &Shot, first: Which) -> Result<plot::Shot, Failure> {
         ..old
     };
     shot.bolts &= !args.no_bolts;
+    shot.shadows &= !args.no_shadows;
+    shot.chains |= args.chains;
+    if args.vectors.is_some() {
+        shot.vectors.clone_from(&args.vectors);
+    }
     if let Some(size) = &args.size {
         shot.size = [size[0], size[1]];
     }

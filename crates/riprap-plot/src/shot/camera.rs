@@ -90,6 +90,27 @@ impl Camera {
         Vec3::from(self.axes.map(|axis| axis.dot(way)))
     }
 
+    /// A direction of the axes of the camera in those of the model.
+    pub(super) fn world_way(&self, way: Vec3) -> Vec3 {
+        way.x * self.axes[0] + way.y * self.axes[1] + way.z * self.axes[2]
+    }
+
+    /// A place along the axes of the camera, as [`Camera::place`] gives it, in the model, m.
+    pub(super) fn world(&self, place: Vec3) -> Vec3 {
+        self.lens.map_or(Vec3::ZERO, |(eye, _)| eye) + self.world_way(place)
+    }
+
+    /// A place of the picture with its depth, along the axes of the camera, m: in perspective from the eye.
+    pub(super) fn place(&self, seen: Vec3) -> Vec3 {
+        match self.lens {
+            None => seen,
+            Some((_, distance)) => {
+                let share = seen.z / distance;
+                Vec3::new(seen.x / share, seen.y / share, -distance / share)
+            }
+        }
+    }
+
     /// How far beyond the nearest place that is drawn, m.
     fn ahead(&self, place: Vec3) -> f64 {
         match self.lens {
@@ -150,6 +171,26 @@ pub(super) struct Window {
 }
 
 impl Window {
+    /// From points and depth to metres: the way back of [`Window::at`].
+    pub(super) fn back(&self, at: Vec3) -> Vec3 {
+        let half = self.points.map(|side| 0.5 * side as f64);
+        let [x, y] = self.middle;
+        Vec3::new(x + (at.x - half[0]) / self.zoom, y + (half[1] - at.y) / self.zoom, at.z)
+    }
+
+    /// Points of the drawing to a metre at a place along the axes of the camera.
+    pub(super) fn scale(&self, camera: &Camera, place: Vec3) -> f64 {
+        match camera.lens {
+            None => self.zoom,
+            Some((_, distance)) => self.zoom * distance / -place.z,
+        }
+    }
+
+    /// Diagonal of the model, m.
+    pub(super) fn reach(&self) -> f64 {
+        1e6 * self.slack
+    }
+
     /// To the right and downwards, points; towards the eye, m.
     pub(super) fn at(&self, corner: Vec3) -> Vec3 {
         let half = self.points.map(|side| 0.5 * side as f64);

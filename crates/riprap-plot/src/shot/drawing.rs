@@ -5,10 +5,15 @@ use riprap_record::frame::Frame;
 
 use super::super::solid::bodies;
 use super::camera::{Camera, Window};
+use super::light::Light;
 use super::{Cut, Shot};
 
 /// Faces of a block whose normals have a smaller cosine than this have an edge between them.
 const EDGE: f64 = 0.95;
+/// The same of ground from a survey, of which only breaks of the slope are drawn.
+const SLOPE: f64 = 0.766;
+/// A face that lies in a cut, within this share of its size, is seen as a section.
+const IN_CUT: f64 = 0.03;
 /// With fewer points than this for a block, edges would hide the colours.
 const CROWDED: usize = 40;
 /// Nothing is drawn here.
@@ -25,15 +30,40 @@ pub(super) fn corners(frame: &Frame, shot: &Shot) -> Vec<Vec<Vec3>> {
     (0..frame.blocks()).map(|i| frame.outline(i).iter().map(|p| place(i, p)).collect()).collect()
 }
 
+/// Blocks with more faces than this are ground from a survey, as in the viewer.
+const SURVEY: usize = 300;
+
+/// Whether a block is ground from a survey.
+pub(super) fn is_survey(frame: &Frame, block: usize) -> bool {
+    frame.solids.as_ref().is_some_and(|solids| solids.of(block).len() > SURVEY)
+}
+
+/// Edge of a usual block, m: the median of the diagonals of their boxes over the root of 3.
+pub(super) fn usual(frame: &Frame) -> f64 {
+    let mut sizes: Vec<f64> = (0..frame.blocks())
+        .map(|i| {
+            let corners = frame.outline(i).iter().map(|p| Vec3::from(*p));
+            let (low, high) = corners
+                .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+            (high - low).length() / 3.0_f64.sqrt()
+        })
+        .filter(|size| size.is_finite())
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() / 2).copied().unwrap_or(1.0)
+}
+
 /// A face that is drawn.
 pub(super) struct Face {
     pub(super) block: u32,
     /// In the axes of the camera.
     pub(super) normal: Vec3,
-    /// Share of the colour of its block.
-    pub(super) light: f64,
     /// It looks away: what is seen is the section of its block.
     pub(super) section: bool,
+    /// It has the plain colour of its block: a section, or a face in the cut.
+    pub(super) plain: bool,
+    /// Faces whose normals have a smaller cosine have an edge between them.
+    edge: f64,
 }
 
 /// The drawing.
@@ -51,8 +81,8 @@ impl Drawing {
         let (nearest, depth) = (vec![NONE; wide * high], vec![f64::NEG_INFINITY; wide * high]);
         let mut drawing = Self { faces: Vec::new(), nearest, depth, colours: Vec::new(), wide };
         let plane = shot.cut.map(unit);
-        let sun = Vec3::new(0.3, 0.5, 0.8).normalize();
         for (i, corners) in corners(frame, shot).iter().enumerate() {
+            let edge = if is_survey(frame, i) { SLOPE } else { EDGE };
             for face in frame.solids.iter().flat_map(|solids| solids.of(i)) {
                 let line: Vec<Vec3> = face.iter().map(|c| corners[*c as usize]).collect();
                 let normal = camera.turned(newell(&line));
@@ -74,8 +104,8 @@ impl Drawing {
                     Some((plane, _)) if away => camera.turned(plane),
                     _ => normal,
                 };
-                let light = if away { 1.0 } else { 0.62 + 0.38 * normal.dot(sun).max(0.0) };
-                drawing.faces.push(Face { block: i as u32, normal, light, section: away });
+                let plain = away || plane.is_some_and(|plane| lies_in(&line, plane));
+                drawing.faces.push(Face { block: i as u32, normal, section: away, plain, edge });
                 for pair in seen.windows(2).skip(1) {
                     let three = [seen[0], pair[0], pair[1]];
                     drawing.triangle(
@@ -128,20 +158,29 @@ impl Drawing {
     fn edge(&self, one: usize, other: usize) -> bool {
         let [a, b] = [one, other].map(|at| self.faces.get(self.nearest[at] as usize));
         match (a, b) {
-            (Some(a), Some(b)) => a.block != b.block || a.normal.dot(b.normal) < EDGE,
+            (Some(a), Some(b)) => a.block != b.block || a.normal.dot(b.normal) < a.edge,
             (None, None) => false,
             (Some(_), None) | (None, Some(_)) => true,
         }
     }
 
-    /// Gives each point its red, green and blue, by the colours of the blocks.
-    pub(super) fn paint(&mut self, of: &[[f64; 3]]) {
+    /// The face that is seen at a point.
+    pub(super) fn face_at(&self, x: usize, y: usize) -> Option<&Face> {
+        self.faces.get(*self.nearest.get(y * self.wide + x)? as usize)
+    }
+
+    /// Gives each point its red, green and blue, by the colours of the blocks. Sections have these plainly, to be read off.
+    pub(super) fn paint(&mut self, of: &[[f64; 3]], light: &Light) {
         let face = |at: &u32| self.faces.get(*at as usize);
-        let paint = |at: &u32| match face(at) {
-            Some(face) => of[face.block as usize].map(|part| face.light * part),
+        let paint = |(k, at): (usize, &u32)| match face(at) {
+            Some(face) if face.plain => of[face.block as usize],
+            Some(face) => {
+                let share = light.share(face.normal, [k % self.wide, k / self.wide]);
+                of[face.block as usize].map(|part| share * part)
+            }
             None => [255.0; 3],
         };
-        let mut colours: Vec<[f64; 3]> = self.nearest.iter().map(paint).collect();
+        let mut colours: Vec<[f64; 3]> = self.nearest.iter().enumerate().map(paint).collect();
         let seen = self.nearest.iter().filter(|at| **at != NONE).count();
         let mut blocks: Vec<u32> =
             self.nearest.iter().filter_map(|at| Some(face(at)?.block)).collect();
@@ -176,6 +215,12 @@ pub(super) fn unit(cut: Cut) -> (Vec3, f64) {
     let normal = Vec3::from(cut.normal);
     let long = normal.length();
     (normal / long, cut.at / long)
+}
+
+/// Whether a face lies in a plane.
+fn lies_in(line: &[Vec3], (normal, at): (Vec3, f64)) -> bool {
+    let size = line.iter().map(|p| p.distance(line[0])).fold(0.0, f64::max);
+    line.iter().all(|p| (normal.dot(*p) - at).abs() <= IN_CUT * size)
 }
 
 /// Unit normal of a face, by Newell's sum.

@@ -11,11 +11,12 @@ use super::camera::{Camera, Window};
 use super::drawing::{Drawing, unit};
 use super::{FINE, Shot, rgb};
 
-/// Half of the width of a rod and of its dark rim, pixels.
+/// Half of the width of a bolt, and of a dark rim beyond what it is around, pixels.
 const HALF: f64 = 1.6;
-const RIM: f64 = 2.4;
-/// Share of the rod's colour where rock lies before it.
+const RIM: f64 = 0.8;
+/// Share of the colour of a bolt, and of a tube or an arrow, where rock lies before it.
 const PALE: f64 = 0.45;
+const SEEN: f64 = 0.8;
 /// A bar whose rod has this state is broken.
 const BROKEN: f64 = 3.0;
 
@@ -28,25 +29,56 @@ pub(super) fn note(most: f64) -> String {
 }
 
 /// A bar as drawn.
-struct Rod {
+pub(super) struct Rod {
     /// In points, with the depth, m.
     ends: [Vec3; 2],
     /// How far its ends are beyond the plane of the cut, m; none is.
     above: [f64; 2],
+    /// Half of its width at its ends, pixels.
+    half: [f64; 2],
     colour: [f64; 3],
+    /// Share of its colour where rock lies before it.
+    pale: f64,
+}
+
+impl Rod {
+    /// One between two places of the model that no cut takes away; `None`: behind the eye.
+    pub(super) fn between(
+        line: [Vec3; 2],
+        (camera, window): (&Camera, &Window),
+        half: [f64; 2],
+        colour: [f64; 3],
+    ) -> Option<Self> {
+        let seen = camera.polygon(&line, &|_| -1.0);
+        let [a, b, ..] = seen[..] else { return None };
+        let ends = [a, b].map(|end| window.at(end.0));
+        ends.iter().all(|end| end.is_finite()).then_some(Self {
+            ends,
+            above: [-1.0; 2],
+            half,
+            colour,
+            pale: SEEN,
+        })
+    }
 }
 
 impl Drawing {
     /// Draws the bolts of a frame over the blocks; `most` is the force of full colour, N. Those that are cut away are left out.
     pub(super) fn rods(&mut self, frame: &Frame, shot: &Shot, seen: (&Camera, &Window), most: f64) {
-        let rods = rods(frame, shot, seen, most);
+        self.lay(&rods(frame, shot, seen, most), seen.1, RIM);
+    }
+
+    /// Draws rods over the blocks, with a dark rim so wide, pixels.
+    pub(super) fn lay(&mut self, rods: &[Rod], window: &Window, rim: f64) {
         // The bars of a bolt overlap at their ends, where pale ones must not be painted twice.
         let mut points = BTreeMap::new();
-        for rod in &rods {
-            self.stamp(&mut points, rod, (RIM, [26.0; 3]), seen.1);
+        if rim > 0.0 {
+            for rod in rods {
+                self.stamp(&mut points, rod, (rim, [26.0; 3]), window);
+            }
         }
-        for rod in &rods {
-            self.stamp(&mut points, rod, (HALF, rod.colour), seen.1);
+        for rod in rods {
+            self.stamp(&mut points, rod, (0.0, rod.colour), window);
         }
         for (at, (colour, part)) in points {
             for (old, new) in self.colours[at].iter_mut().zip(colour) {
@@ -55,15 +87,16 @@ impl Drawing {
         }
     }
 
-    /// Gives all points nearer to a rod than `half`, pixels, its colour.
+    /// Gives all points of a rod, and around it nearer than `rim`, pixels, a colour.
     fn stamp(
         &self,
         points: &mut BTreeMap<usize, ([f64; 3], f64)>,
         rod: &Rod,
-        (half, colour): (f64, [f64; 3]),
+        (rim, colour): (f64, [f64; 3]),
         window: &Window,
     ) {
-        let half = half * FINE as f64;
+        let halves = rod.half.map(|half| (half + rim) * FINE as f64);
+        let half = halves[0].max(halves[1]);
         let [a, b] = rod.ends.map(Vec3::truncate);
         let way = b - a;
         let long = way.length_squared();
@@ -77,10 +110,10 @@ impl Drawing {
                 let p = Vec3::new(x as f64 + 0.5, y as f64 + 0.5, 0.0).truncate();
                 let share =
                     if long > 0.0 { ((p - a).dot(way) / long).clamp(0.0, 1.0) } else { 0.0 };
-                if (a + share * way).distance(p) > half {
+                let mean = |[a, b]: [f64; 2]| a + share * (b - a);
+                if (a + share * way).distance(p) > mean(halves) {
                     continue;
                 }
-                let mean = |[a, b]: [f64; 2]| a + share * (b - a);
                 let at = y * self.wide + x;
                 let section = self.faces.get(self.nearest[at] as usize).is_some_and(|f| f.section);
                 let behind = match section {
@@ -88,7 +121,7 @@ impl Drawing {
                     true => mean(rod.above) < -4.0 * window.slack,
                     false => self.depth[at] > mean(rod.ends.map(|end| end.z)) + window.slack,
                 };
-                points.insert(at, (colour, if behind { PALE } else { 1.0 }));
+                points.insert(at, (colour, if behind { rod.pale } else { 1.0 }));
             }
         }
     }
@@ -130,7 +163,7 @@ fn rods(frame: &Frame, shot: &Shot, (camera, window): (&Camera, &Window), most: 
         let share = if most > 0.0 { force / most } else { 0.0 };
         let colour = if broken { [128.0; 3] } else { rgb(&colour(share)) };
         let (ends, above) = ([a, b].map(|end| window.at(end.0)), [a.1, b.1]);
-        out.push(Rod { ends, above, colour });
+        out.push(Rod { ends, above, half: [HALF; 2], colour, pale: PALE });
     }
     out
 }

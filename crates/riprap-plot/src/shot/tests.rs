@@ -49,7 +49,7 @@ fn a_cut_shows_the_section_of_a_block_in_its_plain_colour() {
     assert!((area(&cut, 0) - 4.0).abs() < 0.04 && area(&cut, 1) == 0.0);
     let (drawing, _) = &cut;
     let faces = drawing.nearest.iter().filter_map(|at| drawing.faces.get(*at as usize));
-    assert!(faces.filter(|face| face.block == 0).all(|face| face.light == 1.0));
+    assert!(faces.filter(|face| face.block == 0).all(|face| face.section));
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn a_rod_is_pale_behind_rock_and_gone_where_it_is_cut_away() {
             [-4.0, 4.0].map(|v| Vec3::splat(v) + Vec3::from(axes.map(|a| a.dot(middle))));
         let (camera, window) = camera::fitted(&eye, axes, [low, high], shot.size);
         let mut drawing = Drawing::of(&frame, &shot, (&camera, &window));
-        drawing.paint(&[[255.0; 3]; 2]);
+        drawing.paint(&[[255.0; 3]; 2], &Light::even());
         drawing.rods(&frame, &shot, (&camera, &window), 1e4);
         let colours = drawing.colours.iter();
         let full = colours.clone().filter(|c| **c == rgb("#d01c1c")).count();

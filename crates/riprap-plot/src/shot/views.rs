@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::super::PlotError;
 use super::super::frames::{Which, unit_of};
 use super::kinds::Kinds;
-use super::{Cut, Eye, Shot};
+use super::{Cut, Eye, Note, Shot};
 
 /// What somebody asks for of a picture; the rest is that of a saved view or of a new shot.
 #[derive(Clone, Copy, Debug, Default)]
@@ -24,6 +24,8 @@ pub struct Asked<'a> {
     pub perspective: Option<f64>,
 }
 
+/// Field of a picture for which nobody chose one.
+const MATERIAL: &str = "material";
 /// Field of a picture of removable blocks, which is looked at for them.
 const REMOVABLE: &str = "removable_type";
 
@@ -49,6 +51,10 @@ impl Shot {
             None if asked.saved.is_none() && unit_of(folder, first, REMOVABLE).is_ok() => {
                 REMOVABLE.clone_into(&mut shot.field);
             }
+            // What the model is made of is seen first; a run of earlier versions does not tell.
+            None if asked.saved.is_none() && unit_of(folder, first, MATERIAL).is_ok() => {
+                MATERIAL.clone_into(&mut shot.field);
+            }
             Some(_) | None => {}
         }
         Ok(shot)
@@ -66,22 +72,38 @@ impl Shot {
             let how = "save views in `riprap view` and write views.json into the run folder";
             wrong(format!("{error}; {how}, or name another file"))
         })?;
-        let all: Value = serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
-        let all = all["views"].as_array().ok_or_else(|| wrong("it has no list `views`".into()))?;
+        let file: Value = serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
+        let all = file["views"].as_array().ok_or_else(|| wrong("it has no list `views`".into()))?;
         let Some(view) = all.iter().find(|view| view["name"] == name) else {
             let known: Vec<&str> = all.iter().filter_map(|view| view["name"].as_str()).collect();
             let known = known.join(", ");
             return Err(wrong(format!("no view is named `{name}`; valid names: {known}")));
         };
-        shot(view).map_err(|reason| wrong(format!("view `{name}`: {reason}")))
+        let mut shot = shot(view).map_err(|reason| wrong(format!("view `{name}`: {reason}")))?;
+        shot.notes = notes(&file["notes"]).map_err(wrong)?;
+        Ok(shot)
     }
 }
 
-fn shot(view: &Value) -> Result<Shot, String> {
-    let triple = |of: &Value| -> Option<[f64; 3]> {
-        let parts: Vec<f64> = of.as_array()?.iter().filter_map(Value::as_f64).collect();
-        parts.try_into().ok()
+/// The texts at places of the model that a file of views has.
+fn notes(list: &Value) -> Result<Vec<Note>, String> {
+    let one = |(i, note): (usize, &Value)| {
+        let wrong =
+            || format!("note {}: it needs a `text` and a place `at` of three numbers", i + 1);
+        let at = triple(&note["at"]).ok_or_else(wrong)?;
+        let text = note["text"].as_str().ok_or_else(wrong)?.to_owned();
+        let block = note["block"].as_u64().and_then(|block| u32::try_from(block).ok());
+        Ok(Note { text, at, block })
     };
+    list.as_array().into_iter().flatten().enumerate().map(one).collect()
+}
+
+fn triple(of: &Value) -> Option<[f64; 3]> {
+    let parts: Vec<f64> = of.as_array()?.iter().filter_map(Value::as_f64).collect();
+    parts.try_into().ok()
+}
+
+fn shot(view: &Value) -> Result<Shot, String> {
     let needed = |key: &str| triple(&view[key]).ok_or(format!("`{key}` must be three numbers"));
     let angle = match &view["angle"] {
         Value::Null if view.get("angle").is_some() => {
@@ -110,5 +132,11 @@ fn shot(view: &Value) -> Result<Shot, String> {
     let up = triple(&view["up"]).unwrap_or([0.0, 0.0, 1.0]);
     let eye = Eye::At { place: needed("eye")?, target: needed("target")?, up, angle };
     let bolts = view["bolts"].as_bool().unwrap_or(true);
-    Ok(Shot { field, eye, size: new.size, cut, bolts, options })
+    let chosen = &view["settings"];
+    let shadows = chosen["shadows"].as_bool().unwrap_or(true);
+    let chains = chosen["chains"].as_bool().unwrap_or(false);
+    let vectors = ["displacement", "velocity", "force"];
+    let vectors = chosen["vectors"].as_str().filter(|name| vectors.contains(name));
+    let vectors = vectors.map(str::to_owned);
+    Ok(Shot { field, eye, cut, bolts, options, shadows, chains, vectors, ..new })
 }
