@@ -47,6 +47,8 @@ export class Blocks {
   /** Corners as drawn, three numbers each. */
   readonly positions: Float32Array;
   readonly size: number;
+  /** Places of the blocks that are ground from a survey. */
+  readonly surveys: number[] = [];
   /** Faces shown now. */
   visibleFaces = 0;
 
@@ -119,6 +121,7 @@ export class Blocks {
     for (let b = 0; b < this.count; b++) this.blockOf.fill(b, this.facesOf[b]!, this.facesOf[b + 1]!);
     this.twinOf = new Int32Array(faces).fill(-1);
     for (let k = 0; k < this.twins.length; k++) this.twinOf[this.twins[k]!] = k >> 1;
+    for (let b = 0; b < this.count; b++) if (this.isSurvey(b)) this.surveys.push(b);
     this.middles = this.means();
     this.positions = this.rest.slice();
     this.shades = new Float32Array(this.count).fill(0.25);

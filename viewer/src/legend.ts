@@ -21,7 +21,7 @@ export interface LegendText {
 export function legendOf(view: View, settings: Settings): LegendText {
   const { scale } = view;
   const out: LegendText = { title: "", marks: [], kinds: scale.kinds, notes: [] };
-  const survey = view.survey;
+  const survey = view.blocks?.surveys ?? [];
   if (view.values && settings.field) {
     if (scale.kinds) {
       out.title = settings.field;

@@ -61,13 +61,24 @@ function movedBy(blocks: Blocks, b: number, motion: Packet<MotionInfo>, s: numbe
 }
 
 /** Where an annotation is drawn, less the origin; null: its block is not there. */
-export function placeOf(note: Annotation, blocks: Blocks, motion: Packet<MotionInfo>, s: number): THREE.Vector3 | null {
+function placeOf(note: Annotation, blocks: Blocks, motion: Packet<MotionInfo>, s: number): THREE.Vector3 | null {
   const place = new THREE.Vector3(...note.at).sub(new THREE.Vector3(...blocks.shape.info.origin));
   if (note.block === null) return place;
   const b = blocks.placeOf(note.block);
   if (b < 0 || !blocks.isShown(b)) return null;
   const { turn, middle, shift } = movedBy(blocks, b, motion, s);
   return place.sub(middle).applyMatrix3(turn).add(middle).add(shift);
+}
+
+/** The annotations as a camera sees them. */
+export function labelsOf(notes: Annotation[], blocks: Blocks, motion: Packet<MotionInfo>, s: number, camera: THREE.Camera): Label[] {
+  return notes.flatMap((note) => {
+    const place = placeOf(note, blocks, motion, s);
+    if (!place || blocks.isAway(place)) return [];
+    const at = place.project(camera);
+    const ahead = Math.abs(at.x) < 1 && Math.abs(at.y) < 1 && at.z < 1;
+    return ahead ? [{ text: note.text, x: 0.5 + 0.5 * at.x, y: 0.5 - 0.5 * at.y }] : [];
+  });
 }
 
 /** The annotation of a place as drawn, on a block or not. */

@@ -59,7 +59,7 @@ export class Stage {
     if (!document.createElement("canvas").getContext("webgl2")) {
       throw new Problem(
         "This browser does not support WebGL 2.",
-        "Switch on its hardware acceleration or try another browser. Without it: riprap plot RUN draws pictures.",
+        "Switch on its hardware acceleration or try another browser. Without it, riprap shot RUN draws blocks in space and riprap plot RUN blocks those of the plane.",
       );
     }
     // Smooth edges cost a processor more than all else.

@@ -15,7 +15,7 @@ import type { Cut } from "./section";
 import type { Settings } from "./settings";
 import { Stage } from "./stage";
 import { StressMarks, type StressShown } from "./stress";
-import { placeOf, type Annotation, type Label } from "./notes";
+import { labelsOf, type Annotation, type Label } from "./notes";
 import { Trails, type TrailsShown } from "./trails";
 import { blocksOf } from "./warnings";
 import type { Packet } from "./wire";
@@ -309,13 +309,7 @@ export class View {
   labels(): Label[] {
     const { blocks, motion, now, stage } = this;
     if (!blocks || !motion || !now?.notes) return [];
-    return this.notes.flatMap((note) => {
-      const place = placeOf(note, blocks, motion, now.exaggeration);
-      if (!place || blocks.isAway(place)) return [];
-      const at = place.project(stage.camera);
-      const ahead = Math.abs(at.x) < 1 && Math.abs(at.y) < 1 && at.z < 1;
-      return ahead ? [{ text: note.text, x: 0.5 + 0.5 * at.x, y: 0.5 - 0.5 * at.y }] : [];
-    });
+    return labelsOf(this.notes, blocks, motion, now.exaggeration, stage.camera);
   }
 
   private drawBolts(settings: Settings): void {
@@ -434,13 +428,6 @@ export class View {
     scale.high = high;
     scale.log = settings.log;
     scale.paint(settings.map);
-  }
-
-  /** Places of the blocks that are ground from a survey. */
-  get survey(): number[] {
-    const { blocks } = this;
-    if (!blocks || this.flat) return [];
-    return Array.from({ length: blocks.count }, (_, b) => b).filter((b) => blocks.isSurvey(b));
   }
 
   private shiftOf(b: number, factor: number, target: THREE.Vector3): THREE.Vector3 {

@@ -269,14 +269,22 @@ impl Seen {
         shot: &Shot,
         materials: &[String],
     ) -> Result<Self, PlotError> {
+        Self::of(all.iter().map(|which| load_frame(folder, *which)), shot, materials)
+    }
+
+    fn of(
+        frames: impl Iterator<Item = Result<Frame, PlotError>>,
+        shot: &Shot,
+        materials: &[String],
+    ) -> Result<Self, PlotError> {
         let axes = camera::axes(&shot.eye);
         let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let mut values = Vec::new();
         let (mut most, mut bars) = (0.0_f64, false);
         let mut ground = Vec::new();
         let (mut strongest, mut unit) = ([0.0_f64; 2], String::new());
-        for which in all {
-            let frame = load_frame(folder, *which)?;
+        for frame in frames {
+            let frame = frame?;
             need_space(&frame, "blocks in space")?;
             let chosen = choose(&frame, &shot.field)?.values;
             let survey = (0..frame.blocks()).filter(|i| drawing::is_survey(&frame, *i));
@@ -396,5 +404,7 @@ fn rgb(colour: &str) -> [f64; 3] {
     })
 }
 
+#[cfg(test)]
+mod pictures;
 #[cfg(test)]
 mod tests;

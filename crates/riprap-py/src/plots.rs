@@ -134,6 +134,9 @@ pub struct ShotOptions {
     percentiles: Option<[f64; 2]>,
     exaggerate: Option<f64>,
     bolts: bool,
+    shadows: bool,
+    chains: bool,
+    vectors: Option<String>,
     fps: Option<f64>,
 }
 
@@ -190,6 +193,11 @@ impl ShotOptions {
             ..old
         };
         shot.bolts &= self.bolts;
+        shot.shadows &= self.shadows;
+        shot.chains |= self.chains;
+        if self.vectors.is_some() {
+            shot.vectors.clone_from(&self.vectors);
+        }
         shot.size = self.size.unwrap_or(shot.size);
         Ok(shot)
     }

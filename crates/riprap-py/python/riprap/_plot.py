@@ -167,6 +167,9 @@ def shot(
     percentiles: "tuple[float, float] | None" = None,
     exaggerate: float | None = None,
     bolts: bool = True,
+    shadows: bool = True,
+    chains: bool = False,
+    vectors: str | None = None,
     fps: float | None = None,
 ) -> Picture:
     """Draws the blocks of a run in space as they stand: PNG pictures, numbered if there are several, or a film.
@@ -174,7 +177,7 @@ def shot(
     Args:
         run: the run folder.
         out: ``.png``, or ``.apng`` for a film (animated PNG); by default ``plots/shot.png`` in the run folder.
-        by: field that colours the blocks; by default ``displacement``, of removable blocks their type, of a saved view its field.
+        by: field that colours the blocks; by default ``material``, of removable blocks their type, of a saved view its field.
         view: where the eye stands: degrees clockwise from north (y), and above the horizon; (215, 28) by default.
         perspective: angle of view from the lower to the upper edge [deg]; without it a parallel projection.
         saved: name of a view that was saved in ``riprap view``.
@@ -189,6 +192,9 @@ def shot(
         percentiles: percentiles of the values at which the colours begin and end: ``(2, 98)``.
         exaggerate: factor on displacements.
         bolts: bolts as rods.
+        shadows: shadows of the sun, and darker hollows.
+        chains: contact forces as tubes from block to block.
+        vectors: field of vectors, drawn as arrows: ``displacement``, ``velocity`` or ``force``.
         fps: pictures of a film in a second; 10 by default.
 
     Raises:
@@ -221,6 +227,9 @@ def shot(
         "percentiles": None if percentiles is None else list(percentiles),
         "exaggerate": exaggerate,
         "bolts": bolts,
+        "shadows": shadows,
+        "chains": chains,
+        "vectors": vectors,
         "fps": fps,
     }
     target = Path(out) if out is not None else folder / "plots" / "shot.png"
