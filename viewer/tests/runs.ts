@@ -19,6 +19,7 @@ const SCENES: [string, string, string[]][] = [
   ["soft", "scenes/spatial/beam.toml", ["interfaces.default.brittle_bond.cohesive={ mode_1 = \"3 kJ/m2\", mode_2 = \"3 kJ/m2\" }", "outputs.0.frames.tetrahedra=true"]],
   ["bolts", "scenes/verify/engineering/bolt_roof_block.toml", []],
   ["joints", "scenes/planar/voronoi.toml", []],
+  ["buttress", "scenes/spatial/buttress.toml", []],
 ];
 
 export function run(name: string): string {
