@@ -6,7 +6,7 @@
 
 use riprap_geom::Vec3;
 
-use super::{Eye, FINE};
+use super::wanted::{Eye, FINE};
 
 /// Share of the picture that stays free around the model.
 const MARGIN: f64 = 0.04;

@@ -9,7 +9,7 @@ use super::super::PlotError;
 use super::camera::{Camera, Window};
 use super::drawing::unit;
 use super::rods::Rod;
-use super::{Shot, rgb};
+use super::wanted::{Shot, rgb};
 
 /// Forces below this share of the largest are no part of chains, as in the viewer.
 const WEAK: f64 = 0.02;
@@ -147,7 +147,8 @@ fn chains(
     // The largest last, so that none is hidden by a smaller one.
     tubes.sort_by(|x, y| x.0.total_cmp(&y.0));
     for (share, line) in tubes {
-        let half = (0.5 * THICK * reach * share * seen.1.zoom / super::FINE as f64).max(0.5);
+        let half =
+            (0.5 * THICK * reach * share * seen.1.zoom / super::wanted::FINE as f64).max(0.5);
         let colour = std::array::from_fn(|k| weak[k] + share * (strong[k] - weak[k]));
         out.extend(Rod::between(line, seen, [half; 2], colour));
     }

@@ -6,7 +6,7 @@ use riprap_record::frame::Frame;
 use super::super::solid::bodies;
 use super::camera::{Camera, Window};
 use super::light::Light;
-use super::{Cut, Shot};
+use super::wanted::{Cut, Shot};
 
 /// Faces of a block whose normals have a smaller cosine than this have an edge between them.
 const EDGE: f64 = 0.95;

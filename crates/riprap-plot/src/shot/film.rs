@@ -6,7 +6,7 @@ use resvg::tiny_skia::Pixmap;
 use riprap_record::write_whole;
 
 use super::super::PlotError;
-use super::failed;
+use super::wanted::failed;
 
 /// Writes pictures of one size, `rate` of them a second, shown again and again. After the first one a picture holds only the
 /// rectangle in which it differs from that before it.

@@ -9,7 +9,7 @@ use riprap_record::frame::Frame;
 
 use super::camera::{Camera, Window};
 use super::drawing::Drawing;
-use super::{FINE, Shot};
+use super::wanted::{FINE, Shot};
 
 /// To the sun, in the axes of the camera: over the left shoulder.
 const SUN: [f64; 3] = [-0.45, 0.62, 0.64];
@@ -150,7 +150,7 @@ impl Shadows {
             (low, high) = (low.min(along), high.max(along));
         }
         let size = [FROM_SUN; 2];
-        let eye = super::Eye::From { direction: [0.0; 2], angle: None };
+        let eye = super::wanted::Eye::From { direction: [0.0; 2], angle: None };
         let (camera, window) = super::camera::fitted(&eye, axes, [low, high], size);
         let drawing = Drawing::of(frame, shot, (&camera, &window));
         let point = (1.0 / window.zoom).max(1e-9 * reach);

@@ -8,23 +8,12 @@ use super::super::svg::{Anchor, Page, text_width};
 use super::super::{Look, PlotError};
 use super::camera::{Camera, Window};
 use super::drawing::unit;
-use super::{FINE, Shot, TITLE, failed};
+use super::wanted::{FINE, Note, Shot, TITLE, failed};
 
 /// Size of the letters; where a text begins, from its place; and the height of its box, pixels.
 const SIZE: f64 = 12.0;
 const AWAY: [f64; 2] = [14.0, -18.0];
 const HIGH: f64 = 18.0;
-
-/// A text at a place of the model.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Note {
-    /// What is written.
-    pub text: String,
-    /// Where it points to, m; on a block: where that is at rest.
-    pub at: [f64; 3],
-    /// Number of its block; `None`: it stays where it is.
-    pub block: Option<u32>,
-}
 
 /// Where a note is in a frame, m; `None`: its block is not there.
 fn place(note: &Note, frame: &Frame, shot: &Shot) -> Option<Vec3> {

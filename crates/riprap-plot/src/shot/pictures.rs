@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use resvg::tiny_skia::Pixmap;
 use riprap_record::frame::{BRICK, Column, Frame, Solids};
 
+use super::super::drawing::Normal;
 use super::*;
 
 /// Points of which a channel differs by more than this are others.

@@ -9,7 +9,7 @@ use super::super::bolts::{colour, forces};
 use super::super::solid::bodies;
 use super::camera::{Camera, Window};
 use super::drawing::{Drawing, unit};
-use super::{FINE, Shot, rgb};
+use super::wanted::{FINE, Shot, rgb};
 
 /// Half of the width of a bolt, and of a dark rim beyond what it is around, pixels.
 const HALF: f64 = 1.6;

@@ -1,3 +1,4 @@
+use super::super::drawing::Normal;
 use super::*;
 use riprap_testkit::solid_sample;
 

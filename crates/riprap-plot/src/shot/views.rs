@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::super::PlotError;
 use super::super::frames::{Which, unit_of};
 use super::kinds::Kinds;
-use super::{Cut, Eye, Note, Shot};
+use super::wanted::{Cut, Eye, Note, Shot};
 
 /// What somebody asks for of a picture; the rest is that of a saved view or of a new shot.
 #[derive(Clone, Copy, Debug, Default)]
