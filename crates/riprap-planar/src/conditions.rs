@@ -75,6 +75,8 @@ fn loads(view: &View<'_>) -> Vec<GivenLoad> {
                     put(Kind::Moment, "N", b, centre(b), [0.0, 0.0, *moment]);
                 }
             }
+            // Between blocks, not given by the scene.
+            LoadKind::Own { .. } => {}
             LoadKind::BodyForce { acceleration } => {
                 if let Some(&first) = load.blocks.first() {
                     let sum: Vec2 = load.blocks.iter().map(|b| centre(*b)).sum();

@@ -16,14 +16,30 @@ pub struct Applied {
     pub moment: f64,
 }
 
-/// Sums all loads in the kick before a step of `dt` (s) into `applied` (one entry per block).
+/// Sums all loads in the kick before a step of `dt` (s) into `applied` (one entry per block), but those that are found later in the evaluation.
 pub(crate) fn apply(world: &World, shapes: &Shapes, dt: f64, applied: &mut [Applied]) {
     applied.fill(Applied::default());
-    each(world, shapes, dt, |_, b, load| {
+    each(world, shapes, dt, |of, b, load| {
+        if matches!(of.kind, LoadKind::Own { .. }) {
+            return;
+        }
         let slot = &mut applied[b];
         slot.force += load.force;
         slot.moment += load.moment;
     });
+}
+
+/// Adds what laws of code have found.
+pub(crate) fn apply_own(world: &World, applied: &mut [Applied]) {
+    for load in &world.setup.loads {
+        if let LoadKind::Own { wrenches } = &load.kind {
+            let there = applied.iter_mut().zip(wrenches).zip(&world.alive);
+            for ((to, (force, moment)), _) in there.filter(|(_, alive)| **alive) {
+                to.force += *force;
+                to.moment += moment;
+            }
+        }
+    }
 }
 
 /// Hands over every load in the kick before a step of `dt` (s) with each block that it acts on.
@@ -67,6 +83,10 @@ fn on_block(world: &World, shapes: &Shapes, kind: &LoadKind, factor: f64, b: usi
             Applied { force: edge.push, moment: edge.middle.perp_dot(edge.push) + slope }
         }
         LoadKind::Moment { moment } => Applied { force: Vec2::ZERO, moment: factor * moment },
+        LoadKind::Own { wrenches } => {
+            let (force, moment) = wrenches.get(b).copied().unwrap_or_default();
+            Applied { force, moment }
+        }
         LoadKind::BodyForce { acceleration } => {
             Applied { force: factor * shapes.mass[b] * *acceleration, moment: 0.0 }
         }
@@ -141,7 +161,7 @@ pub(crate) fn pushes(world: &World, shapes: &Shapes, put: &mut dyn FnMut(usize, 
                         + factor * edge.along.length() * edge.traction_change;
                     put(b, edge.along, change / 12.0);
                 }
-                LoadKind::Moment { .. } | LoadKind::BodyForce { .. } => {}
+                LoadKind::Moment { .. } | LoadKind::BodyForce { .. } | LoadKind::Own { .. } => {}
             }
         }
     }

@@ -125,6 +125,8 @@ struct Row {
     blocks: [u32; 2],
     /// On the first block, N/m.
     force: Vec2,
+    /// Unit normal from the first block to the second; zero of a contact that does not press.
+    out: Vec2,
     /// Compression positive, N/m.
     normal: f64,
     shear: f64,
@@ -145,12 +147,50 @@ fn found(view: &View<'_>, blocks: [u32; 2], c: &Contact) -> Row {
         place: view.world.bodies[blocks[0] as usize].position + c.centre,
         blocks,
         force: c.normal.force + c.damping.force + c.tangential.force,
+        // What presses pushes the first block back.
+        out: -normal,
         normal: (c.normal.force + c.damping.force).dot(normal),
         shear: c.tangential.force.dot(normal.perp()),
         length: c.length,
         overlap: c.depth,
         slipping: c.slipping,
         ..Row::default()
+    }
+}
+
+/// A contact or a joint of the present instant.
+#[derive(Clone, Copy, Debug)]
+pub struct Met {
+    /// The blocks.
+    pub blocks: [u32; 2],
+    /// Whether it is a joint of the start.
+    pub joint: bool,
+    /// Place, m, without the origin.
+    pub place: Vec2,
+    /// Unit normal from the first to the second; zero of a contact that does not press.
+    pub normal: Vec2,
+    /// Length, m.
+    pub length: f64,
+    /// On the first block, N/m.
+    pub force: Vec2,
+}
+
+impl View<'_> {
+    /// Found contacts that touch, then joints that act between living blocks.
+    #[must_use]
+    pub fn met(&self) -> Vec<Met> {
+        let one = |row: Row, joint: bool| Met {
+            blocks: row.blocks,
+            joint,
+            place: row.place,
+            normal: row.out,
+            length: row.length,
+            force: row.force,
+        };
+        let alive = |b: u32| self.world.alive[b as usize];
+        let found = self.contacts().map(|(i, j, c)| one(found(self, [i, j], c), false));
+        let acting = self.world.bonds.iter().filter(|b| b.active && alive(b.i) && alive(b.j));
+        found.chain(acting.map(|bond| one(joint(self, bond), true))).collect()
     }
 }
 
@@ -185,6 +225,7 @@ fn joint(view: &View<'_>, bond: &Bond) -> Row {
         place: view.world.on_body(bond.i, arm),
         blocks: [bond.i, bond.j],
         force: bond.stress.force + bond.damping.force,
+        out: view.world.bodies[bond.i as usize].turned(bond.normal),
         normal: bears * bond.compression(),
         shear: bears * bond.shear(),
         length: bond.length,
@@ -203,6 +244,7 @@ fn contact_columns(rows: &[Row], slice: f64, unit: &str) -> Vec<Column> {
         Column::scalar(name, unit, rows.iter().map(get).collect())
     };
     let forces: Vec<[f64; 2]> = rows.iter().map(|r| (slice * r.force).into()).collect();
+    let normals: Vec<[f64; 2]> = rows.iter().map(|r| r.out.into()).collect();
     vec![
         column("block_a", "-", &|r| f64::from(r.blocks[0])),
         column("block_b", "-", &|r| f64::from(r.blocks[1])),
@@ -217,5 +259,6 @@ fn contact_columns(rows: &[Row], slice: f64, unit: &str) -> Vec<Column> {
         column("broken_length", "m", &|r| r.broken_length),
         column("opening", "m", &|r| r.opening),
         column("slip", "m", &|r| r.slip),
+        Column::vector("normal", "-", normals),
     ]
 }

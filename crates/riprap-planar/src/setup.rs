@@ -252,4 +252,9 @@ pub enum LoadKind {
         /// Acceleration, m/s².
         acceleration: Vec2,
     },
+    /// Forces of a law of code, which finds them in an evaluation once contacts are known. It acts on all blocks there are.
+    Own {
+        /// Force (N/m) and moment about the centroid (N) by number of block; none on those beyond.
+        wrenches: Vec<(Vec2, f64)>,
+    },
 }

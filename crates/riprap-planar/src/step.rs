@@ -19,6 +19,7 @@ pub use super::scratch::{Change, Net, NonFinite, Scratch};
 use super::scratch::{Partial, Workspace};
 use super::search::{self, Candidates};
 use super::seepage;
+use super::setup::LoadKind;
 use super::setup::Setup;
 use super::shapes::Shapes;
 use super::view::View;
@@ -251,6 +252,20 @@ pub fn evaluate(
     damping: &Damping,
     dt: f64,
 ) -> Result<(), NonFinite> {
+    evaluate_with(world, scratch, damping, dt, &mut |_, _| {})
+}
+
+/// As [`evaluate`]; `own` may change the loads of laws of code ([`LoadKind::Own`]) once joints and contacts of the instant are known.
+///
+/// # Errors
+/// A block with forces that are not finite.
+pub fn evaluate_with(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+    dt: f64,
+    own: &mut dyn FnMut(&mut World, &Scratch),
+) -> Result<(), NonFinite> {
     if !world.setup.water.is_empty() {
         stage(scratch, "seepage", |scratch| {
             seepage::update(world, &scratch.shapes);
@@ -272,6 +287,12 @@ pub fn evaluate(
         let first = world.pairs.len() + world.general.len() + world.bonds.len();
         stage(scratch, "bolts", |scratch| {
             bolts::act(world, &mut scratch.bolts, &mut scratch.slots[first..]);
+        });
+    }
+    if world.setup.loads.iter().any(|load| matches!(load.kind, LoadKind::Own { .. })) {
+        stage(scratch, "laws of code", |scratch| {
+            own(world, scratch);
+            loads::apply_own(world, &mut scratch.applied);
         });
     }
     let result = stage(scratch, "gather", |scratch| kicks(world, scratch, damping, dt));

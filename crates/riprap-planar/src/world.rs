@@ -115,8 +115,14 @@ impl Body {
     /// Present place (local, m) of a point of it, given from its centroid in the body frame.
     #[must_use]
     pub fn place(&self, arm: Vec2) -> Vec2 {
+        self.position + self.turned(arm)
+    }
+
+    /// A vector of the body frame in the present one.
+    #[must_use]
+    pub fn turned(&self, v: Vec2) -> Vec2 {
         let (s, c) = libm::sincos(self.angle);
-        self.position + Vec2::new(c * arm.x - s * arm.y, s * arm.x + c * arm.y)
+        Vec2::new(c * v.x - s * v.y, s * v.x + c * v.y)
     }
 }
 

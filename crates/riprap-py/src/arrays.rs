@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use riprap::record::table::Table;
 use riprap::record::{Column, Frame, vtu};
+use riprap::run::engine::Nodes;
 
 use crate::errors;
 
@@ -16,7 +17,7 @@ fn vector<T: Element>(py: Python<'_>, data: Vec<T>) -> Bound<'_, PyAny> {
 }
 
 /// Numbers as an array of rows.
-fn rows(py: Python<'_>, data: Vec<f64>, width: usize) -> PyResult<Bound<'_, PyAny>> {
+pub fn rows(py: Python<'_>, data: Vec<f64>, width: usize) -> PyResult<Bound<'_, PyAny>> {
     let count = data.len() / width.max(1);
     Ok(PyArray1::from_vec(py, data).reshape([count, width])?.into_any())
 }
@@ -51,6 +52,13 @@ pub fn frame(py: Python<'_>, frame: Frame) -> PyResult<Bound<'_, PyDict>> {
     };
     out.set_item("solids", solids)?;
     Ok(out)
+}
+
+/// Nodes as arrays: places, displacements, velocities, masses.
+pub fn nodes(py: Python<'_>, nodes: Nodes) -> PyResult<[Bound<'_, PyAny>; 4]> {
+    let Nodes { points, displacements, velocities, masses } = nodes;
+    let three = |of: Vec<[f64; 3]>| rows(py, of.into_flattened(), 3);
+    Ok([three(points)?, three(displacements)?, three(velocities)?, vector(py, masses)])
 }
 
 /// Reads a frame of a run folder from its two files.

@@ -6,6 +6,7 @@
 mod arrays;
 mod document;
 mod errors;
+mod law;
 mod live;
 mod look;
 mod plots;

@@ -16,22 +16,44 @@ use riprap::run::simulation::ChangeError;
 
 use crate::arrays;
 use crate::errors;
+use crate::law::{Law, Raised};
 use crate::look::Look;
 use crate::runs::existing;
 use crate::scene::{Scene, json};
 
 /// A run under way.
 #[pyclass(frozen, module = "riprap._riprap")]
-pub struct Simulation(Mutex<Option<Live>>);
+pub struct Simulation {
+    live: Mutex<Option<Live>>,
+    /// What a contact law raised.
+    raised: Raised,
+}
 
 impl Simulation {
+    fn of(live: Live) -> Self {
+        Self { live: Mutex::new(Some(live)), raised: Raised::default() }
+    }
+
+    /// What a contact law raised in place of what the run says of it.
+    fn raised_or(&self, py: Python<'_>, error: PyErr) -> PyErr {
+        let raised = self.raised.lock().ok().and_then(|mut raised| raised.take());
+        match raised {
+            Some(raised) => {
+                // Where it was, as a note under its traceback.
+                let _ = raised.value(py).call_method1("add_note", (error.to_string(),));
+                raised
+            }
+            None => error,
+        }
+    }
+
     /// Works on the run without the interpreter. A second caller (another thread, a callback) is turned away.
     fn with<T: Send>(
         &self,
         py: Python<'_>,
         work: impl FnOnce(&mut Option<Live>) -> PyResult<T> + Send,
     ) -> PyResult<T> {
-        py.detach(|| match self.0.try_lock() {
+        py.detach(|| match self.live.try_lock() {
             Ok(mut live) => work(&mut live),
             Err(_) => Err(PyRuntimeError::new_err(
                 "the simulation is advancing; wait until `advance` returns",
@@ -45,7 +67,7 @@ impl Simulation {
         py: Python<'_>,
         edit: impl FnOnce(&mut Live) -> Result<T, JobError> + Send,
     ) -> PyResult<T> {
-        self.with(py, |live| {
+        let edited = self.with(py, |live| {
             edit(open(live)?).map_err(|wrong| {
                 Python::attach(|py| match wrong {
                     JobError::Drive(DriveError::Change(ChangeError::Keys(found))) => {
@@ -57,7 +79,8 @@ impl Simulation {
                     wrong => errors::job(py, &wrong),
                 })
             })
-        })
+        });
+        edited.map_err(|error| self.raised_or(py, error))
     }
 
     fn read<T: Send>(
@@ -109,9 +132,44 @@ impl Simulation {
             Ok(live)
         });
         match begun {
-            Ok(live) => Ok(Self(Mutex::new(Some(live)))),
+            Ok(live) => Ok(Self::of(live)),
             Err(error) => Err(errors::job_of(py, &error, &parsed)),
         }
+    }
+
+    /// Reopens the run of a folder at its last checkpoint; forces are found by the first advance.
+    #[staticmethod]
+    fn reopen(py: Python<'_>, folder: PathBuf, threads: usize) -> PyResult<Self> {
+        let live = py.detach(|| Live::reopen(&folder, threads));
+        live.map(Self::of).map_err(|error| errors::job(py, &error))
+    }
+
+    /// Puts a law on the contacts of a group or between two.
+    fn contact_law(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        of: Vec<String>,
+        function: Py<PyAny>,
+        memory: usize,
+    ) -> PyResult<()> {
+        let law = Law::new(function, memory, self.raised.clone());
+        let of: Vec<&str> = of.iter().map(String::as_str).collect();
+        self.edited(py, |live| live.contact_law(name, &of, Box::new(law)))
+    }
+
+    /// What contact laws have cost: name, calls, seconds.
+    #[getter]
+    fn law_costs(&self, py: Python<'_>) -> PyResult<Vec<(String, u64, f64)>> {
+        self.read(py, |live| {
+            let costs = live.simulation().law_costs().into_iter();
+            Ok(costs.map(|cost| (cost.name, cost.calls, cost.seconds)).collect())
+        })
+    }
+
+    /// Changes moduli of a material, given as the TOML text of its keys.
+    fn set_material(&self, py: Python<'_>, name: &str, keys: &str) -> PyResult<()> {
+        self.edited(py, |live| live.set_material(name, keys))
     }
 
     /// Goes on by a number of steps or a span of model time, or to the end; the state it is in then.
@@ -137,7 +195,7 @@ impl Simulation {
         });
         match look.raised {
             Some(raised) => Err(raised),
-            None => result,
+            None => result.map_err(|error| self.raised_or(py, error)),
         }
     }
 
@@ -184,9 +242,34 @@ impl Simulation {
         self.edited(py, |live| live.set_force(of, force, moment))
     }
 
-    /// Sets the velocity of each block of a name.
-    fn set_velocity(&self, py: Python<'_>, of: &str, velocity: [f64; 3]) -> PyResult<()> {
-        self.edited(py, |live| live.set_velocity(of, velocity))
+    /// Sets forces on nodes of a deformable block.
+    fn set_node_forces(
+        &self,
+        py: Python<'_>,
+        of: &str,
+        forces: Vec<(u32, [f64; 3])>,
+    ) -> PyResult<()> {
+        self.edited(py, |live| live.set_node_forces(of, &forces))
+    }
+
+    /// Nodes of a deformable block: places, displacements, velocities, masses.
+    fn nodes<'py>(&self, py: Python<'py>, of: &str) -> PyResult<[Bound<'py, PyAny>; 4]> {
+        let nodes = self.read(py, |live| {
+            live.simulation().nodes(of).map_err(|wrong| PyValueError::new_err(wrong.to_string()))
+        })?;
+        arrays::nodes(py, nodes)
+    }
+
+    /// Sets velocity, spin or both of each block of a name.
+    #[pyo3(signature = (of, velocity=None, spin=None))]
+    fn set_velocity(
+        &self,
+        py: Python<'_>,
+        of: &str,
+        velocity: Option<[f64; 3]>,
+        spin: Option<[f64; 3]>,
+    ) -> PyResult<()> {
+        self.edited(py, |live| live.set_velocity(of, velocity, spin))
     }
 
     /// Charges the hole of a source.

@@ -522,6 +522,16 @@ pub enum LoadKind {
         /// Acceleration, m/s².
         acceleration: Vec3,
     },
+    /// Forces on nodes of one deformable block.
+    Nodes {
+        /// Numbers of nodes in the block, and the force on each, N.
+        forces: Vec<(u32, Vec3)>,
+    },
+    /// Forces of a law of code, which finds them in an evaluation once contacts are known. It acts on all blocks there are.
+    Own {
+        /// Force (N) and moment about the centroid (N m) by number of block; none on those beyond.
+        wrenches: Vec<[Vec3; 2]>,
+    },
 }
 
 /// A bolt, from its head into the rock.

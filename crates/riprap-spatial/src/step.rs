@@ -11,7 +11,7 @@ use crate::joint::patch;
 use crate::setup::rotation::rotation;
 use std::time::Instant;
 
-use riprap_geom::Quat;
+use riprap_geom::{Quat, Vec3};
 
 use crate::contact;
 use crate::deform;
@@ -27,7 +27,7 @@ use crate::rigid::bound::Bound;
 use crate::rigid::gather;
 use crate::rigid::implicit;
 use crate::rigid::integrate;
-use crate::setup::Kinematics;
+use crate::setup::{Kinematics, LoadKind};
 use crate::state::bodies::Turned;
 use crate::state::patches::flag;
 use crate::state::scratch::Lost;
@@ -50,6 +50,20 @@ pub fn evaluate(
     scratch: &mut Scratch,
     damping: &Damping,
     dt: f64,
+) -> Result<(), NonFinite> {
+    evaluate_with(world, scratch, damping, dt, &mut |_, _| {})
+}
+
+/// As [`evaluate`]; `own` may change the loads of laws of code ([`LoadKind::Own`]) once joints and contacts of the instant are known.
+///
+/// # Errors
+/// A block with forces that are not finite.
+pub fn evaluate_with(
+    world: &mut World,
+    scratch: &mut Scratch,
+    damping: &Damping,
+    dt: f64,
+    own: &mut dyn FnMut(&mut World, &Scratch),
 ) -> Result<(), NonFinite> {
     // Kept, so that `advance`, and whoever reads between the two halves,
     // finds the very kick that the works were booked for.
@@ -109,6 +123,12 @@ pub fn evaluate(
     // Only now is it known how deep blocks lie in each other, whose energy is part of that of the start.
     if world.start_energy.is_none() {
         contact::begin(world, &scratch.desk, &scratch.exec);
+    }
+    if world.setup.loads.iter().any(|load| matches!(load.kind, LoadKind::Own { .. })) {
+        stage(scratch, "laws of code", |scratch| {
+            own(world, scratch);
+            push::loads::apply_own(world, &mut scratch.pushes.loads);
+        });
     }
     let mut result = stage(scratch, "gather", |scratch| gather::gather(world, scratch));
     if world.deform.is_some() {
@@ -327,6 +347,15 @@ impl World {
         let momentum = after;
         self.bodies.set_velocity(b, self.bodies.velocity(b), turned);
         self.turned[b] = Some(Box::new(Turned { attitude, momentum }));
+    }
+
+    /// Sets velocity (m/s) and spin (rad/s) of a rigid block at the present instant, with the angular momentum of that spin.
+    pub fn set_spin(&mut self, b: usize, velocity: Vec3, spin: Vec3) {
+        self.bodies.set_velocity(b, velocity, spin);
+        let inertia = self.solid_of(b).inertia;
+        if let Some(turned) = &mut self.turned[b] {
+            turned.momentum = patch::turned_inertia(&inertia, turned.attitude) * spin;
+        }
     }
 
     /// Changes a patch over to finite rotations with the tractions it has.

@@ -39,6 +39,7 @@ pub mod add;
 pub mod bolts;
 pub mod cut;
 pub mod fracture;
+pub mod material;
 pub(crate) mod refine;
 
 pub(crate) mod audit;

@@ -31,6 +31,6 @@ pub use crate::plan::{Phase, Plan, TimeStep};
 pub use crate::run::engine::NewBlock;
 #[cfg(feature = "scenario")]
 pub use crate::run::scene::Scene;
-pub use crate::run::simulation::{Reached, Simulation};
+pub use crate::run::simulation::{ContactLaw, Contacts, Reached, Simulation};
 pub use crate::setup::Setup;
 pub use crate::{Vec2, Vec3};

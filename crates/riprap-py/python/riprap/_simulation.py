@@ -28,6 +28,16 @@ class Value(NamedTuple):
         return self.value
 
 
+# Of what a contact law is shown.
+_LAW_UNITS = {
+    "point": "m",
+    "area": "m2",
+    "displacement": "m",
+    "velocity": "m/s",
+    "force_on_a": "N",
+}
+
+
 def _three(vector: "Iterable[float]") -> tuple[float, float, float]:
     x, y, *rest = (float(v) for v in vector)
     return (x, y, rest[0] if rest else 0.0)
@@ -150,29 +160,162 @@ class Simulation:
         """
         self._sim.change(_riprap.to_toml(dict(keys)))
 
-    def set_force(self, of: str, force: "Iterable[float]", moment: "float | Iterable[float]" = 0.0) -> None:
+    def set_interface(self, name: str, **keys: Any) -> None:
+        """Changes parameters of an interface at this instant, as :meth:`change` with them under ``interfaces``::
+
+            sim.set_interface("joint", friction_angle="20 deg", cohesion="0 MPa")
+
+        Raises:
+            ScenarioError: an interface or a key that is wrong or has no effect, at its place.
+        """
+        self.change({"interfaces": {name: keys}})
+
+    def set_material(self, name: str, **keys: Any) -> None:
+        """Changes moduli of a material at this instant: ``young``, ``poisson``. Tetrahedra, bonds, joints and contacts whose stiffness comes of them
+        follow; displacements stay, and what is stored more or less is booked (``energy.edit_defect``)::
+
+            sim.set_material("rock", young="5 GPa")
+
+        Raises:
+            ScenarioError: a value that is wrong, at its place.
+            ValueError: a material or key that cannot change: masses stay, and in the plane moduli only set the stiffness of interfaces that
+                give none.
+        """
+        self._sim.set_material(name, _riprap.to_toml(dict(keys)))
+
+    def contact_law(
+        self,
+        name: str,
+        of: "str | tuple[str, str]",
+        function: "Callable[[Fields], Any]",
+        *,
+        memory: int = 0,
+    ) -> None:
+        """Puts a law of your own on contacts and joints of rigid blocks, beside the built-in response: a trial of a law, at the speed of Python.
+
+        The function is called once a step with all contacts as NumPy arrays, a row each: ``point`` [m], ``blocks`` (numbers into :attr:`names`), ``joint``,
+        ``normal`` from the first block to the second, ``area`` [m2; in the plane ``area`` is the length, m], ``displacement`` and ``velocity`` of the
+        second block against the first since the law has first seen the contact [m, m/s], ``force_on_a`` of the built-in response, ``time`` [s], and
+        ``memory``, which it may write. It gives the traction on the first block [Pa], a row each; the second gets the opposite at the same point::
+
+            def damper(contacts):
+                return 1e5 * contacts["velocity"]      # Pa per m/s
+
+            sim.contact_law("damper", "stone", damper)
+
+        The work is that of the load ``law NAME``. What it raises stops the run with a checkpoint and goes on with its traceback. The automatic time step
+        does not know the stiffness of the law.
+
+        Args:
+            name: name of the law, new in the run; after :meth:`reopen` that which it had.
+            of: a block or group, all of whose contacts it is for; or two, between which it acts.
+            function: gives an array of shape (contacts, 3); in the plane (contacts, 2) will do.
+            memory: numbers that it remembers of each contact, zeros of a new one; a checkpoint holds them.
+
+        Raises:
+            ValueError: there is no such name, a block deforms, the phase is implicit, relaxes or steps by levels.
+        """
+
+        def law(shown: dict[str, Any]) -> tuple[Any, Any]:
+            remembered = shown.pop("memory").reshape(-1, memory)
+            time = shown.pop("time")
+            arrays = {}
+            for key, array in shown.items():
+                array.flags.writeable = False
+                arrays[key] = Field(array, key, _LAW_UNITS.get(key, "-"))
+            arrays |= {"memory": Field(remembered, "memory"), "time": Field(np.float64(time), "time", "s")}
+            answer = np.asarray(function(Fields(arrays, "field on contacts")), dtype=float)
+            count = len(shown["area"])
+            if answer.ndim != 2 or answer.shape not in ((count, 3), (count, 2)):
+                raise ValueError(f"contact law {name!r} gave an array of shape {answer.shape}, not {(count, 3)}")
+            tractions = np.zeros((count, 3))
+            tractions[:, : answer.shape[1]] = answer
+            return tractions, np.ascontiguousarray(remembered, dtype=float).reshape(-1)
+
+        self._sim.contact_law(name, [of] if isinstance(of, str) else list(of), law, memory)
+
+    def law_costs(self) -> dict[str, dict[str, float]]:
+        """What contact laws have cost in this process: ``calls`` and ``seconds`` of each by name. The share of the run is the stage ``laws of code`` of
+        ``profile`` in the manifest."""
+        return {name: {"calls": calls, "seconds": seconds} for name, calls, seconds in self._sim.law_costs}
+
+    @classmethod
+    def reopen(cls, folder: str | PathLike[str], *, threads: int | None = None) -> "Simulation":
+        """Goes on step by step with the run of a folder that was closed or stopped before its end, from its last checkpoint.
+
+        Contact laws are given again, by the names that they had, before it advances. Keys of :meth:`change` need a simulation that was begun here.
+        """
+        sim = cls.__new__(cls)
+        sim.path = Path(folder)
+        sim.scenario = scenario(sim.path / "scenario.resolved.toml")
+        sim._sim = _riprap.Simulation.reopen(sim.path, _threads(threads))
+        return sim
+
+    def set_force(
+        self,
+        of: str,
+        force: "Iterable[float] | np.ndarray[Any, Any]",
+        moment: "float | Iterable[float]" = 0.0,
+        *,
+        nodes: "Iterable[int] | None" = None,
+    ) -> None:
         """Sets the force [N] and the moment [N m] on each block of a name, beside the loads of the scenario, until they are set again.
 
         In the plane both are per metre of thickness, and the moment is a number. Their work is that of the load ``force on NAME``.
 
+        With ``nodes`` the force acts on nodes of one deformable block, in place of all that was set on its nodes before; its work is that of
+        the load ``force on nodes of NAME``::
+
+            end = np.flatnonzero(sim.nodes("bar")["point"][:, 0] > 0.99)
+            sim.set_force("bar", (1e3 / len(end), 0, 0), nodes=end)
+
         Args:
-            of: a block or a group.
-            force: the force, two or three components.
-            moment: the moment, in space three components.
+            of: a block or a group; with ``nodes`` a deformable block.
+            force: the force, two or three components; with ``nodes`` of each of them, or a row for each.
+            moment: the moment, in space three components; of rigid blocks.
+            nodes: numbers of nodes, as in :meth:`nodes`; an empty list takes all forces off.
 
         Raises:
-            ValueError: there is no such name, its blocks have been removed, or a number is none.
+            ValueError: there is no such name, its blocks have been removed, there are no such nodes, or a number is none.
         """
         turning = (0.0, 0.0, float(moment)) if isinstance(moment, (int, float)) else _three(moment)
-        self._sim.set_force(of, _three(force), turning)
+        if nodes is None:
+            self._sim.set_force(of, _three(force), turning)
+            return
+        if turning != (0.0, 0.0, 0.0):
+            raise ValueError("nodes take no moment")
+        numbers = [int(node) for node in nodes]
+        if min(numbers, default=0) < 0:
+            raise ValueError(f"nodes have numbers from 0, not {min(numbers)}")
+        each = np.broadcast_to(np.asarray(force, dtype=float), (len(numbers), 3))
+        self._sim.set_node_forces(of, [(node, _three(row)) for node, row in zip(numbers, each, strict=True)])
 
-    def set_velocity(self, of: str, velocity: "Iterable[float]") -> None:
-        """Sets the velocity [m/s] of each block of a name at this instant; spins stay. The energy that it adds is booked as an edit.
+    def nodes(self, of: str) -> "Fields":
+        """Nodes of a deformable block as read-only arrays, a row each: ``point`` [m], ``displacement`` [m], ``velocity`` [m/s] and ``mass`` [kg]. Their
+        order, corners first and the centroid last, stays while the block is there.
+
+        Raises:
+            ValueError: there is no such block, it is rigid or has been removed.
+        """
+        units = {"point": "m", "displacement": "m", "velocity": "m/s", "mass": "kg"}
+        arrays = list(zip(units.items(), self._sim.nodes(of), strict=True))
+        for _, array in arrays:
+            array.flags.writeable = False
+        return Fields({name: Field(array, name, unit) for (name, unit), array in arrays}, "field on nodes")
+
+    def set_velocity(
+        self, of: str, velocity: "Iterable[float] | None" = None, *, spin: "float | Iterable[float] | None" = None
+    ) -> None:
+        """Sets the velocity [m/s], the spin [rad/s; in the plane a number] or both of each block of a name at this instant; what is not given
+        stays. The energy that it adds is booked as an edit.
 
         Raises:
             ValueError: there is no such name, its blocks have been removed, deform or are held by a support, or a number is none.
         """
-        self._sim.set_velocity(of, _three(velocity))
+        if velocity is None and spin is None:
+            raise ValueError("give `velocity`, `spin` or both")
+        turning = (0.0, 0.0, float(spin)) if isinstance(spin, (int, float)) else None if spin is None else _three(spin)
+        self._sim.set_velocity(of, None if velocity is None else _three(velocity), turning)
 
     def charge(self, of: str, mass: "str | float", *, delay: "str | float" = 0.0) -> None:
         """Charges the hole of a source that has not gone off, to go off ``delay`` from now.

@@ -17,10 +17,11 @@ pub(crate) enum Pushed {
     Node(u32, Vec3),
 }
 
-/// Pushes blocks with all loads at the world's present time.
+/// Pushes blocks with all loads at the world's present time but those that are found later in the evaluation.
 pub(crate) fn apply(world: &World, work: Option<&Workspace>, half: [f64; 2], loads: &mut Account) {
     let nodes = world.deform.as_deref().map_or(0, |d| d.nodes.len());
-    each(world, work, half, |_, pushed| match pushed {
+    each(world, work, half, |load, pushed| match pushed {
+        _ if matches!(load.kind, LoadKind::Own { .. }) => {}
         Pushed::Block(b, push) => {
             loads.need_blocks(world.alive.len());
             loads.on_block(b, push.force, push.moment);
@@ -30,6 +31,21 @@ pub(crate) fn apply(world: &World, work: Option<&Workspace>, half: [f64; 2], loa
             loads.on_node(node, force);
         }
     });
+}
+
+/// Pushes blocks with what laws of code have found.
+pub(crate) fn apply_own(world: &World, loads: &mut Account) {
+    for load in &world.setup.loads {
+        let LoadKind::Own { wrenches } = &load.kind else {
+            continue;
+        };
+        loads.need_blocks(world.alive.len());
+        for (b, [force, moment]) in (0..world.alive.len() as u32).zip(wrenches) {
+            if world.alive[b as usize] {
+                loads.on_block(b, *force, *moment);
+            }
+        }
+    }
 }
 
 /// Hands over every load with what it pushes, in the kick that spans the `half` steps (s) before and after the world's present time.
@@ -77,6 +93,12 @@ fn on_rigid(world: &World, load: &LoadKind, factor: f64, b: u32) -> Wrench {
         LoadKind::BodyForce { acceleration } => {
             push.force = factor * world.solid_of(b as usize).mass * *acceleration;
         }
+        // A rigid block has none.
+        LoadKind::Nodes { .. } => {}
+        LoadKind::Own { wrenches } => {
+            let [force, moment] = wrenches.get(b as usize).copied().unwrap_or_default();
+            push = Wrench { force, moment };
+        }
     }
     push
 }
@@ -112,7 +134,12 @@ fn on_nodes(
                 put(first + node, factor * weight * *force);
             }
         }
-        // Refused when the model is made: nodes take no moment.
-        LoadKind::Moment { .. } => {}
+        LoadKind::Nodes { forces } => {
+            for (node, force) in forces {
+                put(first + node, factor * *force);
+            }
+        }
+        // Refused when the model is made: nodes take no moment, and laws of code act between rigid blocks.
+        LoadKind::Moment { .. } | LoadKind::Own { .. } => {}
     }
 }

@@ -107,6 +107,18 @@ fn loads(view: &View<'_>) -> Vec<GivenLoad> {
                     put(Kind::Moment, "N m", b, centre(b), *moment);
                 }
             }
+            LoadKind::Nodes { forces } => {
+                let deform = world.deform.as_deref();
+                let block = load.blocks.first().copied().unwrap_or_default();
+                let body = deform.and_then(|d| d.body(block as usize));
+                for (node, force) in forces {
+                    let place = deform.zip(body);
+                    let place = place.map(|(d, body)| d.nodes.place[(body.first + node) as usize]);
+                    put(Kind::Force, "N", block, place.unwrap_or(centre(block)), *force);
+                }
+            }
+            // Between blocks, not given by the scene.
+            LoadKind::Own { .. } => {}
             LoadKind::BodyForce { acceleration } => {
                 if let Some(&first) = load.blocks.first() {
                     let sum: Vec3 = load.blocks.iter().map(|b| centre(*b)).sum();

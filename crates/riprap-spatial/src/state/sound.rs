@@ -3,6 +3,7 @@
 use riprap_core::numbers::{below, one_each};
 
 use crate::flow::End;
+use crate::setup::LoadKind;
 use crate::state::deform::Deform;
 use crate::state::world::World;
 
@@ -94,6 +95,15 @@ impl World {
         let holds = setup.deform.holds.iter().filter_map(|hold| hold.blocks.as_ref());
         let all = supports.chain(loads).chain(groups).chain(holds.flatten());
         below("block", all.copied(), blocks)?;
+        for load in &setup.loads {
+            if let LoadKind::Nodes { forces } = &load.kind {
+                let deform = self.deform.as_deref();
+                let body = |b: &u32| deform.and_then(|d| d.body(*b as usize));
+                let least = load.blocks.iter().map(|b| body(b).map_or(0, |body| body.count)).min();
+                let nodes = forces.iter().map(|(node, _)| *node);
+                below("node", nodes, least.unwrap_or(0) as usize)?;
+            }
+        }
         let accounts = setup.loads.iter().filter_map(|load| load.account);
         below("account", accounts.map(u32::from), setup.accounts.len())
     }

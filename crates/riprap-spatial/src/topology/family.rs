@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use riprap_geom::Vec3;
+use riprap_geom::polyhedron::Tetrahedra;
 use riprap_geom::polyhedron::cut::Part;
 
 use crate::faces::deformable::centred;
@@ -75,7 +76,19 @@ impl Family<'_> {
             LoadKind::Moment { moment } => {
                 each(&|share| LoadKind::Moment { moment: share * moment })
             }
-            LoadKind::BodyForce { .. } => Vec::new(),
+            LoadKind::BodyForce { .. } | LoadKind::Own { .. } => Vec::new(),
+            // The places of its nodes, where parts of it lie now.
+            LoadKind::Nodes { ref forces } => {
+                let shape = &setup.blocks[self.parent as usize].shape;
+                let (solid, centre) = centred(shape);
+                let Ok(mesh) = Tetrahedra::new(&solid) else { return Vec::new() };
+                let at = |(node, force): &(u32, Vec3)| {
+                    let place = centre + mesh.nodes[*node as usize];
+                    let kind = LoadKind::Point { force: *force, at: Some(place) };
+                    on(vec![self.holder(setup, place)], kind)
+                };
+                forces.iter().map(at).collect()
+            }
         }
     }
 }
@@ -101,7 +114,7 @@ pub(super) fn follow(setup: &mut Setup, families: &[Family]) {
     setup.block_lists().for_each(extend);
     let mut k = 0;
     while let Some(load) = setup.loads.get_mut(k) {
-        if let LoadKind::BodyForce { .. } = load.kind {
+        if let LoadKind::BodyForce { .. } | LoadKind::Own { .. } = load.kind {
             extend(&mut load.blocks);
         } else {
             let load = load.clone();

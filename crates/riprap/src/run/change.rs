@@ -9,11 +9,15 @@ use std::path::PathBuf;
 use riprap_core::condition::Condition;
 use toml::{Table, Value};
 
+use super::engine::Kind;
 use super::job::Job;
 use super::scene::build;
 use super::simulation::{Change, ChangeError, Simulation};
 use crate::plan::Phase;
+use crate::record::field::nearest;
 use crate::scenario::{self, Diagnostics, Source};
+use crate::setup::Setup;
+use crate::spatial::setup::Material;
 
 /// Keys that edit.
 const EDITS: [&str; 9] = [
@@ -33,6 +37,12 @@ const RULES: [&str; 5] = ["until", "time_step", "safety", "damping", "max_residu
 
 /// Keys that list blocks.
 const LISTS: [&str; 3] = ["remove", "fix", "release"];
+
+/// Keys of a material that can change.
+const MODULI: [&str; 2] = ["young", "poisson"];
+
+/// Why materials of the plane do not change.
+const IN_PLANE: &str = "in the plane its moduli only set the stiffness of interfaces that give none; change `interfaces.NAME.normal_stiffness`";
 
 /// Name of the phase that stands for a change in the text.
 const NAME: &str = "change by code";
@@ -86,6 +96,7 @@ impl SceneText {
         let mut parsed = scenario::parse_with(source, Vec::new()).map_err(ChangeError::Keys)?;
         parsed.folder.clone_from(&self.folder);
         let model = build(&parsed, &self.variant).map_err(ChangeError::Keys)?;
+        without_effect(&parsed, &model.warnings, self.count + 1)?;
         let mut phases = model.plan.phases.into_iter().skip(at);
         let said = phases.next().ok_or(ChangeError::NoScene)?;
         let mut later: Vec<Phase> = phases.collect();
@@ -116,13 +127,61 @@ impl SceneText {
         Ok((change, Self { text, count: self.count + 1, ..self.clone() }))
     }
 
-    /// The text with the keys as phase number `at`, in the phase `present`.
-    fn with(&self, keys: &Table, at: usize, present: &str) -> Result<String, ChangeError> {
-        let wrong = |error: toml::de::Error| {
+    /// A material with other moduli: its number, and the text with it.
+    pub(super) fn read_material(
+        &self,
+        name: &str,
+        keys: &Table,
+        simulation: &Simulation,
+    ) -> Result<(u16, Material, Self), ChangeError> {
+        let wrong =
+            |why: &str| ChangeError::Material { name: name.to_owned(), why: why.to_owned() };
+        if simulation.phase().is_none() {
+            return Err(ChangeError::Ended);
+        }
+        for key in keys.keys().filter(|key| !MODULI.contains(&key.as_str())) {
+            let key = format!("materials.{name}.{key}");
+            return Err(ChangeError::Forbidden { key, known: MODULI.join(", ") });
+        }
+        if keys.is_empty() {
+            return Err(wrong("no key is given; valid keys: young, poisson"));
+        }
+        if simulation.kind() != Kind::Spatial {
+            return Err(wrong(IN_PLANE));
+        }
+        let mut root = self.root()?;
+        let there = root.get_mut("materials").and_then(Value::as_table_mut);
+        let there = there.ok_or(ChangeError::NoScene)?;
+        let Some(material) = there.get_mut(name).and_then(Value::as_table_mut) else {
+            let near = nearest(name, there.keys().map(String::as_str))
+                .map(|near| format!("; did you mean {near:?}?"));
+            return Err(wrong(&format!("there is none of this name{}", near.unwrap_or_default())));
+        };
+        material.extend(keys.clone());
+        let text = root.to_string();
+        let source = Source::new(format!("{} (with a change)", self.name), text.clone());
+        let mut parsed = scenario::parse_with(source, Vec::new()).map_err(ChangeError::Keys)?;
+        parsed.folder.clone_from(&self.folder);
+        let model = build(&parsed, &self.variant).map_err(ChangeError::Keys)?;
+        let Setup::Spatial(setup) = model.setup else {
+            return Err(wrong(IN_PLANE));
+        };
+        let mut numbered = (0..).zip(setup.materials);
+        let found = numbered.find(|(_, material)| material.name == name);
+        let (row, material) = found.ok_or_else(|| wrong("no block is made of it"))?;
+        Ok((row, material, Self { text, ..self.clone() }))
+    }
+
+    fn root(&self) -> Result<Table, ChangeError> {
+        toml::from_str(&self.text).map_err(|error: toml::de::Error| {
             let found = scenario::Diagnostic::error("toml", error.message().to_owned());
             ChangeError::Keys(Diagnostics::new(Source::new(&self.name[..], ""), vec![found]))
-        };
-        let mut root: Table = toml::from_str(&self.text).map_err(wrong)?;
+        })
+    }
+
+    /// The text with the keys as phase number `at`, in the phase `present`.
+    fn with(&self, keys: &Table, at: usize, present: &str) -> Result<String, ChangeError> {
+        let mut root = self.root()?;
         let phases = root.get_mut("phases").and_then(Value::as_array_mut);
         let phases = phases.ok_or(ChangeError::NoScene)?;
         let mut phase = keys.clone();
@@ -167,6 +226,30 @@ pub(super) fn parse(text: &str) -> Result<Table, ChangeError> {
         let found = error.span().map_or(found.clone(), |span| found.at(span));
         ChangeError::Keys(Diagnostics::new(Source::new("the change", text), vec![found]))
     })
+}
+
+/// Keys of a change that have no effect are wrong: nobody would see the warning.
+fn without_effect(
+    parsed: &scenario::Parsed,
+    warnings: &[scenario::Diagnostic],
+    count: usize,
+) -> Result<(), ChangeError> {
+    let text = &parsed.source.text;
+    let name = format!("name = \"{NAME} {count}\"");
+    let Some(at) = text.find(&name) else {
+        return Ok(());
+    };
+    let begin = text[..at].rfind("[[phases]]").unwrap_or(0);
+    let end = text[at..].find("\n[[").map_or(text.len(), |more| at + more);
+    let idle = |one: &&scenario::Diagnostic| {
+        one.code == "key.unused"
+            && one.span.as_ref().is_some_and(|span| begin <= span.start && span.end <= end)
+    };
+    let found: Vec<_> = warnings.iter().filter(idle).cloned().collect();
+    if found.is_empty() {
+        return Ok(());
+    }
+    Err(ChangeError::Keys(Diagnostics::new(parsed.source.clone(), found)))
 }
 
 /// Whether all keys can change.

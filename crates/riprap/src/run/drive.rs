@@ -16,7 +16,7 @@ use super::checks::Watch;
 use super::engine::Reading;
 use super::engine::steer::{SteerError, Steered};
 use super::recorder::{RecordError, Recorded, Recorder};
-use super::simulation::{ChangeError, RunError, Simulation, Snapshot, Stage};
+use super::simulation::{ChangeError, ContactLaw, RunError, Simulation, Snapshot, Stage};
 use crate::ledger::{Balance, COLUMNS};
 use crate::peers::Trouble;
 use crate::plan::Window;
@@ -69,6 +69,9 @@ pub enum DriveError {
     /// What code wants to change.
     #[error(transparent)]
     Change(#[from] ChangeError),
+    /// A law of code has failed.
+    #[error("{0}; the run can be resumed from its checkpoint")]
+    Law(RunError),
     /// The ranks cannot go on together.
     #[error(transparent)]
     Ranks(#[from] Trouble),
@@ -266,6 +269,21 @@ impl Drive {
         Ok(edited?)
     }
 
+    /// Gives the function of a law of code, or takes it away.
+    pub(super) fn set_law(
+        &mut self,
+        name: &str,
+        law: Option<Box<dyn ContactLaw>>,
+    ) -> Result<(), DriveError> {
+        match law {
+            Some(law) => Ok(self.simulation.attach_law(name, law)?),
+            None => {
+                self.simulation.detach_law(name);
+                Ok(())
+            }
+        }
+    }
+
     /// The simulation alone.
     #[must_use]
     pub fn into_simulation(self) -> Simulation {
@@ -377,15 +395,26 @@ impl Drive {
                 // Before the forces: what they set up for the coming step would have to be kept else.
                 self.keeper.keep(&self.simulation);
                 let reached = pause.reached(&self.simulation);
-                self.paused = reached.then(|| self.pause());
+                // A law of code may fail, and the run goes on from here then.
+                let may_fail = reached || self.simulation.has_laws();
+                self.paused = may_fail.then(|| self.pause());
                 let prepared = self.simulation.prepare();
                 self.sound()?;
                 let stage = match prepared {
                     Ok(stage) => stage,
+                    Err(error @ RunError::Law { .. }) => {
+                        self.checkpoint()?;
+                        if let Some(paused) = &self.paused {
+                            self.simulation.restore(paused.snapshot.clone());
+                        }
+                        return Err(DriveError::Law(error));
+                    }
                     Err(mut error) => {
                         self.checkpoint()?;
                         let keeper = std::mem::take(&mut self.keeper);
+                        // A repetition would ask laws of code again.
                         if self.writes()
+                            && !self.simulation.has_laws()
                             && let Some(found) = keeper.judge(&mut self.simulation, &error)
                         {
                             error.add(&found);

@@ -4,7 +4,9 @@
 mod add;
 mod edit;
 mod leave;
+mod nodes;
 mod notes;
+mod own;
 mod reading;
 pub mod steer;
 mod step_error;
@@ -16,6 +18,8 @@ use thiserror::Error;
 pub(in crate::run) use add::Addition;
 pub use add::NewBlock;
 pub use leave::Departed;
+pub use nodes::Nodes;
+pub(in crate::run) use own::{Met, Wrenches, wrench};
 pub use reading::Reading;
 pub use view::{Drawn, Movement, View};
 

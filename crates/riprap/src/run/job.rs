@@ -154,6 +154,7 @@ impl JobError {
                 | DriveError::Field(_)
                 | DriveError::Steer(_)
                 | DriveError::Change(_)
+                | DriveError::Law(_)
                 | DriveError::Ranks(_),
             )
             | JobError::Record(RecordError::Field(_))

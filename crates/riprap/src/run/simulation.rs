@@ -13,6 +13,7 @@ mod control;
 mod cursor;
 mod ends;
 mod error;
+mod law;
 mod leavers;
 mod noted;
 mod shorter;
@@ -29,6 +30,7 @@ pub use cursor::{
     Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stage, Thrown, Unconverged,
 };
 pub use error::RunError;
+pub use law::{ContactLaw, Contacts, LawCost};
 pub use spent::Spent;
 pub(crate) use spent::middle_size;
 
@@ -64,6 +66,8 @@ pub struct Simulation {
     shorter: Option<Shorter>,
     /// The servos of the plan, once they have begun.
     servos: Option<Servos>,
+    /// Laws of code.
+    laws: Vec<law::Attached>,
 }
 
 impl Simulation {
@@ -95,6 +99,7 @@ impl Simulation {
             reason: None,
             shorter: None,
             servos: None,
+            laws: Vec::new(),
         }
     }
 
@@ -334,6 +339,9 @@ impl Simulation {
     }
 
     fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
+        if !self.cursor.laws.is_empty() {
+            return self.evaluate_with_laws(damping, dt);
+        }
         self.engine.evaluate(damping, dt).map_err(|block| self.no_force(block))
     }
 
@@ -430,6 +438,7 @@ impl Simulation {
         }
         let implicit = self.engine.is_implicit();
         let damping = if settled { self.forgetting(0.0) } else { damping_of(&before, implicit) };
+        self.meet_laws(&damping)?;
         let ended = self.engine.end_motion(&damping);
         ended.map_err(|block| self.no_force(block))
     }

@@ -180,7 +180,10 @@ fn lists_follow_the_split() {
             match load.kind {
                 LoadKind::Point { force, at: None } => total += force,
                 LoadKind::Point { at: Some(_), .. } => holders.push(b),
-                LoadKind::Moment { .. } | LoadKind::BodyForce { .. } => {}
+                LoadKind::Moment { .. }
+                | LoadKind::BodyForce { .. }
+                | LoadKind::Nodes { .. }
+                | LoadKind::Own { .. } => {}
             }
         }
     }

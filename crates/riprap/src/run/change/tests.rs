@@ -1,6 +1,9 @@
 //! Scripts that change a run.
 
 mod adding;
+mod laws;
+mod nodes;
+mod own;
 
 use std::path::Path;
 
@@ -106,7 +109,7 @@ fn script(live: &mut Live, text_of_laws: &str) {
     live.set_force("high", [2000.0, 0.0, 0.0], [0.0; 3]).unwrap();
     on(live, 0.15);
     live.set_force("high", [0.0; 3], [0.0; 3]).unwrap();
-    live.set_velocity("high", [0.1, 0.0, 0.0]).unwrap();
+    live.set_velocity("high", Some([0.1, 0.0, 0.0]), None).unwrap();
     on(live, 0.2);
     live.change("remove = [\"high\"]").unwrap();
     on(live, 0.25);
@@ -211,7 +214,7 @@ fn what_is_wrong_with_a_change_is_said_and_changes_nothing() {
     assert!(wrong.contains("the change"), "{wrong}");
     let wrong = told(live.set_force("low", [f64::NAN, 0.0, 0.0], [0.0; 3]));
     assert_eq!(wrong, "the force is not finite");
-    let wrong = told(live.set_velocity("table", [1.0, 0.0, 0.0]));
+    let wrong = told(live.set_velocity("table", Some([1.0, 0.0, 0.0]), None));
     assert!(wrong.contains("held or moved by a support"), "{wrong}");
     assert_eq!(live.simulation().engine().hash(), before);
     live.change("remove = [\"high\"]").unwrap();

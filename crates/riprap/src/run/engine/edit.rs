@@ -2,6 +2,7 @@
 
 use super::Engine;
 use crate::Vec2;
+use crate::exec::Exec;
 
 use crate::plan::{Damping, Phase};
 use crate::spatial::bolts::install::InstallError;
@@ -101,6 +102,41 @@ pub(super) fn spatial(
 }
 
 impl Engine {
+    /// What keeps moduli of a material from being changed, in words.
+    #[must_use]
+    pub fn material_obstacle(&self, row: u16) -> Option<String> {
+        match self {
+            Self::Planar(_) => {
+                Some("in the plane it sets the stiffness of interfaces that give none".to_owned())
+            }
+            Self::Spatial(_) if self.exec().peers().is_some() => {
+                Some("the model is shared out among ranks; run it on one".to_owned())
+            }
+            Self::Spatial(e) => spatial::topology::material::obstacle(&e.world, row),
+        }
+    }
+
+    /// Gives a material other moduli. Forces must be known, and re-evaluated afterwards.
+    ///
+    /// # Errors
+    /// A law that lacks moduli, in words.
+    pub fn set_material(
+        &mut self,
+        row: u16,
+        material: spatial::setup::Material,
+    ) -> Result<(), String> {
+        let Self::Spatial(e) = self else {
+            return Ok(());
+        };
+        spatial::topology::material::change(&mut e.world, &e.scratch, row, material)?;
+        // Elements and what hangs on them are laid out by the moduli.
+        let exec = std::mem::replace(&mut e.scratch.exec, Exec::serial());
+        let mut scratch = spatial::step::Scratch::new(&mut e.world, exec);
+        std::mem::swap(&mut scratch.profile, &mut e.scratch.profile);
+        e.scratch = scratch;
+        Ok(())
+    }
+
     /// Takes blocks out; the forces that they gave to others fade over `span` (s). Forces must be known, and re-evaluated
     /// after the edit that follows.
     ///

@@ -229,7 +229,11 @@ fn spatial(world: &mut spatial::world::World, name: &str, to: Steered) -> Result
 }
 
 /// Number of the account of a load that code puts on blocks; a new one where there is none yet.
-fn account_of(accounts: &mut Vec<Condition>, works: &mut Vec<Account>, name: &str) -> u16 {
+pub(super) fn account_of(
+    accounts: &mut Vec<Condition>,
+    works: &mut Vec<Account>,
+    name: &str,
+) -> u16 {
     let is = |of: &Condition| of.holder == Holder::Load && of.name == name;
     let at = accounts.iter().position(is).unwrap_or_else(|| {
         accounts.push(Condition { name: name.to_owned(), holder: Holder::Load });
@@ -317,19 +321,36 @@ impl Engine {
         }
     }
 
-    /// Sets the velocity (m/s) of some rigid blocks; those at the present instant must be in the state.
-    pub(in crate::run) fn set_velocity(&mut self, blocks: &[u32], velocity: [f64; 3]) {
+    /// Sets the velocity (m/s) and the spin (rad/s) of some rigid blocks, what is given of them; those at the present instant must be in the state.
+    pub(in crate::run) fn set_velocity(
+        &mut self,
+        blocks: &[u32],
+        velocity: Option<[f64; 3]>,
+        spin: Option<[f64; 3]>,
+    ) {
         match self {
             Self::Planar(e) => {
                 for b in blocks {
-                    e.world.bodies[*b as usize].velocity = Vec2::new(velocity[0], velocity[1]);
+                    let body = &mut e.world.bodies[*b as usize];
+                    if let Some([x, y, _]) = velocity {
+                        body.velocity = Vec2::new(x, y);
+                    }
+                    if let Some([.., z]) = spin {
+                        body.spin = z;
+                    }
                 }
                 e.world.last_dt = 0.0;
             }
             Self::Spatial(e) => {
                 for b in blocks.iter().map(|b| *b as usize) {
-                    let spin = e.world.bodies.spin(b);
-                    e.world.bodies.set_velocity(b, Vec3::from(velocity), spin);
+                    let velocity = velocity.map_or(e.world.bodies.velocity(b), Vec3::from);
+                    match spin {
+                        Some(spin) => e.world.set_spin(b, velocity, Vec3::from(spin)),
+                        None => {
+                            let spin = e.world.bodies.spin(b);
+                            e.world.bodies.set_velocity(b, velocity, spin);
+                        }
+                    }
                 }
                 e.world.last_dt = 0.0;
             }

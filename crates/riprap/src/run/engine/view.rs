@@ -449,6 +449,12 @@ impl<'a> View<'a> {
         }
     }
 
+    /// Whether a block is there.
+    #[must_use]
+    pub(in crate::run) fn is_alive(&self, block: u32) -> bool {
+        either!(self, v => v.world.alive.get(block as usize).copied().unwrap_or(false))
+    }
+
     /// Number of blocks there are and have been.
     #[must_use]
     pub fn all_blocks(&self) -> usize {

@@ -4,7 +4,7 @@ use super::{JobError, Live};
 use crate::run::drive::{Control, DriveError, Ending, Pause};
 use crate::run::engine::NewBlock;
 use crate::run::engine::steer::Steered;
-use crate::run::simulation::{ChangeError, Simulation};
+use crate::run::simulation::{ChangeError, ContactLaw, Simulation};
 
 impl Live {
     /// Gives a load or a support that the scene names another value from the present instant on.
@@ -81,6 +81,36 @@ impl Live {
         Ok(())
     }
 
+    /// Changes moduli of a material at the present instant, written as its keys in TOML (`young`, `poisson`): of tetrahedra, bonds, joints and contacts
+    /// whose stiffness comes of them. What it adds to the energy is booked as an edit, and an event of the run says what was changed.
+    ///
+    /// # Errors
+    /// Keys that are wrong or that cannot change; as [`Simulation::set_material`]. The run stays as it was then.
+    #[cfg(feature = "scenario")]
+    pub fn set_material(&mut self, name: &str, keys: &str) -> Result<(), JobError> {
+        self.not_ended()?;
+        let scene = self.scene.as_ref().ok_or(ChangeError::NoScene).map_err(DriveError::from)?;
+        let keys = crate::run::change::parse(keys).map_err(DriveError::from)?;
+        let read = scene.read_material(name, &keys, self.drive.simulation());
+        let (row, material, scene) = read.map_err(DriveError::from)?;
+        let event = serde_json::json!({ "event": "material changed", "of": name, "keys": keys });
+        self.edit(event, |simulation| simulation.set_material(row, material.clone()))?;
+        self.scene = Some(scene);
+        Ok(())
+    }
+
+    /// Changes keys of an interface at the present instant, written in TOML (`friction_angle = "20 deg"`): as [`Live::change`] with them under
+    /// `interfaces.NAME`.
+    ///
+    /// # Errors
+    /// As there; keys that have no effect.
+    #[cfg(feature = "scenario")]
+    pub fn set_interface(&mut self, name: &str, keys: &str) -> Result<(), JobError> {
+        let keys = crate::run::change::parse(keys).map_err(DriveError::from)?;
+        let all = toml::Table::from_iter([(name.to_owned(), keys.into())]);
+        self.change(&toml::Table::from_iter([("interfaces".to_owned(), all.into())]).to_string())
+    }
+
     /// As [`Simulation::set_force`]; an event of the run says so.
     ///
     /// # Errors
@@ -102,10 +132,38 @@ impl Live {
     ///
     /// # Errors
     /// As there, and the disk.
-    pub fn set_velocity(&mut self, of: &str, velocity: [f64; 3]) -> Result<(), JobError> {
+    pub fn set_velocity(
+        &mut self,
+        of: &str,
+        velocity: Option<[f64; 3]>,
+        spin: Option<[f64; 3]>,
+    ) -> Result<(), JobError> {
         self.not_ended()?;
-        let event = serde_json::json!({ "event": "velocity set", "of": of, "velocity": velocity });
-        self.edit(event, |simulation| simulation.set_velocity(of, velocity))
+        let mut event = serde_json::json!({ "event": "velocity set", "of": of });
+        for (key, value) in [("velocity", velocity), ("spin", spin)] {
+            if let Some(value) = value {
+                event[key] = value.to_vec().into();
+            }
+        }
+        self.edit(event, |simulation| simulation.set_velocity(of, velocity, spin))
+    }
+
+    /// As [`Simulation::set_node_forces`]; an event of the run says so.
+    ///
+    /// # Errors
+    /// As there, and the disk.
+    pub fn set_node_forces(
+        &mut self,
+        of: &str,
+        forces: &[(u32, [f64; 3])],
+    ) -> Result<(), JobError> {
+        self.not_ended()?;
+        let nodes: Vec<u32> = forces.iter().map(|(node, _)| *node).collect();
+        let values: Vec<[f64; 3]> = forces.iter().map(|(_, force)| *force).collect();
+        let event = serde_json::json!({
+            "event": "node forces set", "of": of, "nodes": nodes, "forces": values,
+        });
+        self.edit(event, |simulation| simulation.set_node_forces(of, forces))
     }
 
     /// As [`Simulation::charge`]; an event of the run says so, and the manifest has the charge.
@@ -139,6 +197,29 @@ impl Live {
             scene.added(&new.name);
         }
         Ok(mass)
+    }
+
+    /// As [`Simulation::contact_law`]; an event of the run says so. A run that is reopened is given the law again before it goes on.
+    ///
+    /// # Errors
+    /// As there, and the disk.
+    pub fn contact_law(
+        &mut self,
+        name: &str,
+        of: &[&str],
+        law: Box<dyn ContactLaw>,
+    ) -> Result<(), JobError> {
+        self.not_ended()?;
+        let width = law.memory();
+        let event = serde_json::json!({
+            "event": "contact law", "law": name, "of": of, "memory": width,
+        });
+        self.drive.set_law(name, Some(law))?;
+        let begun = self.edit(event, |simulation| simulation.begin_law(name, of, width));
+        if let Err(JobError::Drive(DriveError::Change(_))) = &begun {
+            self.drive.set_law(name, None)?;
+        }
+        begun
     }
 
     fn not_ended(&self) -> Result<(), DriveError> {

@@ -10,7 +10,8 @@ use thiserror::Error;
 use super::{RunError, Simulation, damping_of};
 use crate::plan::Phase;
 use crate::record::field::nearest;
-use crate::run::engine::Engine;
+use crate::run::engine::{Engine, Kind, Nodes};
+use crate::spatial::setup::Material;
 
 /// A change in numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,6 +90,14 @@ pub enum ChangeError {
         /// Why.
         why: &'static str,
     },
+    /// Nodes that there are not, or what they do not take.
+    #[error("nodes of {name:?} cannot be pushed: {why}")]
+    Nodes {
+        /// The block.
+        name: String,
+        /// Why not.
+        why: String,
+    },
     /// A charge that cannot be.
     #[error("the source {name:?} cannot be charged: {why}")]
     Charge {
@@ -100,6 +109,22 @@ pub enum ChangeError {
     /// A block that cannot be added.
     #[error("the block {name:?} cannot be added: {why}")]
     Block {
+        /// Its name.
+        name: String,
+        /// Why not.
+        why: String,
+    },
+    /// A material that cannot be changed.
+    #[error("the material {name:?} cannot be changed: {why}")]
+    Material {
+        /// Its name.
+        name: String,
+        /// Why not.
+        why: String,
+    },
+    /// A law of code that cannot be.
+    #[error("the contact law {name:?} cannot act: {why}")]
+    Law {
         /// Its name.
         name: String,
         /// Why not.
@@ -188,19 +213,88 @@ impl Simulation {
             return Err(ChangeError::NotFinite { key: "the force" });
         }
         let blocks = self.blocks_of("set_force", of)?;
+        if moment != [0.0; 3] && blocks.iter().any(|b| self.engine.nodes(*b).is_some()) {
+            let why = "it deforms, and nodes take no moment: set forces on its nodes";
+            return Err(ChangeError::Nodes { name: of.to_owned(), why: why.to_owned() });
+        }
         self.engine.push(&format!("force on {of}"), &blocks, force, moment);
         self.forget();
         Ok(())
     }
 
-    /// Sets the velocity (m/s) of each block of a name at the present instant; spins stay, and so does what supports prescribe. The energy
-    /// that this adds is booked as an edit.
+    /// Nodes of a deformable block at the present instant.
     ///
     /// # Errors
-    /// A name of nothing, blocks that have been removed, deform or are held, numbers that are none.
-    pub fn set_velocity(&mut self, of: &str, velocity: [f64; 3]) -> Result<(), ChangeError> {
-        if !velocity.iter().all(|x| x.is_finite()) {
-            return Err(ChangeError::NotFinite { key: "the velocity" });
+    /// A name of nothing, of several blocks or of a rigid one, a block that has been removed.
+    pub fn nodes(&self, of: &str) -> Result<Nodes, ChangeError> {
+        let block = self.deformable("nodes", of)?;
+        self.engine.nodes(block).ok_or(ChangeError::Ended)
+    }
+
+    /// Sets the forces (N) that code puts on nodes of a deformable block, from now on until they are set again: beside the loads of the scene, in
+    /// place of those that were set on its nodes before. Their work is that of the load `force on nodes of NAME`. Where the block is cut, they
+    /// act at the same places of its parts.
+    ///
+    /// # Errors
+    /// A name of nothing, of several blocks or of a rigid one, a block that has been removed, nodes that there are not or that are named twice, numbers that
+    /// are none.
+    pub fn set_node_forces(
+        &mut self,
+        of: &str,
+        forces: &[(u32, [f64; 3])],
+    ) -> Result<(), ChangeError> {
+        let block = self.deformable("set_node_forces", of)?;
+        let count = self.engine.nodes(block).map_or(0, |nodes| nodes.masses.len());
+        let wrong = |why: String| Err(ChangeError::Nodes { name: of.to_owned(), why });
+        let mut there = vec![false; count];
+        for (node, force) in forces {
+            match there.get_mut(*node as usize) {
+                None => return wrong(format!("it has nodes 0 to {}, not {node}", count - 1)),
+                Some(true) => return wrong(format!("node {node} is named twice")),
+                Some(new) => *new = true,
+            }
+            if !force.iter().all(|x| x.is_finite()) {
+                return wrong(format!("the force on node {node} is not finite"));
+            }
+        }
+        self.engine.push_nodes(&format!("force on nodes of {of}"), block, forces);
+        self.forget();
+        Ok(())
+    }
+
+    /// Number of the one deformable block of a name.
+    fn deformable(&self, key: &str, of: &str) -> Result<u32, ChangeError> {
+        let blocks = self.blocks_of(key, of)?;
+        let wrong = |why: &str| ChangeError::Nodes { name: of.to_owned(), why: why.to_owned() };
+        let [block] = blocks[..] else {
+            return Err(wrong("it names several blocks, whose nodes have numbers of their own"));
+        };
+        match self.engine.nodes(block) {
+            Some(_) => Ok(block),
+            None => Err(wrong("it is rigid; use `set_force`")),
+        }
+    }
+
+    /// Sets the velocity (m/s), the spin (rad/s; in the plane about z) or both of each block of a name at the present instant; what is not given
+    /// stays. The energy that this adds is booked as an edit.
+    ///
+    /// # Errors
+    /// A name of nothing, blocks that have been removed, deform or are held, numbers that are none, a spin out of the plane.
+    pub fn set_velocity(
+        &mut self,
+        of: &str,
+        velocity: Option<[f64; 3]>,
+        spin: Option<[f64; 3]>,
+    ) -> Result<(), ChangeError> {
+        for (key, of) in [("the velocity", velocity), ("the spin", spin)] {
+            if !of.iter().flatten().all(|x| x.is_finite()) {
+                return Err(ChangeError::NotFinite { key });
+            }
+        }
+        let in_plane = self.kind() != Kind::Spatial;
+        if in_plane && spin.is_some_and(|[x, y, _]| x != 0.0 || y != 0.0) {
+            let why = "a block of the plane spins about z alone";
+            return Err(ChangeError::Held { name: of.to_owned(), why });
         }
         let blocks = self.blocks_of("set_velocity", of)?;
         for &b in &blocks {
@@ -209,7 +303,24 @@ impl Simulation {
             }
         }
         self.begin_present()?;
-        self.booked(|engine| engine.set_velocity(&blocks, velocity))
+        self.booked(|engine| engine.set_velocity(&blocks, velocity, spin))
+    }
+
+    /// Gives a material (by its number) other moduli at the present instant: of tetrahedra, bonds, joints and contacts whose stiffness comes of
+    /// them. Displacements stay; what is stored changes with the stiffness and is booked as an edit.
+    ///
+    /// # Errors
+    /// The plane, ranks, a phase that relaxes deformable blocks, boundaries and bonds that keep the stiffness they had.
+    pub fn set_material(&mut self, row: u16, material: Material) -> Result<(), ChangeError> {
+        self.begin_present()?;
+        let name = material.name.clone();
+        let wrong = |why: String| ChangeError::Material { name: name.clone(), why };
+        if let Some(why) = self.engine.material_obstacle(row) {
+            return Err(wrong(why));
+        }
+        let mut done = Ok(());
+        self.booked(|engine| done = engine.set_material(row, material))?;
+        done.map_err(wrong)
     }
 
     /// Ends the motion at the present instant and makes an edit, whose energy is booked.
@@ -217,6 +328,7 @@ impl Simulation {
         let phase = self.plan.phases[self.cursor.phase].clone();
         let damping = damping_of(&phase, self.engine.is_implicit());
         if self.view().last_dt() > 0.0 {
+            self.meet_laws(&damping)?;
             let ended = self.engine.end_motion(&damping);
             ended.map_err(|block| self.no_force(block))?;
         }

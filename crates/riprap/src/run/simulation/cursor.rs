@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Spent;
+use super::law::Held;
 use crate::ledger::Unexplained;
 use crate::plan::Plan;
 use crate::run::engine::steer::{SteerError, Steered};
@@ -55,6 +56,8 @@ pub struct Cursor {
     pub departed: Vec<Departed>,
     /// What forces had done when the present phase began, if it is an implicit static one.
     pub spent: Spent,
+    /// Laws of code, whose functions are not part of it.
+    pub laws: Vec<Held>,
 }
 
 /// What a block is pressed into.

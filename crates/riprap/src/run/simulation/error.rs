@@ -38,6 +38,18 @@ pub enum RunError {
         /// Model time, s.
         time: f64,
     },
+    /// A law of code has failed; the run can go on from its checkpoint.
+    #[error("contact law `{law}` at step {step} (t = {time:.6e} s): {why}")]
+    Law {
+        /// Its name.
+        law: String,
+        /// What is wrong, in words.
+        why: String,
+        /// Step.
+        step: u64,
+        /// Model time, s.
+        time: f64,
+    },
     /// The time step is not a number above zero.
     #[error(
         "no valid time step at step {step} (t = {time:.6e} s){}",
@@ -338,6 +350,7 @@ impl RunError {
                 words.push_str(found);
             }
             Self::NoStep { .. }
+            | Self::Law { .. }
             | Self::NotSolved { .. }
             | Self::NoFlow { .. }
             | Self::NoGasFlow { .. }
@@ -371,6 +384,7 @@ impl RunError {
             Self::NoStep { .. } => ("no valid time step", false, false),
             Self::NotSolved { .. } => ("an implicit step did not converge", false, false),
             Self::NoFlow { .. } => ("seepage did not converge", false, true),
+            Self::Law { .. } => ("a contact law failed", false, false),
             Self::Control { .. } => ("a control cannot act", false, false),
             Self::NoGasFlow { .. } => ("the flow of gas did not converge", true, true),
             Self::Residual { what: Unexplained::Residual, .. } => {
