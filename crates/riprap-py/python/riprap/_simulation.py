@@ -217,7 +217,7 @@ class Simulation:
         """
 
         def law(shown: dict[str, Any]) -> tuple[Any, Any]:
-            remembered = shown.pop("memory").reshape(-1, memory)
+            remembered = shown.pop("memory").reshape(len(shown["area"]), memory)
             time = shown.pop("time")
             arrays = {}
             for key, array in shown.items():

@@ -338,13 +338,6 @@ impl Simulation {
         }
     }
 
-    fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
-        if !self.cursor.laws.is_empty() {
-            return self.evaluate_with_laws(damping, dt);
-        }
-        self.engine.evaluate(damping, dt).map_err(|block| self.no_force(block))
-    }
-
     fn divide(&mut self) -> Result<(), RunError> {
         let divided = self.engine.divide(self.dt);
         divided.map_err(|reason| RunError::Edit { reason, step: self.steps(), time: self.time() })

@@ -379,12 +379,16 @@ impl Simulation {
         Some(format!("phase `{name}` {what}; laws of code act in explicit phases without levels"))
     }
 
-    /// Finds the forces with what laws of code add.
-    pub(super) fn evaluate_with_laws(
-        &mut self,
-        damping: &Damping,
-        dt: f64,
-    ) -> Result<(), RunError> {
+    /// Finds the forces of the present instant.
+    pub(super) fn evaluate(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
+        if self.has_laws() {
+            return self.evaluate_with_laws(damping, dt);
+        }
+        self.engine.evaluate(damping, dt).map_err(|block| self.no_force(block))
+    }
+
+    /// The same with what laws of code add.
+    fn evaluate_with_laws(&mut self, damping: &Damping, dt: f64) -> Result<(), RunError> {
         let (step, time) = (self.steps(), self.time());
         let wrong = |law: &str, why: String| RunError::Law { law: law.to_owned(), why, step, time };
         for held in &self.cursor.laws {
