@@ -84,6 +84,8 @@ def test_a_mesh_of_trimesh_goes_in_and_comes_out():
 
 def test_a_mesh_of_compas_goes_in_and_comes_out():
     pytest.importorskip("compas")
+    # Which its geometry imports.
+    pytest.importorskip("scipy")
     from compas.datastructures import Mesh
     from compas.geometry import Box
 
