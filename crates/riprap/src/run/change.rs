@@ -139,7 +139,7 @@ impl SceneText {
         if simulation.phase().is_none() {
             return Err(ChangeError::Ended);
         }
-        for key in keys.keys().filter(|key| !MODULI.contains(&key.as_str())) {
+        if let Some(key) = keys.keys().find(|key| !MODULI.contains(&key.as_str())) {
             let key = format!("materials.{name}.{key}");
             return Err(ChangeError::Forbidden { key, known: MODULI.join(", ") });
         }

@@ -71,7 +71,7 @@ pub enum DriveError {
     Change(#[from] ChangeError),
     /// A law of code has failed.
     #[error("{0}; the run can be resumed from its checkpoint")]
-    Law(RunError),
+    Law(Box<RunError>),
     /// The ranks cannot go on together.
     #[error(transparent)]
     Ranks(#[from] Trouble),
@@ -407,7 +407,7 @@ impl Drive {
                         if let Some(paused) = &self.paused {
                             self.simulation.restore(paused.snapshot.clone());
                         }
-                        return Err(DriveError::Law(error));
+                        return Err(DriveError::Law(Box::new(error)));
                     }
                     Err(mut error) => {
                         self.checkpoint()?;
