@@ -40,12 +40,13 @@ const CALLED: &[(&str, &[&str])] = &[
 /// Words that say nothing of what is looked for.
 const SMALL: &[&str] = &["a", "an", "and", "for", "in", "of", "on", "the", "to"];
 /// Most lines of each kind.
-const MOST: usize = 10;
+const MOST: usize = 12;
 
 /// What speaks of `query`, as text to print; `None` where nothing does.
 pub fn find(query: &str) -> Option<String> {
     let wanted: Vec<Vec<String>> = query
-        .split_whitespace()
+        .split(|c: char| c.is_whitespace() || c == '_')
+        .filter(|word| !word.is_empty())
         .map(str::to_lowercase)
         .filter(|word| !SMALL.contains(&word.as_str()))
         .flat_map(|word| match CALLED.iter().find(|(there, _)| *there == word) {

@@ -16,8 +16,9 @@ use crate::frame::stress::Principal;
 /// A getter: the view, the blocks asked for, and room for one or two numbers.
 type Getter = fn(&View<'_>, &[u32]) -> [f64; 2];
 
+// A sum over nothing is -0.
 const fn one(x: f64) -> [f64; 2] {
-    [x, 0.0]
+    [x + 0.0, 0.0]
 }
 
 /// Mean over blocks of a vector.

@@ -294,7 +294,8 @@ fn expected_text(f: &Forecast, before: f64) -> String {
     }
     if let Some(of) = &f.reckoned {
         text.push_str(&format!(
-            "  expected   about {} steps, {} of CPU time (one thread, no records){}\n             from a trial of {} that reached {} of phase `{}`\n",
+            "  expected   {} {} steps, {} of CPU time (one thread, no records){}\n             from a trial of {} that reached {} of phase `{}`\n",
+            if of.at_most { "at most" } else { "about" },
             grouped(rounded(of.steps)),
             about(of.cpu_time),
             before_text(before),

@@ -38,6 +38,12 @@ pub fn run(args: &Run, style: Style) -> Result<(), Failure> {
     let (of, case) = crew.end(scenes::chosen(&args.scene))?;
     let change = &args.scene.change;
     let prepared = crew.end(scenes::prepare_case(&of, &case, change, style, quiet))?;
+    if errors.is_some() {
+        // Before a run that may take hours.
+        crew.end(
+            riprap::run::study::trust::has_results(&of, prepared.clone()).map_err(Failure::from),
+        )?;
+    }
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "run", args.force);
     let summary = &prepared.model.summary;
     let near = match &prepared.model.setup {

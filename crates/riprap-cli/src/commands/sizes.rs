@@ -1,6 +1,7 @@
 //! `riprap sizes`: sizes of the blocks of a scene.
 
 use riprap::exec::Exec;
+use riprap::numbers::counted;
 use riprap::plot;
 use riprap::run::engine::Engine;
 use riprap::run::sizes::{Sizes as Found, sizes};
@@ -21,7 +22,7 @@ pub fn run(args: &Sizes, style: Style) -> Result<(), Failure> {
     let mut files = Vec::new();
     if let Some(file) = &args.out {
         let of = args.of.as_ref().map_or(String::new(), |of| format!(" of {of}"));
-        let below = format!("{}{of} at the start", found.head());
+        let below = format!(", {}{of} at the start", found.head());
         files = plot::block_sizes((&title, &below), &found.curve, file.as_path())?;
     }
     if args.json {
@@ -45,6 +46,9 @@ fn words(found: &Found) -> String {
         row("x80", found.x80),
         row("largest", found.largest),
     ];
+    if found.held > 0 {
+        lines.push(format!("  {} left out: they are held", counted(found.held, "block")));
+    }
     if let Some(n) = found.n {
         lines.push(format!("  n          {n:.3} (Rosin-Rammler)"));
     }

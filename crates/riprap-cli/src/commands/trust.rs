@@ -23,7 +23,9 @@ use crate::{scenes, screen};
 /// `riprap trust`.
 pub fn run(args: &Trust, style: Style) -> Result<(), Failure> {
     let (scene, case) = scenes::chosen(&args.scene)?;
-    scenes::prepare_case(&scene, &case, &args.scene.change, style, args.how.quiet || args.json)?;
+    let quiet = args.how.quiet || args.json;
+    let prepared = scenes::prepare_case(&scene, &case, &args.scene.change, style, quiet)?;
+    trust::has_results(&scene, prepared)?;
     let rules = rules(&args.budget, &args.without, "--budget")?;
     let (folder, existing) = target(args.out.as_deref(), &args.scene.file, "trust", args.force);
     make_folder(&folder, existing)?;
@@ -97,11 +99,12 @@ fn line(count: usize, trial: &Trial) -> String {
         Some(trust::Cause::Seed) => format!("seed + {}", trial.factor),
         Some(cause) => format!("{} x {:.3}", cause.word(), trial.factor),
     };
-    let mut text = format!(
-        "{count:>3}  {what}: {} steps in {}",
-        grouped(trial.steps),
-        duration(trial.seconds)
-    );
+    // Of a search for a key the steps are not known.
+    let steps = match trial.steps {
+        0 => String::new(),
+        steps => format!("{} steps in ", grouped(steps)),
+    };
+    let mut text = format!("{count:>3}  {what}: {steps}{}", duration(trial.seconds));
     if !trial.note.is_empty() {
         text.push_str(&format!("\n     no results: {}", trial.note.replace('\n', "\n     ")));
     }

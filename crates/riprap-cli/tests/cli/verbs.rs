@@ -539,6 +539,8 @@ fn trust_gives_each_result_its_error() {
     let model = FALL.split("[[outputs]]").next().expect("the model");
     bench.file("bare.toml", model);
     bench.run(&["trust", "bare.toml"]).expect(2).warns(&["no named result", "history"]);
+    bench.run(&["run", "bare.toml", "--trust"]).expect(2).warns(&["no named result"]);
+    assert!(!bench.path("bare.trust").exists() && !bench.path("bare.run").exists());
 }
 
 #[test]

@@ -33,8 +33,8 @@ pub struct History {
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
-    /// Blocks and groups whose mean displacement or velocity is taken off: what is read is relative to them. For `displacement` and `velocity` of blocks
-    /// and groups, and for those of nodes.
+    /// Blocks and groups whose mean displacement or velocity is taken off: for `displacement` and `velocity` of blocks,
+    /// groups and nodes.
     pub relative_to: Option<Names>,
     /// Direction in which a vector is measured: in the plane an angle from the x axis, in space a
     /// vector such as `[0, 0, 1]`.

@@ -26,8 +26,9 @@ use crate::topology::fracture;
 /// A getter: the view, the blocks (or the source) asked for, and room for up to three numbers.
 type Getter = fn(&View<'_>, &[u32]) -> Vec3;
 
+// A sum over nothing is -0.
 const fn one(x: f64) -> Vec3 {
-    Vec3::new(x, 0.0, 0.0)
+    Vec3::new(x + 0.0, 0.0, 0.0)
 }
 
 /// Blocks of a group (ascending) that are there, and those that its split blocks have become.

@@ -106,6 +106,8 @@ pub struct Reckoned {
     pub steps: u64,
     /// CPU time on one thread without records, s.
     pub cpu_time: f64,
+    /// Whether a phase may end before, because it is at rest: both are then the most.
+    pub at_most: bool,
     /// CPU time of the trial, s.
     pub tried: f64,
     /// Time of the model that it reached, s.
@@ -207,10 +209,12 @@ fn within(setup: &Setup, plan: &Plan, most: Duration) -> Result<Forecast, Foreca
         |phase: &Phase| phase.time_step.wanted(stable.dt, &phase.until, phase.gravity_ramp);
     let pulled = simulation.cursor().gravity_after != [0.0; 3];
     let falling = found.as_ref().filter(|_| apart && pulled).map_or(0, |found| found.blocks);
-    let ahead = ahead::ahead(plan, &trial.marks, &wanted, falling);
+    let limit = simulation.engine().contact_step_limit(USUAL);
+    let ahead = ahead::ahead(plan, &trial.marks, &wanted, (falling, limit));
     let reckoned = ahead.filter(|_| loose && trial.end.is_none()).map(|ahead| Reckoned {
         steps: trial.steps + ahead.steps.ceil() as u64,
         cpu_time: trial.cpu() + ahead.cpu,
+        at_most: ahead.at_most,
         tried: trial.cpu(),
         reached: simulation.time(),
         phase: simulation.phase().map_or_else(String::new, |phase| phase.name.clone()),

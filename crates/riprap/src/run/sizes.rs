@@ -25,6 +25,8 @@ pub struct Sizes {
     pub x80: f64,
     /// Largest block, m.
     pub largest: f64,
+    /// Blocks that are held and left out.
+    pub held: usize,
     /// Exponent of Rosin and Rammler; `None` with fewer than four different sizes.
     pub n: Option<f64>,
     /// Each size, m, and the share of the volume in blocks up to it.
@@ -36,23 +38,34 @@ fn pairs<S: serde::Serializer>(curve: &Passing, to: S) -> Result<S::Ok, S::Error
     to.collect_seq(curve.size.iter().zip(&curve.passing))
 }
 
-/// Sizes of the blocks that are there, or of those of a group, a block or a condition of both.
+/// Sizes of the blocks that are there and free, of all where all are held, or of those of a group, a block or a condition of both.
 ///
 /// # Errors
 /// In words: an unknown name, a condition that is none, no block.
 pub fn sizes(view: &View<'_>, of: Option<&str>) -> Result<Sizes, String> {
     let names = view.names();
     let chosen = of.map(|of| names.chosen(of)).transpose()?;
-    let wanted = |b: usize| chosen.as_ref().is_none_or(|c| names.stem(b as u32).any(|b| c.has(b)));
+    let rock: Vec<usize> = match view {
+        View::Planar(v) => v.living().collect(),
+        View::Spatial(v) => v.living().filter(|b| !v.world.is_terrain(*b)).collect(),
+    };
+    let is_held = |b: usize| match view {
+        View::Planar(v) => v.world.motion[b].is_some(),
+        View::Spatial(v) => v.world.motion[b].is_some(),
+    };
+    // What is held is the ground, where nobody asks for it.
+    let held = rock.iter().filter(|b| of.is_none() && is_held(**b)).count() % rock.len().max(1);
+    let wanted = |b: &usize| match &chosen {
+        Some(chosen) => names.stem(*b as u32).any(|b| chosen.has(b)),
+        None => held == 0 || !is_held(*b),
+    };
+    let those = rock.iter().copied().filter(wanted);
     let (planar, amounts): (bool, Vec<f64>) = match view {
         View::Planar(v) => {
             let area = |b: usize| v.scratch.shapes.mass[b] / v.world.setup.blocks[b].density;
-            (true, v.living().filter(|b| wanted(*b)).map(area).collect())
+            (true, those.map(area).collect())
         }
-        View::Spatial(v) => {
-            let rock = v.living().filter(|b| wanted(*b) && !v.world.is_terrain(*b));
-            (false, rock.map(|b| v.world.solid_of(b).volume).collect())
-        }
+        View::Spatial(v) => (false, those.map(|b| v.world.solid_of(b).volume).collect()),
     };
     let curve = passing(&amounts, planar);
     let Some((smallest, largest)) = curve.size.first().copied().zip(curve.size.last().copied())
@@ -63,6 +76,7 @@ pub fn sizes(view: &View<'_>, of: Option<&str>) -> Result<Sizes, String> {
     Ok(Sizes {
         planar,
         blocks: amounts.len(),
+        held,
         total: amounts.iter().sum(),
         smallest,
         x20: curve.quantile(0.2),

@@ -1,7 +1,7 @@
 //! What is left of a run after its trial.
 
-use super::relaxing;
 use super::trial::Mark;
+use super::{may_rest, relaxing};
 use crate::plan::{Integration, Phase, Plan};
 
 /// Steps that are still to come and the CPU time that they take, s.
@@ -9,6 +9,8 @@ use crate::plan::{Integration, Phase, Plan};
 pub(super) struct Ahead {
     pub(super) steps: f64,
     pub(super) cpu: f64,
+    /// Whether a phase that is still to come may end before: the numbers are then the most.
+    pub(super) at_most: bool,
 }
 
 /// Touching contacts for each loose block once all of them rest: 1 where rocks lie scattered on a slope, 2.5 in a heap.
@@ -18,12 +20,12 @@ const FEW: f64 = 2.0;
 
 /// Reckons the rest of a run from the later half of what was tried of the present phase; none where a phase has no end that can be seen
 /// from there. `wanted` is the step that the plan asks for, s; `falling` is the number of blocks that are apart at the start and will come to
-/// rest on others.
+/// rest on others, `contacts` the step that contacts leave at the end of the trial, s, which they will leave in the phases to come.
 pub(super) fn ahead(
     plan: &Plan,
     marks: &[Mark],
     wanted: &dyn Fn(&Phase) -> f64,
-    falling: usize,
+    (falling, contacts): (usize, f64),
 ) -> Option<Ahead> {
     let last = marks.last()?;
     let Some(phase) = plan.phases.get(last.phase) else {
@@ -37,10 +39,8 @@ pub(super) fn ahead(
     let times = repeats(phase, &from, last)?;
     let dearer = if is_explicit(phase) { resting(marks, &from, last, falling) } else { 1.0 };
     let cost = dearer * cpu / steps;
-    let mut ahead = Ahead { steps: times * steps, cpu: times * steps * cost };
-    // What shortens steps now, contacts, will do so in the phases to come.
-    let own = (last.time - from.time) / steps;
-    let contacts = if is_explicit(phase) && own < wanted(phase) { own } else { f64::INFINITY };
+    let (times, at_most) = times;
+    let mut ahead = Ahead { steps: times * steps, cpu: times * steps * cost, at_most };
     for phase in &plan.phases[last.phase + 1..] {
         let step = wanted(phase).min(if is_explicit(phase) { contacts } else { f64::INFINITY });
         let span = phase.until.time.filter(|_| relaxing(phase).is_none());
@@ -50,6 +50,7 @@ pub(super) fn ahead(
         if !steps.is_finite() {
             return None;
         }
+        ahead.at_most |= may_rest(phase);
         ahead.steps += steps;
         ahead.cpu += steps * cost;
     }
@@ -84,7 +85,8 @@ fn resting(marks: &[Mark], from: &Mark, last: &Mark, falling: usize) -> f64 {
 
 /// How many times what lies between two marks of a phase is still to come: by its time, its count of steps or the unbalanced force,
 /// which falls by the same factor in each.
-fn repeats(phase: &Phase, from: &Mark, last: &Mark) -> Option<f64> {
+/// With it whether the phase may end before.
+fn repeats(phase: &Phase, from: &Mark, last: &Mark) -> Option<(f64, bool)> {
     // Iterations of load steps are no shares of anything.
     if relaxing(phase).is_some() {
         return None;
@@ -99,8 +101,9 @@ fn repeats(phase: &Phase, from: &Mark, last: &Mark) -> Option<f64> {
     let by_force =
         phase.until.unbalanced.zip(from.unbalanced).zip(last.unbalanced).and_then(fallen);
     match (by_share, by_force) {
-        (Some(a), Some(b)) => Some(a.min(b)),
-        (a, b) => a.or(b),
+        (Some(a), Some(b)) => Some((a.min(b), false)),
+        (None, Some(b)) => Some((b, false)),
+        (a, None) => a.map(|a| (a, may_rest(phase))),
     }
 }
 

@@ -141,7 +141,7 @@ fn the_rest_is_reckoned_from_the_later_half_of_the_trial() {
     };
     let reckon = |phases: Vec<Phase>, marks: &[Mark], falling| {
         let plan = crate::plan::Plan { phases, ..job.plan.clone() };
-        ahead(&plan, marks, &|_| 1e-3, falling)
+        ahead(&plan, marks, &|_| 1e-3, (falling, 1e-4))
     };
     // A tenth of the phase took 100 cheap steps, the second tenth 400 dear ones.
     let marks =
@@ -152,7 +152,7 @@ fn the_rest_is_reckoned_from_the_later_half_of_the_trial() {
         assert!((found.cpu / cpu - 1.0).abs() < 1e-9, "{found:?}");
     };
     close(reckon(phases("until.time = \"3 s\""), &marks, 0), 3200.0, 8.0);
-    // Contacts shorten the steps of the next phase as they do those of this one: 1e-4 s.
+    // Contacts shorten the steps of the next phase: 1e-4 s.
     let two = "until.time = \"3 s\"\n[[phases]]\nname = \"more\"\nuntil.time = \"0.1 s\"\n";
     close(reckon(phases(two), &marks, 0), 4200.0, 8.0 + 1000.0 * 1.0 / 400.0);
     // Ten blocks at rest touch three times as often as five contacts do.
@@ -168,6 +168,8 @@ fn the_rest_is_reckoned_from_the_later_half_of_the_trial() {
     // Where it does not fall, the count of steps is the end.
     let stays = falls.map(|mark| Mark { unbalanced: Some(1.0), ..mark });
     close(reckon(phases(still), &stays, 0), 400.0 * 98.0, 98.0);
+    assert!(reckon(phases(still), &stays, 0).unwrap().at_most);
+    assert!(!reckon(phases(still), &falls, 0).unwrap().at_most);
     // A trial without time says nothing.
     assert_eq!(reckon(phases(still), &stays[..1], 0), None);
 }

@@ -37,7 +37,7 @@ use crate::run::checks::CheckResult;
 use crate::run::drive::{Control, Ending, Look};
 use crate::run::engine::Kind;
 use crate::run::job::{Job, JobError, watch_only};
-use crate::run::scene::Scene;
+use crate::run::scene::{Prepared, Scene};
 use crate::scenario::Case;
 pub use causes::Cause;
 use causes::Variant;
@@ -183,6 +183,17 @@ pub fn trust(
     report: &mut dyn FnMut(&Trial),
 ) -> std::result::Result<Answer, StudyError> {
     trust_in((scene, case), Question::Results, rules, executor, report)
+}
+
+/// Whether a scene has named results, before anything is run.
+///
+/// # Errors
+/// It has none.
+pub fn has_results(scene: &Scene, prepared: Prepared) -> std::result::Result<(), StudyError> {
+    match results(&prepared.job()).is_empty() {
+        true => Err(StudyError::NoResults { path: scene.path.clone() }),
+        false => Ok(()),
+    }
 }
 
 /// The same for what [`Question`] asks: results of the scene, or the answer of a search in it, each trial of which is a search with
