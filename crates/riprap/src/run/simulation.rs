@@ -14,6 +14,7 @@ mod cursor;
 mod ends;
 mod error;
 mod law;
+mod law_state;
 mod leavers;
 mod noted;
 mod shorter;

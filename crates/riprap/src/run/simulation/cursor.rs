@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Spent;
-use super::law::Held;
+use super::law_state::Held;
 use crate::ledger::Unexplained;
 use crate::plan::Plan;
 use crate::run::engine::steer::{SteerError, Steered};

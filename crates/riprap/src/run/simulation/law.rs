@@ -9,8 +9,7 @@
 
 use std::time::{Duration, Instant};
 
-use serde::{Deserialize, Serialize};
-
+use super::law_state::{Acting, Held};
 use super::{ChangeError, RunError, Simulation};
 use crate::plan::Damping;
 use crate::run::engine::{Met, View, Wrenches, wrench};
@@ -54,35 +53,6 @@ pub struct Contacts {
     pub force: Vec<[f64; 3]>,
     /// What the law remembers, as many numbers for each contact as it asks for; zeros of a new one. *Shape* `[contacts * memory]`.
     pub memory: Vec<f64>,
-}
-
-/// A law as a checkpoint holds it.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Held {
-    /// Its name.
-    pub name: String,
-    /// The group whose contacts it is of, or the two between which they are.
-    pub of: Vec<String>,
-    /// Numbers it remembers of each contact.
-    pub width: usize,
-    /// Step at which it was asked last.
-    pub step: Option<u64>,
-    /// Its contacts then.
-    pub contacts: Vec<Acting>,
-}
-
-/// A contact at which a law acts.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Acting {
-    ends: [u32; 2],
-    joint: bool,
-    /// Which of the contacts of these blocks.
-    nth: u32,
-    normal: [f64; 3],
-    displacement: [f64; 3],
-    memory: Vec<f64>,
-    arms: [[f64; 3]; 2],
-    force: [f64; 3],
 }
 
 /// A law with what it has cost.
