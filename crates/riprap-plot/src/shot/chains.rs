@@ -105,7 +105,7 @@ pub(super) fn rods(
         for (v, (_, from)) in column.data.chunks_exact(3).zip(&middles).step_by(step) {
             let way = Vec3::new(v[0], v[1], v[2]);
             let share = way.length() / longest;
-            if !(share > 0.01) || away(*from) {
+            if share.is_nan() || share <= 0.01 || away(*from) {
                 continue;
             }
             let way = way * (LONG * reach / longest);
@@ -136,7 +136,7 @@ fn chains(
     for (i, (v, at)) in forces.data.chunks_exact(3).zip(&frame.contact_points).enumerate() {
         let share = Vec3::new(v[0], v[1], v[2]).length() / strongest;
         let at = Vec3::from(*at);
-        if !(share > WEAK) || !at.is_finite() || away(at) {
+        if share.is_nan() || share <= WEAK || !at.is_finite() || away(at) {
             continue;
         }
         let ends = [a, b].map(|side| side.data.get(i).and_then(|n| middles.get(&(*n as u32))));
