@@ -25,6 +25,7 @@ const TEMPLATES: [string, string][] = [
   ["drift", "block"],
   ["pit", "block"],
   ["house_wall", "block"],
+  ["doorway", "block"],
   ["vault", "block"],
   ["dome", "block"],
   ["buttress", "block"],

@@ -79,13 +79,16 @@ impl Builder<'_> {
         });
         let shapes = self.made_cells(block, made, shift)?;
         self.summary.fitted.push(format!(
-            "{}: {} graded cells, from {} to {} over {}, room for {}",
+            "{}: {} graded cells, from {} to {} over {}{}",
             block.name,
             shapes.len(),
             with_unit(grading.from, "m"),
             with_unit(grading.to, "m"),
             with_unit(grading.over, "m"),
-            counted(rooms.len(), "charge"),
+            match rooms.len() {
+                0 => String::new(),
+                n => format!(", room for {}", counted(n, "charge")),
+            },
         ));
         Some(shapes)
     }

@@ -57,7 +57,7 @@ const TO: [Line; 10] = [
         "damping_ratio, restitution, dashpots, damping of phases: often a choice and no measurement",
     ),
     ("bolts", &["bolts", "bolt_loss"], "bolts"),
-    ("kinetic", &["kinetic"], "when the run ends: none at rest"),
+    ("kinetic", &["kinetic"], "when the run ends; 0 at rest"),
     ("heave", &["gravity"], "weight that lies higher (+) or lower (-) than at the start"),
     (
         "strain",

@@ -120,8 +120,9 @@ impl Answer {
         }
         if let Some(partition) = &self.energy {
             lines.push(format!("energy, {:.4} MJ put in:", 1e-6 * partition.put_in));
-            lines.extend(partition.from.iter().map(|part| told("from", part)));
-            lines.extend(partition.to.iter().map(|part| told("to", part)));
+            let put_in = partition.put_in;
+            lines.extend(partition.from.iter().map(|part| told("from", part, put_in)));
+            lines.extend(partition.to.iter().map(|part| told("to", part, put_in)));
         }
         lines.join("\n")
     }
@@ -184,14 +185,14 @@ fn kuz_ram(of: &KuzRam) -> String {
     )
 }
 
-fn told(way: &str, part: &Part) -> String {
-    format!(
-        "  {way:>4} {:<32} {:>12.4} MJ {:>7.2} %  ({})",
-        part.name,
-        1e-6 * part.energy,
-        100.0 * part.share,
-        part.depends_on
-    )
+fn told(way: &str, part: &Part, put_in: f64) -> String {
+    // Of nothing there are no shares.
+    let share = match put_in > 0.0 {
+        true => format!("{:>7.2} %", 100.0 * part.share),
+        false => " ".repeat(9),
+    };
+    let energy = 1e-6 * part.energy;
+    format!("  {way:>4} {:<32} {energy:>12.4} MJ {share}  ({})", part.name, part.depends_on)
 }
 
 fn profile(pile: &Pile) -> String {

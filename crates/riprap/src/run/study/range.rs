@@ -6,7 +6,7 @@ use crate::model::Bisection;
 use crate::plan::shown::{Shown, digits_for};
 use crate::run::job::Job;
 use crate::run::scene::{Prepared, Scene};
-use crate::scenario::units::{self, Dim};
+use crate::scenario::units;
 use crate::scenario::{Case, Diagnostics};
 
 /// Share of the range that the answer is wide where nobody says anything.
@@ -53,7 +53,7 @@ impl Quantity {
         if dim != other || low == high {
             return Err(wrong());
         }
-        let unit = if dim == Dim::NONE { String::new() } else { dim.to_string() };
+        let unit = dim.unit();
         let said = units::unit_of(first).or_else(|| units::unit_of(last));
         let shown = match said {
             Some((unit, one)) => Shown { unit: unit.to_owned(), one },

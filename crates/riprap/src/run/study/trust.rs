@@ -128,6 +128,9 @@ pub struct Result {
     pub advice: String,
     /// What the check of the scene expects, SI, if that is one number.
     pub expected: Option<f64>,
+    /// Difference that the check allows, SI.
+    #[serde(skip)]
+    pub tolerance: f64,
     /// Unit for reading.
     #[serde(skip)]
     pub shown: Shown,

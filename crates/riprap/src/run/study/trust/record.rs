@@ -160,7 +160,12 @@ impl Result {
             text.push_str(&format!(" ({shares})"));
         }
         if let (Some(expected), Some(holds)) = (self.expected, self.holds()) {
-            let word = if holds { "inside" } else { "OUTSIDE" };
+            // The closed form of a check may be that of another model, to its tolerance.
+            let word = match (holds, (self.as_run - expected).abs() <= self.tolerance) {
+                (true, _) => "inside",
+                (false, true) => "outside, within the tolerance of the check",
+                (false, false) => "OUTSIDE",
+            };
             text.push_str(&format!("; expected {}: {word}", self.text(expected)));
         }
         if !self.advice.is_empty() {

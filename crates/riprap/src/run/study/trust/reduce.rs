@@ -82,6 +82,10 @@ pub(super) fn result(
         chaotic: None,
         advice: String::new(),
         expected: target.filter(|target| target.is_finite()),
+        tolerance: target.map_or(0.0, |target| {
+            let relative = ask.relative.unwrap_or(0.0) * target.abs();
+            relative.max(ask.absolute.unwrap_or(0.0))
+        }),
         shown,
     };
     if !as_run.is_finite() {
