@@ -180,6 +180,18 @@ impl<'a> References<'a> {
         }
     }
 
+    fn source_block_or_group(&mut self, name: &Name) {
+        let found = self.is_source(name.as_str())
+            || self.is_block(name.as_str())
+            || self.is_group(name.as_str())
+            || self.is_condition(name);
+        if !found {
+            let known: Vec<&str> =
+                self.scenario.sources.names().chain(self.groups.iter().copied()).collect();
+            self.unknown("source, block or group", name, known);
+        }
+    }
+
     fn target(&mut self, target: &Target) {
         match target {
             Target::Block(name) => self.block(name),
@@ -297,10 +309,8 @@ impl<'a> References<'a> {
             cells.graded.as_ref()?.at.as_ref()
         });
         for refine in &scenario.refine {
-            if let Around::Source(name) = &refine.octree.around
-                && !self.is_source(name.as_str())
-            {
-                self.block_or_group(name);
+            if let Around::Source(name) = &refine.octree.around {
+                self.source_block_or_group(name);
             }
         }
         for around in graded {
