@@ -28,6 +28,7 @@ mod held;
 pub(crate) mod levels;
 pub(crate) mod limit;
 mod narrow;
+mod quiet;
 mod relaw;
 mod release;
 mod shared;
@@ -57,12 +58,14 @@ use crate::state::scratch::Scratch;
 use crate::state::world::World;
 pub(crate) use acting::{act, note_left, place, sum};
 use held::Joints;
+pub(crate) use quiet::quiet_for;
 pub use relaw::change_laws;
 pub(crate) use release::{is_dry, is_loose, release, release_loose};
-pub(crate) use stored::{begin, stored};
+use stored::drop_pair;
+pub(crate) use stored::{begin, left, stored};
 
 /// Steps between two looks at joints that have failed since.
-const CHECK_INTERVAL: u64 = 16;
+pub(crate) const CHECK_INTERVAL: u64 = 16;
 /// Way in steps of the present length that margins are made for.
 const LOOKAHEAD: f64 = 50.0;
 
@@ -138,6 +141,12 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     let n = world.alive.len();
     let known = world.found.roles.len() == n;
     // Not without a move: what is found must not hang on how often an instant is evaluated.
+    if let Some(longest) = scratch.apart() {
+        // Nothing has changed in who may meet whom, or the ranks would not keep to themselves ([`quiet`]).
+        scratch.desk.deepest = None;
+        world.found.longest_step = Some(longest);
+        return false;
+    }
     let look = world.pending > 0.0 && world.step.is_multiple_of(CHECK_INTERVAL);
     let looked = !known || world.fresh || look && others_are_whole(world, &mut scratch.desk.who);
     let mut renew = false;
@@ -167,8 +176,15 @@ pub(crate) fn refresh(world: &mut World, scratch: &mut Scratch) -> bool {
     if looked {
         scratch.desk.who.roles = were;
     }
-    world.found.longest_step = Some(if meet { limit::reach(world) } else { f64::INFINITY });
+    let all = 0..world.alive.len();
+    let reach = || limit::reach(world, &scratch.exec, all);
+    world.found.longest_step = Some(if meet { reach() } else { f64::INFINITY });
     !world.found.pairs.is_empty()
+}
+
+/// Bound of the speed of the points of a block, m/s.
+fn speed(world: &World, b: usize) -> f64 {
+    world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
 }
 
 /// Takes over the present poses where blocks have left their margins, or where `renew` asks for it.
@@ -187,9 +203,7 @@ fn search(world: &mut World, scratch: &mut Scratch, mut renew: bool) {
     let (shapes, roles) = (&desk.shapes, &world.found.roles);
     let blocks = Blocks { shapes, shape: &world.solid, roles, covered: &NO_FACE };
     let pose = |b: usize| world.pose(b);
-    let speed = |b: usize| {
-        world.bodies.velocity(b).length() + world.bodies.spin(b).length() * world.solid_of(b).radius
-    };
+    let speed = |b: usize| speed(world, b);
     let next = |b: usize| speed(b) * scratch.coming_dt;
     renew |= desk.candidates.outdated(&blocks, &world.found.search, pose, next, &scratch.exec);
     if renew {
@@ -211,22 +225,6 @@ fn leave(world: &mut World, scratch: &mut Scratch) {
     world.found.held.clear();
     scratch.desk = ContactScratch::default();
     scratch.tiles.make_rows(world);
-}
-
-/// Energy of the normal springs of a joint whose load no contact has taken over yet, J.
-pub(crate) fn left(pair: &FoundPair) -> f64 {
-    let joint = pair.offset.as_ref().and_then(|offset| offset.joint);
-    joint.map_or(0.0, |joint| joint.energy)
-}
-
-/// Books what a pair still holds that is no longer looked at: friction what its springs, an edit what a joint has left.
-fn drop_pair(works: &mut Works, pair: &FoundPair) {
-    works.friction += pair.stored();
-    works.edit_defect -= left(pair);
-    if let Some(offset) = &pair.offset {
-        works.contact_path -= offset.stored;
-        works.edit_defect -= offset.stored;
-    }
 }
 
 /// What pairs of which a block has been split hide of their pressure ([`Offset::of_parts`]), by their blocks.

@@ -102,5 +102,6 @@ pub use riprap_core::lanes;
 use riprap_core::{accounts, dynamics, exec, failed, field, flow, frame, laws, ledger, profile};
 pub use state::contact_scratch::{Deepest, Pressed};
 pub use state::scratch::NotSolved;
+pub use state::share::apart::settle;
 pub use state::share::{Part, parts};
 pub use state::{sums, tiles, world};

@@ -32,6 +32,7 @@ use crate::state::bodies::Turned;
 use crate::state::patches::flag;
 use crate::state::scratch::Lost;
 pub use crate::state::scratch::{NonFinite, Scratch};
+use crate::state::share;
 use crate::state::sums;
 use crate::state::world::World;
 pub use halving::error;
@@ -69,6 +70,7 @@ pub fn evaluate_with(
     // finds the very kick that the works were booked for.
     scratch.damping = *damping;
     scratch.coming_dt = dt;
+    share::apart::begin(world, scratch, contact::CHECK_INTERVAL, contact::quiet_for);
     // Before the loads: what seeping water pushes with follows from the heads that are found here.
     if !world.setup.water.is_empty() {
         stage(scratch, "seepage", |_| push::seepage::update(world));

@@ -9,7 +9,7 @@ use riprap::run::drive::{Control, Ending, Look};
 use riprap::run::job::{Job, resume_ranks, run, run_ranks};
 use riprap::run::scene::Scene;
 
-/// A scene of the library, made small by changes of its keys.
+/// A scene of the library, or of a file with an absolute path, made small by changes of its keys.
 fn job(scene: &str, changes: &[(&str, &str)]) -> Job {
     let path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes")).join(scene);
     let own = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
@@ -88,6 +88,88 @@ fn rubble_has_the_bits_of_one_rank() {
         ("phases.1.until.steps", "5"),
     ];
     same_for_any_ranks("bench/rubble.toml", &changes, &[2, 3, 8]);
+}
+
+/// Bricks with whole joints, of which ranks need to know only what lies at the cut, until joints fail and bricks fly off.
+const TORN: &str = r#"
+riprap = 1
+title = "Bricks that stand, and are torn off"
+[space.spatial]
+gravity = "9.81 m/s2"
+[materials.rock]
+density = "2500 kg/m3"
+young = "1 GPa"
+poisson = 0.25
+[interfaces.default]
+cohesion = "300 kPa"
+tension = "150 kPa"
+friction_angle = "30 deg"
+damping_ratio = 0.05
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = { size = ["8 m", "8 m", "6 m"], cell = "1 m" }
+[[boundaries]]
+on.plane = "z-min"
+held = {}
+[[phases]]
+name = "stand"
+until.steps = 400
+[[phases]]
+name = "tear"
+gravity = ["20 m/s2", "0 m/s2", "30 m/s2"]
+until.steps = 300
+[[outputs]]
+history = { name = "top", field = "block.displacement.z", of = "rock.384", every = "5 ms" }
+[[checks]]
+name = "the top has moved"
+field = "block.displacement.magnitude"
+of = "rock.384"
+at = "30 ms"
+value = "1 mm"
+absolute = "1 mm"
+"#;
+
+#[test]
+fn steps_that_nobody_reads_have_the_bits_of_one_rank() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = dir.path().join("torn.toml");
+    std::fs::write(&scene, TORN).unwrap();
+    let scene = scene.to_str().unwrap();
+    same_for_any_ranks(scene, &[], &[2, 3, 5, 8]);
+    // Standing, hardly more travels than the cut: 8 by 8 joints, and what 64 blocks and their joints do.
+    let stand = [("phases.1.until.steps", "1"), ("phases.0.until.steps", "2000")];
+    let sent = |changes: &[(&str, &str)]| {
+        let (job, folder) = (job(scene, changes), dir.path().join("sent.run"));
+        let done = run_ranks(job, &folder, Existing::Force, [2, 1], &mut go).unwrap();
+        let sent = done.sent.unwrap();
+        sent.traffic.bytes as f64 / sent.steps as f64
+    };
+    let quiet = sent(&stand);
+    let read = sent(&[&stand[..], &[("outputs.0.history.every", "\"0.4 ms\"")]].concat());
+    assert!(quiet < 0.4 * read && quiet < 20_000.0, "{quiet} of {read} bytes a step");
+}
+
+/// A look that measures in every step, a run that is stopped in the middle of steps that nobody reads, and goes on.
+#[test]
+fn looks_at_steps_that_nobody_reads_see_what_one_rank_sees() {
+    let dir = tempfile::tempdir().unwrap();
+    let scene = dir.path().join("torn.toml");
+    std::fs::write(&scene, TORN).unwrap();
+    let scene = scene.to_str().unwrap();
+    let [one, many] = ["one.run", "many.run"].map(|name| dir.path().join(name));
+    let alone = run(job(scene, &[]), &one, Existing::Refuse, 1, &mut go).unwrap();
+    let mut stop = |look: &mut Look<'_>| Control::stop_if(look.progress.step > 20);
+    let part = run_ranks(job(scene, &[]), &many, Existing::Refuse, [3, 1], &mut stop).unwrap();
+    assert_eq!(part.ending, Ending::Stopped);
+    let mut seen = 0.0;
+    let mut measure = |look: &mut Look<'_>| {
+        seen = look.measured().kinetic;
+        Control::Continue
+    };
+    let done = resume_ranks(&many, [2, 1], &mut measure).unwrap();
+    assert_eq!(done.manifest.state_hash, alone.manifest.state_hash);
+    assert!(seen > 0.0);
 }
 
 /// Dashpots and stress at the start behind faces.

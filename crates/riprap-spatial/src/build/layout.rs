@@ -32,6 +32,7 @@ impl Scratch {
             profile: Profile::default(),
             tiles: Tiles::default(),
             share: None,
+            unread: false,
             net: Sums::default(),
             drag: Sums::default(),
             pushes: Pushes::default(),

@@ -546,16 +546,15 @@ fn transit(world: &World, desk: &ContactScratch, exec: &Exec) -> f64 {
 ///
 /// A quarter of the time, because what the ledger takes for the kinetic energy of a falling block, `m v(n-1/2).v(n+1/2)/2`, is less than its own by
 /// `m g² dt²/8`: where steps grow short before a contact that comes to light as a residual.
-pub(super) fn reach(world: &World) -> f64 {
+pub(super) fn reach(world: &World, exec: &Exec, blocks: Range<usize>) -> f64 {
     let g = world.gravity.length();
-    let search = &world.found.search;
-    let mut longest = f64::INFINITY;
-    for (b, role) in world.found.roles.iter().enumerate() {
-        if *role != Role::Absent {
-            longest = longest.min(FLIGHT * time_for(search.margin[b], speed(world, b), g));
-        }
-    }
-    longest
+    let (roles, margins) = (&world.found.roles, &world.found.search.margin);
+    let time = |b: usize| FLIGHT * time_for(margins[b], speed(world, b), g);
+    let start = blocks.start;
+    exec.smallest(blocks.len(), |chunk| {
+        let blocks = chunk.map(|k| start + k).filter(|b| roles[*b] != Role::Absent);
+        blocks.map(time).fold(f64::INFINITY, f64::min)
+    })
 }
 
 /// How easily forces move and turn a block.

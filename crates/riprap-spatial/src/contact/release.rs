@@ -63,17 +63,13 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
     if !world.setup.found_contacts || !look {
         return;
     }
+    // In a step that ranks do by themselves nothing changes here ([`super::quiet`]).
+    if scratch.apart().is_some() {
+        return;
+    }
     let (seen, known) = (&*world, &*scratch);
     // Each patch by itself: what fails here changes nothing of another.
-    let change = |p: usize| {
-        if is_folded(seen, p) || is_torn(seen, p) {
-            Some((p, Change::Fails))
-        } else if is_loose(seen, p) && is_past(seen, p) {
-            Some((p, Change::Released))
-        } else {
-            is_displaced(seen, p).then_some((p, Change::Displaced))
-        }
-    };
+    let change = |p: usize| change_of(seen, p).map(|change| (p, change));
     // Nearly always none does, and a step takes no memory then.
     let count = seen.patches.len();
     let first = known.exec.smallest(count, |mut chunk| {
@@ -106,7 +102,7 @@ pub(crate) fn release(world: &mut World, scratch: &mut Scratch) {
 
 /// What becomes of a patch at a look.
 #[derive(Clone, Copy)]
-enum Change {
+pub(super) enum Change {
     /// It stays, and holds its blocks in place no longer.
     Displaced,
     Released,
@@ -130,6 +126,17 @@ pub(crate) fn release_loose(
     pairs.dedup();
     if !pairs.is_empty() {
         release_pairs(world, scratch, &pairs);
+    }
+}
+
+/// What becomes of a patch.
+pub(super) fn change_of(world: &World, p: usize) -> Option<Change> {
+    if is_folded(world, p) || is_torn(world, p) {
+        Some(Change::Fails)
+    } else if is_loose(world, p) && is_past(world, p) {
+        Some(Change::Released)
+    } else {
+        is_displaced(world, p).then_some(Change::Displaced)
     }
 }
 

@@ -89,5 +89,7 @@ pub(super) fn exchange(
             work.beside.extend(told.beside);
         }
     }
-    share.pairs.book(&times);
+    if let Some(bounds) = share.pairs.book(&times) {
+        share.pairs.cut_at(bounds);
+    }
 }

@@ -12,6 +12,7 @@ use riprap_geom::Vec3;
 use crate::exec::Exec;
 use crate::kernel::Shape;
 use crate::kernel::glued::Glued;
+use crate::ledger::Works;
 use crate::state::contact_scratch::{ContactScratch, PairKind};
 use crate::state::found::{ContactPatch, FoundPair};
 use crate::state::world::World;
@@ -170,6 +171,22 @@ pub(crate) fn begin(world: &mut World, desk: &ContactScratch, exec: &Exec) {
         return;
     }
     [_, world.found.at_start] = bounds(world, desk, exec, Bound::Way);
+}
+
+/// Energy of the normal springs of a joint whose load no contact has taken over yet, J.
+pub(crate) fn left(pair: &FoundPair) -> f64 {
+    let joint = pair.offset.as_ref().and_then(|offset| offset.joint);
+    joint.map_or(0.0, |joint| joint.energy)
+}
+
+/// Books what a pair still holds that is no longer looked at: friction what its springs, an edit what a joint has left.
+pub(super) fn drop_pair(works: &mut Works, pair: &FoundPair) {
+    works.friction += pair.stored();
+    works.edit_defect -= left(pair);
+    if let Some(offset) = &pair.offset {
+        works.contact_path -= offset.stored;
+        works.edit_defect -= offset.stored;
+    }
 }
 
 #[cfg(test)]

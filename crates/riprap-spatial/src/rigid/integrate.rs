@@ -88,7 +88,8 @@ pub(crate) fn integrate(world: &mut World, scratch: &mut Scratch, dt: f64) {
     let turning = match &mut scratch.share {
         Some(share) if world.implicit.is_none() => {
             share.book(spent);
-            share.motion(&scratch.tiles, world, (dt, turning))
+            let sums = [&mut scratch.net, &mut scratch.drag];
+            share.motion(&scratch.tiles, world, sums, (dt, turning))
         }
         _ => turning,
     };

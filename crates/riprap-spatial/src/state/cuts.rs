@@ -55,32 +55,38 @@ impl Cuts {
         };
     }
 
-    /// Books what a step has taken each rank (s), the same numbers on all of them; whether the list is cut elsewhere now.
-    pub(crate) fn book(&mut self, times: &[f64]) -> bool {
+    /// Books what a step has taken each rank (s), the same numbers on all of them; where the list should be cut from now on ([`Self::cut_at`]),
+    /// if that is elsewhere.
+    pub(crate) fn book(&mut self, times: &[f64]) -> Option<Vec<usize>> {
         for (sum, time) in self.spent.iter_mut().zip(times) {
             *sum += time;
         }
         self.steps += 1;
         if self.steps < LOOK {
-            return false;
+            return None;
         }
-        let before = self.bounds.clone();
-        self.balance();
+        let bounds = self.balanced();
         self.spent.fill(0.0);
         self.steps = 0;
-        before != self.bounds
+        (bounds != self.bounds).then_some(bounds)
     }
 
-    /// Cuts where each part would have taken the same time, if each rank had taken the same for all of its pieces.
-    fn balance(&mut self) {
+    /// Cuts the list there.
+    pub(crate) fn cut_at(&mut self, bounds: Vec<usize>) {
+        self.bounds = bounds;
+    }
+
+    /// Where each part would have taken the same time, if each rank had taken the same for all of its pieces.
+    fn balanced(&self) -> Vec<usize> {
+        let mut bounds = self.bounds.clone();
         let size = self.spent.len();
         let mean = self.spent.iter().sum::<f64>() / size as f64;
         let most = self.spent.iter().copied().fold(0.0, f64::max);
         let judged = mean > 0.0 && mean.is_finite();
         if !judged || most <= BALANCE * mean {
-            return;
+            return bounds;
         }
-        let old = self.bounds.clone();
+        let old = &self.bounds;
         let (mut rank, mut before) = (0, 0.0);
         for cut in 1..size {
             let wanted = cut as f64 * mean;
@@ -91,8 +97,9 @@ impl Cuts {
             let (part, time) = (old[rank]..old[rank + 1], self.spent[rank]);
             let share = if time > 0.0 { ((wanted - before) / time).clamp(0.0, 1.0) } else { 0.0 };
             let at = part.start + (share * part.len() as f64).round() as usize;
-            self.bounds[cut] = at.clamp(self.bounds[cut - 1], self.count());
+            bounds[cut] = at.clamp(bounds[cut - 1], self.count());
         }
+        bounds
     }
 }
 
@@ -109,7 +116,10 @@ mod tests {
         let mut renewed = 0;
         for _ in 0..20 * LOOK {
             let taken = times(&cuts);
-            renewed += usize::from(cuts.book(&taken));
+            if let Some(bounds) = cuts.book(&taken) {
+                cuts.cut_at(bounds);
+                renewed += 1;
+            }
         }
         let taken = times(&cuts);
         assert!(taken.iter().all(|t| *t < 1.11 * 475.0), "{taken:?} {cuts:?}");
@@ -119,7 +129,9 @@ mod tests {
         // More ranks than pieces, and times of nothing.
         let mut few = Cuts::new(8, 3);
         for _ in 0..3 * LOOK {
-            few.book(&[1.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0]);
+            if let Some(bounds) = few.book(&[1.0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0]) {
+                few.cut_at(bounds);
+            }
         }
         assert_eq!((few.part(0).start, few.part(7).end), (0, 3));
         assert!((0..8).all(|rank| few.part(rank).start <= few.part(rank).end));

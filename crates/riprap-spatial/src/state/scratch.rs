@@ -36,6 +36,8 @@ pub struct Scratch {
     pub tiles: Tiles,
     /// What of the model this rank computes, where there are others.
     pub(crate) share: Option<Share>,
+    /// Whether nobody reads the state of the coming evaluation and of the step after it: ranks may keep to themselves then.
+    pub unread: bool,
     /// Sums of forces and moments on blocks, without damping and supports.
     pub net: Sums,
     /// Sums of contact dashpots; empty without any.

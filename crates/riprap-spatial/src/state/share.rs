@@ -9,10 +9,13 @@
 //!
 //! Pairs of found contact are shared out by themselves (`contact/shared.rs`) in one message more. Then every rank knows all of the state,
 //! and whatever else there is (search, gas, bolts, seepage, splitting, records,
-//! guards) is done by all alike from the same numbers. Shares of sums over the model are whole branches of the fixed tree
+//! guards) is done by all alike from the same numbers. Where nobody reads the state of a step, only what lies at the cut travels
+//! ([`apart`]). Shares of sums over the model are whole branches of the fixed tree
 //! ([`riprap_core::sums::Shared`]). So bits are those of one rank, wherever the model is cut.
 //!
 //! What a rank that is gone has not sent stays as it was: the run ends before anybody looks at it ([`crate::exec::Exec::peers`]).
+
+pub(crate) mod apart;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -46,6 +49,12 @@ pub(crate) struct Share {
     groups: Shared,
     /// Slots of this rank that each rank adds to its blocks, and of each rank that this one does.
     slots: [Vec<Vec<Range<usize>>>; 2],
+    /// Blocks of this rank with slots of each rank's patches, which must know their motion, and of each rank with slots of this one.
+    near: [Vec<Vec<Range<usize>>>; 2],
+    /// Set where only what lies at the cut travels in this step: the longest one that the search for contacts allows, s.
+    apart: Option<f64>,
+    /// Whether this rank knows of the others' blocks only those at the cut as they are now.
+    behind: bool,
     /// State bits of its patches before the laws were applied.
     before: Vec<u16>,
     /// Time that its pieces have taken in this step.
@@ -69,6 +78,9 @@ impl Share {
             pairs,
             groups: Shared::default(),
             slots: [Vec::new(), Vec::new()],
+            near: [Vec::new(), Vec::new()],
+            apart: None,
+            behind: false,
             before: Vec::new(),
             spent: Duration::ZERO,
         };
@@ -81,7 +93,11 @@ impl Share {
         let group = |tile: usize| tiles.list[..tile].iter().map(Tile::groups).sum();
         self.groups = Shared::new(self.cuts.bounds().iter().map(|tile| group(*tile)).collect());
         self.slots = [0, 1].map(|_| vec![Vec::new(); self.peers.size()]);
+        self.near = self.slots.clone();
         self.list_slots(tiles);
+        for list in self.near.iter_mut().flatten() {
+            apart::merge(list);
+        }
     }
 
     /// Books what a stage of its pieces has taken.
@@ -94,19 +110,24 @@ impl Share {
         for to in 0..self.peers.size() {
             let incoming =
                 self.pieces(to).flat_map(|t| &tiles.incoming[tiles.list[t].incoming.clone()]);
-            let runs = incoming.map(|run| run.slot as usize..(run.slot + run.count) as usize);
-            for run in runs.collect::<Vec<_>>() {
+            let runs = incoming.map(|run| {
+                (run.slot as usize..(run.slot + run.count) as usize, run.block as usize)
+            });
+            for (run, first) in runs.collect::<Vec<_>>() {
                 // Slots in a row may be of several pieces.
                 let mut at = run.start;
                 while at < run.end {
                     let tile = tiles.list.partition_point(|tile| tile.slots.end <= at);
                     let from = self.cuts.bounds().partition_point(|first| *first <= tile) - 1;
                     let end = run.end.min(tiles.list[tile].slots.end);
+                    let blocks = first + at - run.start..first + end - run.start;
                     if from != to && from == rank {
                         self.slots[0][to].push(at..end);
+                        self.near[1][to].push(blocks.clone());
                     }
                     if from != to && to == rank {
                         self.slots[1][from].push(at..end);
+                        self.near[0][from].push(blocks);
                     }
                     at = end;
                 }
@@ -161,8 +182,11 @@ impl Share {
         })
     }
 
-    /// Keeps what the patches of this rank remember before the laws are applied.
+    /// Keeps what the patches of this rank remember before the laws are applied, as the others know it.
     pub(crate) fn begin(&mut self, tiles: &Tiles, patches: &Patches) {
+        if self.behind {
+            return;
+        }
         let own = self.items(tiles, self.peers.rank(), |tile| &tile.patches);
         self.before.clear();
         self.before.extend_from_slice(&patches.flags[own]);
@@ -204,7 +228,10 @@ impl Share {
 
     /// Gives the sums of all blocks, the memory of all patches and faces, and the works to all; the works of all are in the
     /// first of the list then. The first block whose forces are not finite.
-    pub(crate) fn sums(&self, tiles: &Tiles, of: &mut Gathered<'_>) -> Option<u32> {
+    ///
+    /// Of a step that nobody reads sums and the memory of patches stay where they are.
+    pub(crate) fn sums(&mut self, tiles: &Tiles, of: &mut Gathered<'_>) -> Option<u32> {
+        self.behind |= self.apart.is_some();
         let rank = self.peers.rank();
         let own = &mut *of.partial;
         let groups = self.items(tiles, rank, |tile| &tile.blocks);
@@ -214,12 +241,14 @@ impl Share {
         let tops = self.groups.tops(rank);
         let tops: Vec<[Works; 2]> = tops.map(|k| [own[k].arrival, own[k].departure]).collect();
         let (faces, entries) = of.own_faces(self.items(tiles, rank, |tile| &tile.faces));
-        let told = Told { bad, tops, patches: self.changed(tiles, of.patches), faces, entries };
+        let all = self.apart.is_none();
+        let patches = if all { self.changed(tiles, of.patches) } else { Vec::new() };
+        let told = Told { bad, tops, patches, faces, entries };
         let mut message = bytes_of(&told);
         let blocks = self.items(tiles, rank, |tile| &tile.blocks);
         let mut head = (message.len() as u64).to_le_bytes().to_vec();
         head.append(&mut message);
-        for list in of.sums.iter().filter(|s| !s.is_empty()).flat_map(|s| &s.lists) {
+        for list in of.sums.iter().filter(|s| all && !s.is_empty()).flat_map(|s| &s.lists) {
             put(&mut head, &list[blocks.clone()]);
         }
         let mut first = [bad].into_iter().collect::<Vec<_>>();
@@ -238,7 +267,8 @@ impl Share {
             }
             of.put_faces(self.items(tiles, from, |tile| &tile.faces), &told.faces, &told.entries);
             let blocks = self.items(tiles, from, |tile| &tile.blocks);
-            for list in of.sums.iter_mut().filter(|s| !s.is_empty()).flat_map(|s| &mut s.lists) {
+            let sums = of.sums.iter_mut().filter(|s| all && !s.is_empty());
+            for list in sums.flat_map(|s| &mut s.lists) {
                 take(&mut rest, &mut list[blocks.clone()]);
             }
         }
@@ -260,45 +290,52 @@ impl Share {
         list.map(|(p, _)| Remembered::of(patches, p)).collect()
     }
 
-    /// Gives the motion of all blocks in a step of `dt` (s) to all, and ends the step: the model is cut again where ranks are out of balance.
+    /// Gives the motion of all blocks in a step of `dt` (s) to all, of a step that nobody reads that of the blocks at the cut to those who
+    /// need it, and ends the step: the model is cut again where ranks are out of balance.
     /// Whether a block has turned far. Velocities travel; what follows from them is found again, by the operations of
     /// [`crate::rigid::integrate`].
     pub(crate) fn motion(
         &mut self,
         tiles: &Tiles,
         world: &mut World,
+        sums: [&mut Sums; 2],
         (dt, turning): (f64, bool),
     ) -> bool {
-        let own = self.items(tiles, self.peers.rank(), |tile| &tile.blocks);
+        let (rank, size) = (self.peers.rank(), self.peers.size());
         let spent = std::mem::take(&mut self.spent).as_secs_f64();
-        let mut times = vec![spent; self.peers.size()];
-        let mut message = vec![u8::from(turning)];
-        put(&mut message, &[spent]);
-        for list in &world.bodies.velocity {
-            put(&mut message, &list[own.clone()]);
-        }
-        for Turned { attitude: q, momentum: l } in world.turned[own].iter().flatten().map(|t| &**t)
-        {
-            put(&mut message, &[q.x, q.y, q.z, q.w, l.x, l.y, l.z]);
-        }
+        let mut times = vec![spent; size];
+        let mut head = vec![u8::from(turning)];
+        put(&mut head, &[spent]);
+        let all = std::slice::from_ref;
+        let parts: Vec<_> = (0..size).map(|r| self.items(tiles, r, |tile| &tile.blocks)).collect();
+        let apart = self.apart.is_some();
+        let messages = if apart {
+            let of = |to: usize| {
+                let mut message = head.clone();
+                put_rates(&mut message, world, &self.near[0][to]);
+                Arc::new(message)
+            };
+            self.peers.exchange((0..size).map(of).collect())
+        } else {
+            put_rates(&mut head, world, all(&parts[rank]));
+            self.peers.gather(head)
+        };
         let mut any = turning;
-        for (from, message) in self.others(self.peers.gather(message).unwrap_or_default()) {
+        for (from, message) in self.others(messages.unwrap_or_default()) {
             let Some((turning, mut rest)) = message.split_first() else {
                 continue;
             };
             any |= *turning != 0;
             take(&mut rest, std::slice::from_mut(&mut times[from]));
-            let blocks = self.items(tiles, from, |tile| &tile.blocks);
-            for list in &mut world.bodies.velocity {
-                take(&mut rest, &mut list[blocks.clone()]);
+            if apart {
+                let blocks = &self.near[1][from];
+                take_rates(&mut rest, world, blocks);
+                for b in blocks.iter().cloned().flatten() {
+                    follow_block(world, b, dt);
+                }
+                continue;
             }
-            for turned in world.turned[blocks].iter_mut().flatten() {
-                let mut x = [0.0; 7];
-                take(&mut rest, &mut x);
-                let [a, b, c, d, momentum @ ..] = x;
-                let attitude = Quat::from_xyzw(a, b, c, d);
-                **turned = Turned { attitude, momentum: Vec3::from_array(momentum) };
-            }
+            take_rates(&mut rest, world, all(&parts[from]));
             for tile in &tiles.list[self.pieces(from)] {
                 for row in &tiles.rows[tile.rows.clone()] {
                     follow_row(world, row.blocks.clone(), dt);
@@ -308,10 +345,44 @@ impl Share {
                 }
             }
         }
-        if self.cuts.book(&times) {
+        if let Some(bounds) = self.cuts.book(&times) {
+            // Whoever takes over a block must know it.
+            self.settle(tiles, world, sums);
+            self.cuts.cut_at(bounds);
             self.list(tiles);
         }
         any
+    }
+}
+
+/// Appends the velocities of blocks, and the attitude of those that have turned far.
+fn put_rates(message: &mut Vec<u8>, world: &World, blocks: &[Range<usize>]) {
+    for list in &world.bodies.velocity {
+        for run in blocks {
+            put(message, &list[run.clone()]);
+        }
+    }
+    let turned = blocks.iter().flat_map(|run| &world.turned[run.clone()]).flatten();
+    for Turned { attitude: q, momentum: l } in turned.map(|t| &**t) {
+        put(message, &[q.x, q.y, q.z, q.w, l.x, l.y, l.z]);
+    }
+}
+
+/// Takes what [`put_rates`] has appended.
+fn take_rates(rest: &mut &[u8], world: &mut World, blocks: &[Range<usize>]) {
+    for list in &mut world.bodies.velocity {
+        for run in blocks {
+            take(rest, &mut list[run.clone()]);
+        }
+    }
+    for run in blocks {
+        for turned in world.turned[run.clone()].iter_mut().flatten() {
+            let mut x = [0.0; 7];
+            take(rest, &mut x);
+            let [a, b, c, d, momentum @ ..] = x;
+            let attitude = Quat::from_xyzw(a, b, c, d);
+            **turned = Turned { attitude, momentum: Vec3::from_array(momentum) };
+        }
     }
 }
 
@@ -355,7 +426,7 @@ pub struct Part {
     pub cut: usize,
     /// Messages in a step.
     pub messages: usize,
-    /// Bytes in them, without what joints, contacts and conditions remember.
+    /// Bytes in them in a step that nobody reads, without what joints, contacts and conditions remember.
     pub bytes: usize,
 }
 
@@ -376,6 +447,11 @@ pub fn parts(world: &World, ranks: usize) -> Vec<Part> {
     // Velocity and spin.
     let motion = 6;
     let contacts = usize::from(!world.found.pairs.is_empty());
+    let mut near: Vec<_> =
+        world.patches.ends.iter().map(|[i, j]| (owner[*i as usize], *j)).collect();
+    near.sort_unstable();
+    near.dedup();
+    let apart = apart::feels_neighbours_alone(world);
     (0..ranks)
         .map(|rank| {
             let own = &tiles.list[cuts.part(rank)];
@@ -384,12 +460,17 @@ pub fn parts(world: &World, ranks: usize) -> Vec<Part> {
             let cut = patches.clone().filter(|p| owner[world.patches.ends[*p][1] as usize] != rank);
             let (patches, cut) = (patches.clone().count(), cut.count());
             let others = ranks - 1;
+            let needed = |(to, b): &&(usize, u32)| *to != rank && owner[*b as usize] == rank;
+            let gathered = match apart {
+                true => motion * near.iter().filter(needed).count(),
+                false => others * blocks * (sums + motion),
+            };
             Part {
                 blocks,
                 patches,
                 cut,
                 messages: others * (3 + 2 * contacts),
-                bytes: 8 * (cut * sums + others * blocks * (sums + motion)),
+                bytes: 8 * (cut * sums + gathered),
             }
         })
         .collect()

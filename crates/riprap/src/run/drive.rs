@@ -92,18 +92,27 @@ struct Watched {
 
 impl Watched {
     /// Feeds the value at the present state if it can matter: the last one of the run, of its phase.
-    fn look(&mut self, simulation: &Simulation, mut last: bool, phase_ends: bool) {
+    fn look(&mut self, simulation: &Simulation, last: bool, phase_ends: bool) {
+        if self.is_due(simulation, last, phase_ends) {
+            let view = simulation.view();
+            let time = view.time();
+            self.watch.observe(time, self.reading.value(&view));
+            self.watch.next = time + self.rhythm;
+        }
+    }
+
+    /// Whether the value at the present state can matter.
+    fn is_due(&self, simulation: &Simulation, mut last: bool, phase_ends: bool) -> bool {
         let window = self.watch.check().window;
-        let mut first = simulation.view().step() == 0;
+        let mut first = simulation.steps() == 0;
         if let Some(phase) = window.phase() {
             if simulation.cursor().phase != phase as usize {
-                return;
+                return false;
             }
             // A phase has a start and an end of its own: its first state is the first that is looked at.
             (first, last) = (true, phase_ends);
         }
-        let view = simulation.view();
-        let (time, dt) = (view.time(), simulation.dt());
+        let (time, dt) = (simulation.time(), simulation.dt());
         // Of a relaxing phase only equilibria count.
         let (relaxes, settled) = (simulation.relaxes(), simulation.settled());
         let near = match window.within() {
@@ -114,10 +123,7 @@ impl Watched {
             Window::At(at) => last || (time - at).abs() <= 1.5 * dt,
             Window::Over { .. } => last || time >= self.watch.next,
         };
-        if near && self.watch.wants(time) {
-            self.watch.observe(time, self.reading.value(&view));
-            self.watch.next = time + self.rhythm;
-        }
+        near && self.watch.wants(time)
     }
 }
 
@@ -310,6 +316,7 @@ impl Drive {
     }
 
     fn save(&mut self, packing: Packing) -> Result<(), DriveError> {
+        self.simulation.settle();
         self.agree()?;
         let Some(recorder) = &mut self.recorder else {
             return Ok(());
@@ -393,12 +400,21 @@ impl Drive {
                 self.standing = false;
             } else {
                 // Before the forces: what they set up for the coming step would have to be kept else.
-                self.keeper.keep(&self.simulation);
+                self.keeper.keep(&mut self.simulation);
                 let reached = pause.reached(&self.simulation);
                 // A law of code may fail, and the run goes on from here then.
                 let may_fail = reached || self.simulation.has_laws();
+                if may_fail {
+                    self.simulation.settle();
+                }
                 self.paused = may_fail.then(|| self.pause());
+                if !may_fail && self.passes_unread() {
+                    self.simulation.pass_unread();
+                }
                 let prepared = self.simulation.prepare();
+                if prepared.is_err() {
+                    self.simulation.settle();
+                }
                 self.sound()?;
                 let stage = match prepared {
                     Ok(stage) => stage,

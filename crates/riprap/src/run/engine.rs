@@ -357,6 +357,21 @@ impl Engine {
         }
     }
 
+    /// Whether nobody reads the coming evaluation and the step after it: ranks may keep to themselves then, and [`Engine::settle`] comes
+    /// before the next reading that no evaluation precedes.
+    pub fn set_unread(&mut self, unread: bool) {
+        if let Self::Spatial(e) = self {
+            e.scratch.unread = unread;
+        }
+    }
+
+    /// Lets all ranks know the whole state again, after a step that nobody was to read; all of them must call it.
+    pub fn settle(&mut self) {
+        if let Self::Spatial(e) = self {
+            spatial::settle(&mut e.world, &mut e.scratch);
+        }
+    }
+
     /// Moves on by `dt` (s).
     pub fn advance(&mut self, dt: f64) {
         match self {

@@ -188,6 +188,21 @@ impl Recorder {
         Ok(())
     }
 
+    /// Whether [`Recorder::record`] would read the present state, whose forces are still to be found for a step as long as the last one,
+    /// within a phase.
+    pub(in crate::run) fn is_due(&self, simulation: &Simulation) -> bool {
+        let now = Now::of(simulation, false);
+        let reached = |every: &Every, mut count: u64| now.is_due(every, &mut count);
+        let counts = &self.counts;
+        let histories = self.readings.iter().zip(&counts.histories);
+        let tables = [(&self.energy, counts.energy), (&self.frames, counts.frames)];
+        now.edge
+            || histories.into_iter().any(|((_, every), count)| reached(every, *count))
+            || tables
+                .iter()
+                .any(|(every, count)| every.is_some_and(|every| reached(&every, *count)))
+    }
+
     /// Writes the names of blocks and their conditions, where there are more than were written.
     fn record_names(&mut self, view: &View<'_>) -> Result<(), OutputError> {
         let blocks = view.all_blocks();

@@ -24,6 +24,7 @@ mod step_error;
 mod stop;
 #[cfg(all(test, feature = "scenario"))]
 mod tests;
+mod unread;
 
 pub use advance::Reached;
 pub use change::{Change, ChangeError};
@@ -59,6 +60,8 @@ pub struct Simulation {
     dt: f64,
     /// Whether the present state has been prepared by an advance that has come so far.
     standing: bool,
+    /// Whether nobody is going to read the coming state.
+    unread: bool,
     /// Relative residual of the ledger when it was last drawn up.
     residual: Option<f64>,
     /// Why the present phase is over, once it is.
@@ -96,6 +99,7 @@ impl Simulation {
             engine,
             dt: 0.0,
             standing: false,
+            unread: false,
             residual: None,
             reason: None,
             shorter: None,
@@ -257,7 +261,7 @@ impl Simulation {
             found => found?,
         };
         let revision = self.engine.revision();
-        self.evaluate_step(&phase)?;
+        self.evaluate_unread(&phase)?;
         self.divide()?;
         self.let_leave()?;
         let sudden = self.engine.contact_step_limit(phase.time_step) < SUDDEN * self.dt;

@@ -96,16 +96,23 @@ impl Look<'_> {
 struct Meter {
     last: Option<(Instant, Duration)>,
     value: Measured,
+    /// Whether this look may measure, and what it took to make that possible.
+    open: (bool, Duration),
 }
 
 impl Meter {
-    fn read(&mut self, simulation: &Simulation) -> &Measured {
+    fn may_read(&self) -> bool {
         let due = |(at, cost): (Instant, Duration)| at.elapsed() >= afford(cost);
-        if self.last.is_none_or(due) {
+        self.last.is_none_or(due)
+    }
+
+    fn read(&mut self, simulation: &Simulation) -> &Measured {
+        let (open, before) = self.open;
+        if open && self.may_read() {
             let begun = Instant::now();
             self.value = Measured::of(simulation);
             let end = Instant::now();
-            self.last = Some((end, end - begun));
+            self.last = Some((end, end - begun + before));
         }
         &self.value
     }
@@ -175,6 +182,16 @@ impl Clock {
     /// Takes over from another rank when it is asked next.
     pub(super) fn set_next(&mut self, step: u64) {
         self.next = step;
+    }
+
+    /// Whether a look that came now would measure the model.
+    pub(super) fn may_measure(&self) -> bool {
+        self.meter.may_read()
+    }
+
+    /// Lets the next look measure or not; making it possible has taken so long.
+    pub(super) fn measure(&mut self, may: bool, cost: Duration) {
+        self.meter.open = (may, cost);
     }
 
     /// Whether it is time for a look.

@@ -1,5 +1,7 @@
 //! What depends on a clock or on the user is decided by rank 0; the others do as it says. A run that is not shared is its own rank 0.
 
+use std::time::{Duration, Instant};
+
 use serde::{Deserialize, Serialize};
 
 use super::look::afford;
@@ -52,8 +54,19 @@ impl Drive {
     /// A look of the caller at the end of the run.
     pub(super) fn show(&mut self, look: &mut dyn FnMut(&mut Look<'_>) -> Control) {
         if self.writes() {
+            self.clock.measure(true, Duration::ZERO);
             self.clock.look(&self.simulation, look);
         }
+    }
+
+    /// Whether nobody reads the present state, once its forces are found, but those who look every now and then: only several ranks gain
+    /// by that.
+    pub(super) fn passes_unread(&self) -> bool {
+        let simulation = &self.simulation;
+        simulation.is_shared()
+            && !self.told
+            && self.recorder.as_ref().is_none_or(|recorder| !recorder.is_due(simulation))
+            && self.watched.iter().all(|watched| !watched.is_due(simulation, false, false))
     }
 
     /// What is to be done before the next step. The word of rank 0 says too before which step nobody asks again, so that most steps
@@ -66,10 +79,25 @@ impl Drive {
         if step < self.clock.next() {
             return Ok(Order::GoOn);
         }
-        let own = self.writes().then(|| {
-            let order = self.decide(step, look);
-            (order, self.clock.next())
-        });
+        let due = self
+            .writes()
+            .then(|| (self.clock.due(step), self.clock.may_measure(), self.clock.next()));
+        let due = match self.peers() {
+            Some(peers) => peers.order(due),
+            None => due,
+        };
+        self.sound()?;
+        let Some((true, measures, _)) = due else {
+            self.clock.set_next(due.map_or(step, |(_, _, next)| next));
+            return Ok(Order::GoOn);
+        };
+        // Measuring needs the whole state, which ranks must help each other to know.
+        let begun = Instant::now();
+        if measures {
+            self.simulation.settle();
+        }
+        self.clock.measure(measures, begun.elapsed());
+        let own = self.writes().then(|| (self.decide(look), self.clock.next()));
         let Some(peers) = self.peers() else {
             return Ok(own.map_or(Order::GoOn, |(order, _)| order));
         };
@@ -80,10 +108,7 @@ impl Drive {
         Ok(order)
     }
 
-    fn decide(&mut self, step: u64, look: &mut dyn FnMut(&mut Look<'_>) -> Control) -> Order {
-        if !self.clock.due(step) {
-            return Order::GoOn;
-        }
+    fn decide(&mut self, look: &mut dyn FnMut(&mut Look<'_>) -> Control) -> Order {
         let control = self.clock.look(&self.simulation, look);
         let pause = AUTOSAVE.max(afford(self.saving));
         match control {

@@ -38,7 +38,7 @@ pub(super) struct Keeper {
 
 impl Keeper {
     /// Keeps the present state where one is due; to be called before the forces at it are found.
-    pub(super) fn keep(&mut self, simulation: &Simulation) {
+    pub(super) fn keep(&mut self, simulation: &mut Simulation) {
         let (step, phase) = (simulation.steps(), simulation.cursor().phase);
         let due = match self.kept.last() {
             None => true,
@@ -56,6 +56,7 @@ impl Keeper {
         if self.kept.len() > 1 {
             self.kept.remove(0);
         }
+        simulation.settle();
         self.kept.push(Kept { snapshot: simulation.snapshot(), step, phase });
     }
 

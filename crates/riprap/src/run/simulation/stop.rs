@@ -90,6 +90,18 @@ impl Simulation {
         (at_rest || rests).then_some(Reason::AtRest)
     }
 
+    /// Whether the end of a phase, or a guard, reads the present state.
+    pub(super) fn looks_at(&self, phase: &Rules) -> bool {
+        let (step, until) = (self.steps(), &phase.until);
+        let steps = step - self.cursor.start_step;
+        let ends = until.steps.is_some_and(|n| steps >= n)
+            || until.time.is_some_and(|t| self.elapsed() >= t - 1e-9 * self.dt);
+        let waits = until.unbalanced.is_some() || until.kinetic.is_some();
+        let judged = waits && steps.is_multiple_of(CHECK_INTERVAL);
+        // A phase begins with a state that is written.
+        steps == 0 || ends || judged || due(step, CHECK_INTERVAL, 2) || due(step, LEDGER, 8)
+    }
+
     /// Notes the largest kinetic energy, and since when the model rests as the phase asks.
     fn note_rest(&mut self) {
         let kinetic = self.view().kinetic();
