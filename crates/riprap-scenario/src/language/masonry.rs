@@ -77,19 +77,20 @@ pub struct WallOpening {
     pub height: Quantity<PositiveLength>,
     /// The beam above it, in the group `NAME_lintels` of a wall NAME. Default none.
     pub lintel: Option<Lintel>,
-    /// The arch above it, in the group `NAME_arches` of a wall NAME: stones between joints that meet in one point, with a level top. Default none.
+    /// The arch above it, in the group `NAME_arches` of a wall NAME. Default none.
     pub arch: Option<OpeningArch>,
 }
 
-/// A segmental arch over an opening, as thick as the wall. It springs from the upper corners of the opening; bricks beside it are cut to its skewbacks.
+/// An arch over an opening, as thick as the wall, of stones between joints that point to the centre of its underside. It springs from the upper corners of the opening.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct OpeningArch {
-    /// Height of its underside over the springing in the middle, m: less than 0.38 of the width, so that the skewbacks are steep enough for a level top.
+    /// Height of its underside over the springing in the middle, m. Up to 0.38 of the width: a segmental arch with a level top; bricks beside it are cut to its
+    /// skewbacks. Half of the width: a round arch. More: a pointed one. Upper sides of the last two go in steps of whole rows, and no brick is cut.
     pub rise: Quantity<PositiveLength>,
-    /// Height from the springing to its level top, m: whole rows, more than the rise.
+    /// Height from the springing to its top, m: whole rows, more than the rise.
     pub height: Quantity<PositiveLength>,
-    /// Number of stones.
+    /// Number of stones; an odd one has a keystone, a pointed arch an even one, with a joint at its crown.
     #[key(min = 1, max = 1_000)]
     pub voussoirs: u32,
 }

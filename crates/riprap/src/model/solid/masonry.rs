@@ -160,8 +160,9 @@ impl Builder<'_> {
             gaps.extend(of);
             if let Some(said) = &opening.arch {
                 let (stones, beside) = self.arch_of_wall(wall, opening, said, spring)?;
-                let place = |p: Vec2| [0.0, depth].map(|y| corner + Vec3::new(p.x, y, p.y));
-                voussoirs.extend(stones.iter().map(|outline| prism(&outline.map(place))));
+                let place = |p: &Vec2| [0.0, depth].map(|y| corner + Vec3::new(p.x, y, p.y));
+                voussoirs
+                    .extend(stones.iter().map(|o| prism(&o.iter().map(place).collect::<Vec<_>>())));
                 arches.extend(beside);
             }
         }
