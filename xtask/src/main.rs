@@ -36,6 +36,7 @@ Tasks:
                    with names: run these and replace their rows
                    --from FILE: take the lines that this program's `riprap verify --json` printed; --table: run nothing, show what is stale;
                    --probes: make the probes that are missing (docs/src/verification_probes.csv)
+  pages            run the commands of the book that take minutes
   attack [ATTACK]...
                    damage, kill, crowd and hurry the program: attack / tries / failures; --tries N (1500), --page writes
                    docs/src/reliability.md, --binary FILE takes a program that is there
@@ -71,6 +72,7 @@ fn main() -> ExitCode {
             Ok(true)
         }
         ["verify-all", words @ ..] => verify::all(&root, words),
+        ["pages"] => steps::pages(&root),
         ["attack", words @ ..] => attack::run(&root, words),
         ["mutate", words @ ..] => mutate::run(&root, words).map(|()| true),
         ["arrows", name] => modules::print_arrows(&root, name, false).map(|()| true),

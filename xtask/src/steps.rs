@@ -230,6 +230,14 @@ pub fn docs_only(root: &Path) -> Result<bool, String> {
     Ok(good)
 }
 
+/// `cargo xtask pages`: the tests of pages that `tests` leaves out.
+pub fn pages(root: &Path) -> Result<bool, String> {
+    let words = ["test", "--workspace", "--locked", "--profile", "ci", "--test", "all"];
+    let mut command = Command::new(cargo());
+    command.args(words).args(["--", "--ignored", "ten_problems_long"]);
+    Ok(shell::run(root, &mut command)?.success)
+}
+
 /// One check, or as many failures as were found.
 fn one_check(failures: u64) -> Outcome {
     Outcome::Counted(Counts { passed: u64::from(failures == 0), failed: failures, skipped: 0 })

@@ -3,7 +3,8 @@
 //! In a page, a block marked `toml` whose first line is `# NAME.toml` is a file. A block marked
 //! `console` holds commands (lines that begin with `$ `), each followed by what it prints: a line
 //! `...` skips lines, `...` within a line skips text, numbers may differ by 5 %. What a command prints may
-//! come from either stream; lines that the page does not show must be skipped by `...`.
+//! come from either stream; lines that the page does not show must be skipped by `...`. A block `console,long` takes minutes: only ignored
+//! tests run it, after all that stands before it (`cargo xtask pages`).
 
 use std::path::Path;
 use std::process::Command;
@@ -23,7 +24,8 @@ enum Item {
     Command(String, Vec<String>),
 }
 
-fn items(page: &str) -> Vec<Item> {
+/// `long`: with the blocks that take minutes.
+fn items(page: &str, long: bool) -> Vec<Item> {
     let mut items = Vec::new();
     let mut lines = page.lines();
     while let Some(line) = lines.next() {
@@ -38,7 +40,8 @@ fn items(page: &str) -> Vec<Item> {
                     items.push(Item::File(name.to_owned(), body.join("\n") + "\n"));
                 }
             }
-            "console" => {
+            "console,long" if !long => {}
+            "console" | "console,long" => {
                 for line in body {
                     if let Some(command) = line.strip_prefix("$ ") {
                         items.push(Item::Command(command.to_owned(), Vec::new()));
@@ -111,11 +114,15 @@ fn missing<'a>(shown: &'a [String], printed: &[String]) -> Option<&'a str> {
 
 /// Runs a page's commands in an empty folder, which is returned.
 fn run_page(name: &str) -> TempDir {
+    run_items(name, false)
+}
+
+fn run_items(name: &str, long: bool) -> TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let programs = Path::new(env!("CARGO_BIN_EXE_riprap")).parent().expect("a folder");
     let path = std::env::var("PATH").unwrap_or_default();
     let mut code = 0;
-    for item in items(&read(&pages().join(name))) {
+    for item in items(&read(&pages().join(name)), long) {
         let (command, shown) = match item {
             Item::File(name, text) => {
                 std::fs::write(folder.path().join(name), text).expect("write a file");
@@ -189,6 +196,12 @@ fn the_page_on_removable_blocks_works() {
 #[test]
 fn the_page_of_ten_problems_works() {
     run_page("how-to/ten-problems.md");
+}
+
+#[test]
+#[ignore = "minutes: a rockfall, a bench, a search, the error of a calibration"]
+fn ten_problems_long() {
+    run_items("how-to/ten-problems.md", true);
 }
 
 #[test]
