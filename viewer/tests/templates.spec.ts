@@ -26,10 +26,19 @@ const TEMPLATES = [
   "pit",
   "house_wall",
   "doorway",
+  "arcade",
   "vault",
   "dome",
   "buttress",
   "pit_ramp",
+  "bolted_wedge",
+  "wedge",
+  "bricks",
+  "beam",
+  "pour",
+  "arch",
+  "wall",
+  "topple",
 ];
 
 for (const name of TEMPLATES) {
