@@ -260,6 +260,24 @@ impl<'a> View<'a> {
         }
     }
 
+    /// How high the free blocks reach above the lowest of them, along a direction of length 1, m.
+    pub fn free_height(&self, up: [f64; 3]) -> f64 {
+        let place = |b: usize| match self {
+            Self::Planar(v) => {
+                let at = v.world.bodies[b].position;
+                [at.x, at.y, 0.0]
+            }
+            Self::Spatial(v) => v.position(b).to_array(),
+        };
+        let [low, high] =
+            self.movements().iter().fold([f64::INFINITY, f64::NEG_INFINITY], |ends, block| {
+                let at = place(block.block as usize);
+                let level = (0..3).map(|k| at[k] * up[k]).sum::<f64>();
+                [ends[0].min(level - 0.5 * block.size), ends[1].max(level + 0.5 * block.size)]
+            });
+        high - low
+    }
+
     /// Free blocks that are there, with displacement (m) and rotation (rad, about the axes) since displacements were last set
     /// to zero, and size, m: the edge of a square or cube of the same area or volume.
     pub fn movements(&self) -> Vec<Movement> {

@@ -18,14 +18,31 @@ const RESTING: f64 = 1.5;
 /// Touching contacts from which what they cost is read off the trial.
 const FEW: f64 = 2.0;
 
+/// What is known of a run beside its trial.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Known {
+    /// Blocks that are apart at the start and will come to rest on others.
+    pub(super) falling: usize,
+    /// Step that contacts leave at the end of the trial, s, which they will leave in the phases to come.
+    pub(super) contacts: f64,
+    /// When a phase that goes on until the model rests is taken to end, s after its beginning.
+    pub(super) rest: Option<f64>,
+}
+
+impl Known {
+    /// When a phase is taken to end by rest, s after its beginning.
+    fn rest_of(&self, phase: &Phase) -> Option<f64> {
+        self.rest.filter(|_| phase.until.rest.is_some())
+    }
+}
+
 /// Reckons the rest of a run from the later half of what was tried of the present phase; none where a phase has no end that can be seen
-/// from there. `wanted` is the step that the plan asks for, s; `falling` is the number of blocks that are apart at the start and will come to
-/// rest on others, `contacts` the step that contacts leave at the end of the trial, s, which they will leave in the phases to come.
+/// from there. `wanted` is the step that the plan asks for, s.
 pub(super) fn ahead(
     plan: &Plan,
     marks: &[Mark],
     wanted: &dyn Fn(&Phase) -> f64,
-    (falling, contacts): (usize, f64),
+    known: Known,
 ) -> Option<Ahead> {
     let last = marks.last()?;
     let Some(phase) = plan.phases.get(last.phase) else {
@@ -36,21 +53,28 @@ pub(super) fn ahead(
     if steps == 0.0 || cpu <= 0.0 {
         return None;
     }
-    let times = repeats(phase, &from, last)?;
+    let times = match known.rest_of(phase).and_then(|rest| until_rest(rest, marks, &from, last)) {
+        Some(times) => (times, false),
+        None => repeats(phase, &from, last)?,
+    };
+    let falling = known.falling;
     let dearer = if is_explicit(phase) { resting(marks, &from, last, falling) } else { 1.0 };
     let cost = dearer * cpu / steps;
     let (times, at_most) = times;
     let mut ahead = Ahead { steps: times * steps, cpu: times * steps * cost, at_most };
     for phase in &plan.phases[last.phase + 1..] {
-        let step = wanted(phase).min(if is_explicit(phase) { contacts } else { f64::INFINITY });
+        let limit = if is_explicit(phase) { known.contacts } else { f64::INFINITY };
+        let step = wanted(phase).min(limit);
         let span = phase.until.time.filter(|_| relaxing(phase).is_none());
+        let rest = known.rest_of(phase);
+        let span = span.into_iter().chain(rest).reduce(f64::min);
         let by_time = span.map_or(f64::INFINITY, |span| (span / step).ceil());
         let by_count = phase.until.steps.map_or(f64::INFINITY, |n| n as f64);
         let steps = by_time.min(by_count);
         if !steps.is_finite() {
             return None;
         }
-        ahead.at_most |= may_rest(phase);
+        ahead.at_most |= may_rest(phase) && rest.is_none();
         ahead.steps += steps;
         ahead.cpu += steps * cost;
     }
@@ -105,6 +129,13 @@ fn repeats(phase: &Phase, from: &Mark, last: &Mark) -> Option<(f64, bool)> {
         (None, Some(b)) => Some((b, false)),
         (a, None) => a.map(|a| (a, may_rest(phase))),
     }
+}
+
+/// How many times what lies between two marks of a phase is still to come until it rests so long after its beginning (s), a tenth of that at least.
+fn until_rest(rest: f64, marks: &[Mark], from: &Mark, last: &Mark) -> Option<f64> {
+    let begun = marks.iter().find(|mark| mark.phase == last.phase)?.time;
+    let left = (rest - (last.time - begun)).max(0.1 * rest);
+    (last.time > from.time).then(|| left / (last.time - from.time))
 }
 
 fn is_explicit(phase: &Phase) -> bool {

@@ -1,6 +1,6 @@
 //! What is told before a run, of small scenes.
 
-use super::ahead::{Ahead, ahead};
+use super::ahead::{Ahead, Known, ahead};
 use super::trial::Mark;
 use super::{Forecast, forecast, within};
 use crate::exec::Exec;
@@ -141,7 +141,8 @@ fn the_rest_is_reckoned_from_the_later_half_of_the_trial() {
     };
     let reckon = |phases: Vec<Phase>, marks: &[Mark], falling| {
         let plan = crate::plan::Plan { phases, ..job.plan.clone() };
-        ahead(&plan, marks, &|_| 1e-3, (falling, 1e-4))
+        let known = Known { falling, contacts: 1e-4, rest: Some(0.5) };
+        ahead(&plan, marks, &|_| 1e-3, known)
     };
     // A tenth of the phase took 100 cheap steps, the second tenth 400 dear ones.
     let marks =
@@ -170,6 +171,12 @@ fn the_rest_is_reckoned_from_the_later_half_of_the_trial() {
     close(reckon(phases(still), &stays, 0), 400.0 * 98.0, 98.0);
     assert!(reckon(phases(still), &stays, 0).unwrap().at_most);
     assert!(!reckon(phases(still), &falls, 0).unwrap().at_most);
+    // What goes on until it rests is taken to rest after 0.5 s: 0.45 s of steps of 0.1 ms, and a phase to come after 500 steps of 1 ms.
+    let throw = "until = { rest = {}, time = \"3 s\" }\n";
+    close(reckon(phases(throw), &marks, 0), 4500.0, 4500.0 / 400.0);
+    assert!(!reckon(phases(throw), &marks, 0).unwrap().at_most);
+    let two = "until.time = \"3 s\"\n[[phases]]\nname = \"more\"\nuntil = { rest = {}, time = \"3 s\" }\n";
+    close(reckon(phases(two), &marks, 0), 3200.0 + 5000.0, 8.0 + 5000.0 / 400.0);
     // A trial without time says nothing.
     assert_eq!(reckon(phases(still), &stays[..1], 0), None);
 }
