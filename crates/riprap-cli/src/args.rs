@@ -136,6 +136,9 @@ pub struct Change {
     pub case: Option<String>,
 }
 
+/// What `riprap new NAME` writes.
+pub const DEFAULT_TEMPLATE: &str = "slide";
+
 /// Write a scene to start from.
 ///
 /// The templates are complete scenes of the library, ready to run.
@@ -149,7 +152,7 @@ pub struct New {
     #[arg(value_name = "NAME", required_unless_present = "list")]
     pub name: Option<String>,
     /// Template to start from; see --list
-    #[arg(short, long, value_name = "TEMPLATE", default_value = "slide")]
+    #[arg(short, long, value_name = "TEMPLATE", default_value = DEFAULT_TEMPLATE)]
     pub template: String,
     /// List the templates
     #[arg(short, long)]

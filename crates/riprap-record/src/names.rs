@@ -159,8 +159,11 @@ impl Names {
             None => Ok(Chosen { names: self, condition }),
             Some(name) => {
                 let all: Vec<&str> = self.groups.iter().map(|g| g.name.as_str()).collect();
-                let all = all.join(", ");
-                Err(format!("unknown block or group {:?}; valid groups: {all}", name.text))
+                let known = match all.is_empty() {
+                    true => "the run has no groups, name a block".to_owned(),
+                    false => format!("valid groups: {}", all.join(", ")),
+                };
+                Err(format!("unknown block or group {:?}; {known}", name.text))
             }
         }
     }

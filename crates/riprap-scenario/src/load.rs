@@ -93,7 +93,11 @@ pub(crate) fn read(path: &Path) -> Result<Source, Diagnostics> {
     let meta = std::fs::metadata(path).map_err(|error| cannot(&error))?;
     if meta.is_dir() {
         let diagnostic = Diagnostic::error("file.folder", "this is a folder, not a scenario file");
-        return Err(fail(diagnostic.help("give the path of a .toml file")));
+        let help = match path.join("manifest.json").exists() {
+            true => "it is the folder of a run: give its scene, a .toml file",
+            false => "give the path of a .toml file",
+        };
+        return Err(fail(diagnostic.help(help)));
     }
     let too_large = || {
         fail(

@@ -53,6 +53,19 @@ pub(super) fn check_quantity(
                     let what = format!("= \"{}\": {}", short(text), error.message);
                     let refused = refused(code, &what).label(format!("{} is expected", kind.what));
                     return Some(match error.help {
+                        // No example of another quantity than the key takes.
+                        Some(help) if help.contains(units::ANY_EXAMPLE) => {
+                            let one = format!("1 {}", text.trim());
+                            match units::parse(&one) {
+                                // A unit alone.
+                                Ok((_, dim)) if kind.dim == Some(dim) && dim != Dim::NONE => {
+                                    let help =
+                                        format!("write for example {}", assignment(key, &one));
+                                    refused.help(help)
+                                }
+                                _ => refused,
+                            }
+                        }
                         Some(help) => refused.help(help),
                         None => refused,
                     });
@@ -131,11 +144,11 @@ fn wrong_dimension(
         (Dim::PRESSURE, Dim::STIFFNESS_PER_AREA) => {
             (label("a pressure per length"), format!("without the \"/m\": {example}"))
         }
-        (Dim::FORCE_PER_LENGTH, Dim::FORCE) => (
+        (Dim::FORCE_PER_LENGTH, Dim::FORCE) if kind.spatial.is_some() => (
             label("a force"),
             format!("in two dimensions forces are per metre of thickness: {example}"),
         ),
-        (Dim::FORCE, Dim::ENERGY) => (
+        (Dim::FORCE, Dim::ENERGY) if kind.spatial.is_some() => (
             label("an energy or moment"),
             format!("in two dimensions it is per metre of thickness: {example}"),
         ),

@@ -229,14 +229,24 @@ fn solid_text(s: &Summary, bounds: &[[f64; 3]; 2], setup: &Setup, f: &Forecast) 
 /// A charge and the blocks that it replaces.
 fn charge_text(charge: &Charge) -> String {
     let name = &charge.name;
-    let removed = format!("{} of {:.4e} m3", counted(charge.blocks, "block"), charge.cavity);
+    let removed = format!("{} of {}", counted(charge.blocks, "block"), cubic(charge.cavity));
     match (charge.mass, charge.volume, charge.ratio) {
         (Some(mass), Some(volume), Some(times)) => format!(
-            "{name}: {} kg of {volume:.4e} m3 in place of {removed} (Vc/V0 = {})",
+            "{name}: {} kg of {} in place of {removed} (Vc/V0 = {})",
             ratio(mass),
+            cubic(volume),
             ratio(times)
         ),
         (_, _, _) => format!("{name}: a pressure in place of {removed}"),
+    }
+}
+
+/// A volume in m3, a small one in litres.
+fn cubic(volume: f64) -> String {
+    if volume < 0.01 {
+        format!("{} l", ratio(1e3 * volume))
+    } else {
+        format!("{} m3", ratio(volume))
     }
 }
 
@@ -303,6 +313,12 @@ fn expected_text(f: &Forecast, before: f64) -> String {
             si(of.reached, "s"),
             of.phase
         ));
+        if let Some(rest) = of.rest {
+            text.push_str(&format!(
+                "             if the model rests {} after its phase began, as benches did: six times a fall from its height\n",
+                si(rest, "s")
+            ));
+        }
         return text;
     }
     text.push_str(&format!(

@@ -4,7 +4,10 @@ use std::fs::OpenOptions;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use crate::args::New;
+use riprap::record::field::nearest;
+
+use crate::args::{DEFAULT_TEMPLATE, New};
+use crate::diagnostics;
 use crate::failure::Failure;
 use crate::screen;
 use crate::templates::{self, TEMPLATES};
@@ -21,8 +24,11 @@ pub fn run(args: &New) -> Result<(), Failure> {
     }
     let template = templates::find(&args.template).ok_or_else(|| {
         let names: Vec<&str> = TEMPLATES.iter().map(|t| t.name).collect();
-        let known = names.join(", ");
-        Failure::Input(format!("unknown template {:?}; valid templates: {known}", args.template))
+        let known = match nearest(&args.template, names.iter().copied()) {
+            Some(near) => format!("did you mean {near}? `riprap new --list` shows all"),
+            None => format!("valid templates: {}", names.join(", ")),
+        };
+        Failure::Input(format!("unknown template {:?}; {known}", args.template))
     })?;
     let name = args.name.as_deref().unwrap_or(template.name);
     let path = scene_path(name)?;
@@ -36,6 +42,16 @@ pub fn run(args: &New) -> Result<(), Failure> {
             })?;
         }
         write(&target, text, args.force)?;
+    }
+    let by_default = template.name == DEFAULT_TEMPLATE && name != template.name;
+    if by_default && templates::find(name).is_some() {
+        diagnostics::print_line(
+            "note",
+            &format!(
+                "this is the template `{0}`; the one called `{name}` is `riprap new {name} --template {name} --force`",
+                template.name
+            ),
+        );
     }
     let shown = path.display();
     let run = crate::commands::default_folder(&path, "run");

@@ -147,7 +147,8 @@ fn run_items(name: &str, long: bool) -> TempDir {
         let said = text(&output.stderr) + &text(&output.stdout);
         let printed: Vec<String> =
             said.lines().filter(|line| !line.trim().is_empty()).map(str::to_owned).collect();
-        let wants_error = shown.iter().any(|line| line.starts_with("error"));
+        let bad = |line: &String| line.starts_with("error") || line.starts_with("FAILED");
+        let wants_error = shown.iter().any(bad);
         assert_eq!(code == 0, !wants_error, "{name}: `{command}` ended with {code}\n{said}");
         if let Some(line) = missing(&shown, &printed) {
             panic!("{name}: `{command}` did not print\n  {line}\nbut\n{said}");

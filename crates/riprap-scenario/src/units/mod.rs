@@ -144,6 +144,9 @@ impl std::fmt::Display for Dim {
     }
 }
 
+/// A quantity to copy where it is not known which one is expected.
+pub const ANY_EXAMPLE: &str = "\"10 MPa\"";
+
 /// Why a text is no quantity.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnitError {
@@ -375,7 +378,7 @@ pub fn parse(text: &str) -> Result<(f64, Dim), UnitError> {
     if text.len() > 100 {
         return Err(UnitError::new(
             "this is too long for a number with a unit",
-            "write for example \"10 MPa\"",
+            format!("write for example {ANY_EXAMPLE}"),
         ));
     }
     let (number, rest) = split_number(text)?;

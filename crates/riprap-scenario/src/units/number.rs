@@ -1,6 +1,6 @@
 //! The number at the head of a quantity.
 
-use super::UnitError;
+use super::{ANY_EXAMPLE, UnitError};
 
 /// The number and the text behind it.
 ///
@@ -32,7 +32,7 @@ pub(super) fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
         }
         return Err(UnitError::new(
             "this does not begin with a number",
-            "a value is a number and a unit, for example \"10 MPa\"",
+            format!("a value is a number and a unit, for example {ANY_EXAMPLE}"),
         ));
     }
     if matches!(bytes.get(end), Some(b'e' | b'E')) {
@@ -49,7 +49,10 @@ pub(super) fn split_number(text: &str) -> Result<(f64, &str), UnitError> {
     match text[..end].parse::<f64>() {
         Ok(number) if number.is_finite() => Ok((number, &text[end..])),
         Ok(_) => Err(UnitError::new("this is not a finite number", "write a finite number")),
-        Err(_) => Err(UnitError::new("this is not a number", "write for example \"10 MPa\"")),
+        Err(_) => {
+            let help = format!("write for example {ANY_EXAMPLE}");
+            Err(UnitError::new("this is not a number", help))
+        }
     }
 }
 

@@ -25,6 +25,8 @@ pub(super) struct Directory {
     /// Place in `entries` by name.
     places: BTreeMap<String, usize>,
     groups: BTreeMap<String, Vec<u32>>,
+    /// Groups that could not be made, for a reason that has been told: that they are empty is no second one.
+    pub(super) failed: Vec<String>,
     /// Charges and cavities, in the order of the setup.
     pub(super) sources: Vec<String>,
     /// Bolts, in the order of the setup.
@@ -142,7 +144,7 @@ impl Directory {
             return Err(Box::new(self.unknown(name, "block or group")));
         }
         let (blocks, counts) = self.fulfil(name)?;
-        if blocks.is_empty() {
+        if blocks.is_empty() && !self.rests_on_failed(name) {
             let error = Diagnostic::error("group.empty", format!("no block fulfils `{name}`"));
             return Err(Box::new(error.at(name.span.clone()).help(counts)));
         }
@@ -152,6 +154,12 @@ impl Directory {
     /// Blocks of a material.
     pub(super) fn of_material(&self, name: &str) -> Option<Vec<u32>> {
         Some(self.materials.iter().find(|(of, _)| of == name)?.1.clone())
+    }
+
+    /// Whether a condition names a group that could not be made.
+    pub(super) fn rests_on_failed(&self, text: &Name) -> bool {
+        let condition = Condition::read(text.as_str());
+        condition.is_ok_and(|of| of.names.iter().any(|word| self.failed.contains(&word.text)))
     }
 
     /// Blocks for which a condition holds, ascending, and how many each of its names has, in words.

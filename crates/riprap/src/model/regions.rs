@@ -52,6 +52,7 @@ impl Builder<'_> {
         self.directory.materials = self.by_material();
         let said = &self.parsed.scenario.groups;
         for (name, group) in said.iter() {
+            let errors = self.errors();
             let shift = self.local3([0.0; 3]).into();
             let said = group.excavation.as_ref();
             let opening = said.and_then(|said| self.opening(said, shift));
@@ -76,6 +77,9 @@ impl Builder<'_> {
             }
             let named = self.directory.all(&group.blocks);
             blocks.extend(self.take(named).unwrap_or_default());
+            if self.errors() > errors {
+                self.directory.failed.push(name.text.clone());
+            }
             // A group that a condition makes is there when the groups in it are.
             if group.condition.is_none() || !blocks.is_empty() {
                 self.directory.extend(name.as_str(), blocks);
@@ -411,7 +415,9 @@ impl Builder<'_> {
     fn condition(&mut self, name: &Name, text: &Name) {
         match self.directory.fulfil(text) {
             Ok((blocks, counts)) => {
-                if blocks.is_empty() {
+                if self.directory.rests_on_failed(text) {
+                    self.directory.failed.push(name.text.clone());
+                } else if blocks.is_empty() {
                     let message = format!("no block fulfils `where` of `{name}`");
                     let note = Diagnostic::warning("group.empty", message);
                     let note = note.help(format!("{counts}; the group is empty"));
@@ -422,6 +428,7 @@ impl Builder<'_> {
             Err(mut wrong) => {
                 wrong.message = format!("`where` of `{name}`: {}", wrong.message);
                 self.found.push(*wrong);
+                self.directory.failed.push(name.text.clone());
                 // It exists all the same: what names it is no second error.
                 self.directory.extend(name.as_str(), Vec::new());
             }

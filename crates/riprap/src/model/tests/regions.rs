@@ -116,6 +116,17 @@ fn faults_of_conditions_are_told() {
     assert!(try_space(normal).unwrap_err().render().contains("has no length"));
 }
 
+#[test]
+fn a_group_of_a_broken_file_is_no_second_fault() {
+    let told = try_space(
+        "[groups.top]\nabove.asc = \"not_there.asc\"\n[groups.some]\nwhere = \"top and low\"\n\
+         [[supports]]\non.group = \"some and high\"\nfixed = {}\n",
+    );
+    let told = told.unwrap_err().render();
+    assert!(told.contains("not_there.asc"), "{told}");
+    assert_eq!(told.matches("group.empty").count(), 0, "{told}");
+}
+
 /// A scene whose keys take `low and not (ore or low.1)` in place of the name of a group.
 fn inline(condition: &str) -> Result<Model, Diagnostics> {
     try_space(&format!(

@@ -84,7 +84,17 @@ impl Quantity {
             unit => format!("{:?}", format!("{value} {unit}")),
         };
         variant.trial.push((self.key.clone(), text));
-        scene.prepare(&variant)
+        let mut made = scene.prepare(&variant);
+        if let Err(wrong) = &mut made {
+            // The number stands in the range, not in the scene.
+            for one in wrong.list.iter_mut().filter(|one| one.code == "unit.missing") {
+                one.help = Some(
+                    "give both ends of the range their unit, for example '20 deg..45 deg'"
+                        .to_owned(),
+                );
+            }
+        }
+        made
     }
 
     /// The search for the limit in it.

@@ -113,7 +113,8 @@ fn known<'a>(
     for name in names {
         if !all.clone().any(|one| one == name) {
             let known: Vec<&str> = all.collect();
-            return Err(StudyError::Unknown { what, name: name.clone(), known: known.join(", ") });
+            let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+            return Err(StudyError::Unknown { what, name: name.clone(), known });
         }
     }
     Ok(())
