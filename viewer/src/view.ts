@@ -1,15 +1,16 @@
-// One run on its stage: fetches what the settings need for a frame, then shows it.
+// One run on its stage: shows a frame as the settings say.
 
 import * as THREE from "three";
 import { Blocks, type Look } from "./blocks";
 import { KINDS, Scale } from "./colour";
 import { ConditionMarks, type Note } from "./conditions";
+import { fetchFrame, type Fetched } from "./fetching";
 import { quantity, short } from "./format";
 import { JointMarks } from "./joints";
 import type { Loading } from "./loading";
 import { piecesAlong, Ruler, type Piece } from "./line";
 import { Arrows, Bolts, Chains, Charges, Contacts, Picked, contactPlaces } from "./marks";
-import { told, wider, type BoltInfo, type ContactInfo, type FieldInfo, type MotionInfo, type Run, type StressInfo } from "./run";
+import { told, type BoltInfo, type MotionInfo, type Run } from "./run";
 import { cutAway, cutOf, cutText } from "./cutting";
 import type { Cut } from "./section";
 import type { Settings } from "./settings";
@@ -19,21 +20,6 @@ import { labelsOf, type Annotation, type Label } from "./notes";
 import { Trails, type TrailsShown } from "./trails";
 import { blocksOf } from "./warnings";
 import type { Packet } from "./wire";
-
-/** What a frame needs, fetched. */
-interface Fetched {
-  k: number;
-  motion: Packet<MotionInfo>;
-  field: Packet<FieldInfo> | null;
-  range: [number, number] | null;
-  vectors: Packet<{ unit: string; longest: number | null }> | null;
-  contacts: Packet<ContactInfo> | null;
-  cracks: Packet<unknown> | null;
-  bolts: Packet<BoltInfo> | null;
-  stress: Packet<StressInfo> | null;
-  supports: Packet<FieldInfo> | null;
-  materials: Packet<FieldInfo> | null;
-}
 
 /** Outline and dot of blocks that warnings name, and how many of them have these at most. */
 export const WARNED = "#e8a200";
@@ -189,41 +175,8 @@ export class View {
     return this.fetch(k, settings).catch(() => undefined);
   }
 
-  private async fetch(k: number, settings: Settings): Promise<Fetched> {
-    const { field, vectors, rangeMode } = settings;
-    const { held } = this.run.summary;
-    const ofContacts = vectors === "contact force" || vectors === "seepage flow";
-    const needContacts = (settings.contacts || settings.cracks || settings.chains || ofContacts) && (!held || held.contacts);
-    const needVectors = vectors !== "" && !ofContacts && this.run.hasField(vectors) && (!held || held.vectors.includes(vectors));
-    const none = Promise.resolve(null);
-    const withField = field !== "" && this.run.hasField(field);
-    const needCracks = settings.cracks && this.run.summary.cracks;
-    const needBolts = settings.bolts && this.run.summary.bolts === true;
-    const needStress = settings.stress && this.run.hasStress;
-    const needSupports = settings.supports && this.run.hasField("held");
-    const needMaterials = settings.joints === "interface" && this.run.hasField("material");
-    const [motion, values, range, arrows, contacts, cracks, bolts, stress, supports, materials] = await Promise.all([
-      this.run.motion(k),
-      withField ? this.run.field(k, field) : none,
-      withField && !this.hasty && (rangeMode === "run" || rangeMode === "most") && !KINDS.has(field) ? this.sharedRange(field, rangeMode) : none,
-      needVectors ? this.run.vectors(k, vectors) : none,
-      needContacts ? this.run.contacts(k) : none,
-      // A frame whose cracks are missing shows the faces that its contacts tell of.
-      needCracks ? this.run.cracks(k).catch(() => null) : none,
-      // Frames before the first bolt is put in have none.
-      needBolts ? this.run.bolts(k).catch(() => null) : none,
-      needStress ? this.run.stress(k) : none,
-      // A report may not hold them.
-      needSupports ? this.run.field(k, "held").catch(() => null) : none,
-      needMaterials ? this.run.field(k, "material").catch(() => null) : none,
-    ]);
-    return { k, motion, field: values, range, vectors: arrows, contacts, cracks, bolts, stress, supports, materials };
-  }
-
-  /** Range of a field over all runs that are shown. */
-  private async sharedRange(field: string, mode: "run" | "most"): Promise<[number, number] | null> {
-    const ranges = await Promise.all([this.run, ...this.others].map((run) => run.range(field)));
-    return ranges.map((r) => (mode === "most" ? r.most : r.range)).reduce(wider, null);
+  private fetch(k: number, settings: Settings): Promise<Fetched> {
+    return fetchFrame(this.run, k, settings, this.hasty ? null : [this.run, ...this.others]);
   }
 
   private build(blocks: Blocks): void {
