@@ -18,7 +18,7 @@ pub use plot::Plot;
 pub use runout::Runout;
 pub use search::{Bisect, Safety};
 pub use shell::{Completions, Man};
-pub use shot::Shot;
+pub use shot::{ContactPoints, Shot, TrailColour};
 pub use strength::Strength;
 pub use view::{Paraview, Report, View};
 

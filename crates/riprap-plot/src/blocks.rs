@@ -5,6 +5,7 @@ use super::bolts;
 use super::colour::{self, ColourMap};
 use super::crosses;
 use super::drawing::{BlockOptions, Chosen, Vectors};
+use super::foot::{Foot, Piece};
 use super::isolines;
 use super::svg::{Anchor, Page, fitted, text_width};
 use super::ticks::{Scale, label};
@@ -183,8 +184,11 @@ pub(super) fn draw(
         let joint = if note.is_empty() { "" } else { "; " };
         note = format!("{note}{joint}{beyond}");
     }
-    let foot = if note.is_empty() { 0.0 } else { 10.0 };
-    let mut page = Page::new((right + 110.0).max(360.0), head + bar_height + 58.0 + foot);
+    let wide = (right + 110.0).max(360.0);
+    let paragraph = if note.is_empty() { Vec::new() } else { vec![Piece::plain(note)] };
+    let foot = Foot::of(&[paragraph], wide - LEFT - 10.0);
+    let below = (foot.height() - 5.0).max(0.0);
+    let mut page = Page::new(wide, head + bar_height + 58.0 + below);
     page.title([LEFT, 26.0], 10.0, words.title, words.suffix);
     let most = Most {
         bolts: bolts::most(frames),
@@ -216,10 +220,7 @@ pub(super) fn draw(
         page.end_clip();
         page.rect(corner[0], corner[1], w, h, "fill=\"none\" stroke=\"#1a1a1a\"");
     }
-    if !note.is_empty() {
-        let at = [LEFT, page.height - 10.0];
-        page.text(at, 11.0, Anchor::Start, &note);
-    }
+    foot.draw(&mut page, [LEFT, head + bar_height + 58.0]);
     let at = [right + 18.0, head];
     match words.kinds {
         Some(names) => chips(&mut page, names, &all, at),

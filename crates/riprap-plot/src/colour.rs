@@ -41,6 +41,18 @@ pub(super) fn kind(number: f64) -> &'static str {
     if number >= 0.0 { KINDS[number.round() as usize % KINDS.len()] } else { "#ffffff" }
 }
 
+/// Red, green and blue of the map *turbo* at `share` (clamped to 0..1), by the polynomial of A. Mikhailov (2019).
+pub(super) fn turbo(share: f64) -> [f64; 3] {
+    let t = share.clamp(0.0, 1.0);
+    let of = |c: [f64; 6]| c.iter().rev().fold(0.0, |sum, c| sum * t + c);
+    [
+        of([34.61, 1172.33, -10793.56, 33300.12, -38394.49, 14825.05]),
+        of([23.31, 557.33, 1225.33, -3574.96, 1073.77, 707.56]),
+        of([27.2, 3211.1, -15327.97, 27814.0, -22569.18, 6838.66]),
+    ]
+    .map(|part| part.clamp(0.0, 255.0).round())
+}
+
 /// Whether a colour `#rrggbb` is so dark that black lines are lost on it.
 pub(super) fn is_dark(colour: &str) -> bool {
     let part = |k: usize| u8::from_str_radix(colour.get(k..k + 2).unwrap_or("ff"), 16);
@@ -83,6 +95,7 @@ mod tests {
         assert_eq!(ColourMap::Light.at(7.0), "#081d58");
         assert_eq!(ColourMap::BlueRed.at(0.5), "#f2efee");
         assert_eq!(ColourMap::BlueRed.at(f64::NAN), "#ffffff");
+        assert_eq!([turbo(0.0), turbo(0.5)], [[35.0, 23.0, 27.0], [149.0, 251.0, 81.0]]);
         assert_eq!([kind(0.0), kind(12.0), kind(-1.0)], ["#4e79a7", "#e15759", "#ffffff"]);
     }
 

@@ -5,12 +5,14 @@
 
 mod camera;
 mod chains;
+mod contacts;
 mod drawing;
 mod film;
 mod kinds;
 mod light;
 mod notes;
 mod rods;
+mod trails;
 mod views;
 mod wanted;
 
@@ -24,21 +26,24 @@ use riprap_record::write_whole;
 
 use super::blocks::{bar, chips_of, colours};
 use super::drawing::{Chosen, choose};
+use super::foot::{Foot, Piece};
 use super::frames::{Which, listed, load_frame, moment};
 use super::section::need_space;
-use super::svg::{Anchor, Page};
+use super::svg::Page;
 use super::{Look, PlotError, bolts, suffix};
 use camera::{Camera, Window};
 use drawing::Drawing;
 use kinds::Kinds;
 use light::Light;
+use trails::Ways;
 pub use views::Asked;
-pub use wanted::{Cut, Eye, Note, Shot};
+pub use wanted::{CHANGED, Cut, Eye, Note, Shot, Trails};
 use wanted::{FINE, TITLE, failed, rgb};
 
-/// Room for the legend and for a line below, pixels.
+/// Room for the legend, and around the lines below, pixels.
 const LEGEND: f64 = 140.0;
-const FOOT: f64 = 22.0;
+const FOOT: f64 = 7.0;
+const SIDE: f64 = 12.0;
 /// Pictures of a film in a second.
 const RATES: std::ops::RangeInclusive<f64> = 0.1..=60.0;
 
@@ -117,12 +122,14 @@ struct Seen {
     values: Vec<f64>,
     /// Names and colours, where the values are kinds.
     kinds: Option<Kinds>,
-    /// Largest force of a bolt, N, and what is said of the bolts; `None`: none are drawn.
-    bolts: Option<(f64, String)>,
+    /// Largest force of a bolt, N; `None`: none are drawn.
+    bolts: Option<f64>,
     /// Largest contact force, N, and longest vector, in its unit.
     strongest: [f64; 2],
-    /// What is said of chains and arrows.
-    said: Vec<String>,
+    /// The ways of blocks, where they are drawn.
+    ways: Option<Ways>,
+    /// What is said of bolts, chains, arrows, contacts and trails.
+    said: Vec<Vec<Piece>>,
     /// Materials of ground from a survey.
     ground: Vec<f64>,
 }
@@ -134,7 +141,20 @@ impl Seen {
         shot: &Shot,
         materials: &[String],
     ) -> Result<Self, PlotError> {
-        Self::of(all.iter().map(|which| load_frame(folder, *which)), shot, materials)
+        let mut seen =
+            Self::of(all.iter().map(|which| load_frame(folder, *which)), shot, materials)?;
+        if let Some(wanted) = shot.trails {
+            let count = listed(folder)?.len();
+            let frames = || (1..=count).map(|k| load_frame(folder, Which::Index(k)));
+            seen.follow(Ways::of(frames, shot, wanted)?);
+        }
+        Ok(seen)
+    }
+
+    /// Draws the ways of blocks, too.
+    fn follow(&mut self, ways: Ways) {
+        self.said.push(vec![Piece::plain(ways.note())]);
+        self.ways = Some(ways);
     }
 
     fn of(
@@ -148,6 +168,7 @@ impl Seen {
         let (mut most, mut bars) = (0.0_f64, false);
         let mut ground = Vec::new();
         let (mut strongest, mut unit) = ([0.0_f64; 2], String::new());
+        let (mut touching, mut count) = ([0_usize; CHANGED.len()], 0);
         for frame in frames {
             let frame = frame?;
             need_space(&frame, "blocks in space")?;
@@ -159,6 +180,10 @@ impl Seen {
             for corner in corners.iter().flatten().filter(|c| c.is_finite()) {
                 let seen = Vec3::from(axes.map(|axis| axis.dot(*corner)));
                 (low, high) = (low.min(seen), high.max(seen));
+            }
+            count += 1;
+            for (most, here) in touching.iter_mut().zip(contacts::counts(&frame)) {
+                *most = here.max(*most);
             }
             let [force, vector] = chains::most(&frame, shot);
             strongest = [strongest[0].max(force), strongest[1].max(vector)];
@@ -173,9 +198,15 @@ impl Seen {
         }
         let (camera, window) = camera::fitted(&shot.eye, axes, [low, high], shot.size);
         let kinds = Kinds::of(&shot.field, materials);
-        let bolts = bars.then(|| (most, rods::note(most)));
-        let said = chains::notes(shot, strongest, &unit);
-        Ok(Self { camera, window, values, kinds, bolts, strongest, said, ground })
+        let bolts = bars.then_some(most);
+        let mut said: Vec<Vec<Piece>> = bolts
+            .map(rods::note)
+            .into_iter()
+            .chain(chains::notes(shot, strongest, &unit))
+            .map(|text| vec![Piece::plain(text)])
+            .collect();
+        said.extend(shot.contacts.map(|_| contacts::note(shot, &touching, count)));
+        Ok(Self { camera, window, values, kinds, bolts, strongest, ways: None, said, ground })
     }
 
     /// The picture of a frame with title and legend.
@@ -200,7 +231,11 @@ impl Seen {
         drawing.paint(&of, &light);
         let rods = chains::rods(frame, shot, seen, self.strongest, self.window.reach());
         drawing.lay(&rods, seen.1, 0.0);
-        if let Some((most, _)) = &self.bolts {
+        drawing.lay(&contacts::rods(frame, shot, seen), seen.1, 0.6);
+        if let Some(ways) = &self.ways {
+            drawing.lay(&ways.rods(frame, shot, seen), seen.1, 0.0);
+        }
+        if let Some(most) = &self.bolts {
             drawing.rods(frame, shot, (&self.camera, &self.window), *most);
         }
         let across = map.width() as usize;
@@ -237,18 +272,14 @@ impl Seen {
         }
     }
 
-    /// Title, legend and what is said of bolts, with room for the blocks.
+    /// Title, legend and what is said of marks, with room for the blocks.
     fn page(&self, chosen: &Chosen, [title, suffix]: [&str; 2], shot: &Shot) -> Page {
         let [wide, high] = shot.size.map(f64::from);
-        let lines: Vec<&String> =
-            self.bolts.iter().map(|(_, note)| note).chain(&self.said).collect();
-        let foot = FOOT * lines.len() as f64;
-        let mut page = Page::new(wide + LEGEND, high + TITLE + foot);
-        page.title([12.0, 22.0], 12.0, title, suffix);
-        for (k, line) in lines.into_iter().enumerate() {
-            let y = high + TITLE + 14.0 + FOOT * k as f64;
-            page.text([12.0, y], 11.0, Anchor::Start, line);
-        }
+        let foot = Foot::of(&self.said, wide + LEGEND - 2.0 * SIDE);
+        let below = if self.said.is_empty() { 0.0 } else { foot.height() + FOOT };
+        let mut page = Page::new(wide + LEGEND, high + TITLE + below);
+        page.title([SIDE, 22.0], SIDE, title, suffix);
+        foot.draw(&mut page, [SIDE, high + TITLE + 14.0]);
         let at = [wide + 8.0, TITLE + 0.15 * high];
         match &self.kinds {
             Some(kinds) => chips_of(&mut page, &kinds.there(&self.values, &self.ground), at),

@@ -136,6 +136,8 @@ pub struct ShotOptions {
     bolts: bool,
     shadows: bool,
     chains: bool,
+    contacts: Option<String>,
+    trails: Option<String>,
     vectors: Option<String>,
     fps: Option<f64>,
 }
@@ -195,12 +197,28 @@ impl ShotOptions {
         shot.bolts &= self.bolts;
         shot.shadows &= self.shadows;
         shot.chains |= self.chains;
+        match self.contacts.as_deref() {
+            None => {}
+            Some("changed") => shot.contacts = Some(drawn::CHANGED),
+            Some("all") => shot.contacts = Some(drawn::CHANGED.map(|_| true)),
+            Some(other) => return Err(unknown("contacts", other, r#""changed", "all""#)),
+        }
+        match self.trails.as_deref() {
+            None => {}
+            Some("speed") => shot.trails = Some(drawn::Trails { by_block: false, only: None }),
+            Some("block") => shot.trails = Some(drawn::Trails { by_block: true, only: None }),
+            Some(other) => return Err(unknown("trails", other, r#""speed", "block""#)),
+        }
         if self.vectors.is_some() {
             shot.vectors.clone_from(&self.vectors);
         }
         shot.size = self.size.unwrap_or(shot.size);
         Ok(shot)
     }
+}
+
+fn unknown(option: &str, given: &str, known: &str) -> PyErr {
+    PyValueError::new_err(format!("{option}={given:?}; write one of {known}"))
 }
 
 impl Options {

@@ -9,6 +9,7 @@
 //! - [`manifest`]: what was run, with what, and how it ended;
 //! - [`names`]: what blocks and groups are called;
 //! - [`conditions`]: what holds, moves and loads the model, for pictures;
+//! - [`contacts`]: whether contacts slide, have broken or are open;
 //! - [`checkpoint`]: the state to resume from, guarded against every kind of damage;
 //! - [`vtu`]: VTK files for ParaView, written and read back;
 //! - [`table`]: reader of the CSV files;
@@ -23,6 +24,7 @@
 
 pub mod checkpoint;
 pub mod conditions;
+pub mod contacts;
 pub mod folder;
 pub mod manifest;
 pub mod names;

@@ -1,5 +1,6 @@
 //! What is between the blocks: places, forces and states of contacts, patches, facets and joints; cracks as surfaces.
 
+use riprap_record::contacts::{BROKEN_IN_SHEAR, BROKEN_IN_TENSION, STATES, states};
 use riprap_record::frame::SEEPAGE_FLOW;
 use riprap_record::{Column, Part};
 use serde_json::{Value, json};
@@ -8,49 +9,6 @@ use crate::answer::{described, extremes, flat3};
 use crate::run::{Problem, Run, Touches};
 use crate::shape;
 use crate::wire::Wire;
-
-/// States in the order of their numbers. `STATES` in `viewer/src/marks.ts` is the same list.
-const STATES: usize = 8;
-const SLIDING: u8 = 1;
-const SOFTENED: u8 = 2;
-const BROKEN: u8 = 3;
-const IN_TENSION: u8 = 4;
-const IN_SHEAR: u8 = 5;
-const GAPING: u8 = 6;
-const OPEN: u8 = 7;
-
-/// State of each contact and the area (in the plane: length) that is in it, from the numbers that the engines write.
-/// Open alone is what had nothing to break; of what broke, the mode counts before whether it is open.
-fn states(columns: &[Column], contacts: usize) -> (Vec<u8>, Vec<f64>) {
-    let column = |name: &str| columns.iter().find(|c| c.name == name && c.components == 1);
-    let any = |names: [&str; 2]| names.iter().find_map(|name| column(name));
-    let (broken, mode) = (any(["broken_points", "broken"]), column("failure_mode"));
-    let (softened, open) = (column("softened_points"), column("open_points"));
-    let sliding = any(["sliding_points", "slipping"]);
-    let failed_area = any(["failed_area", "broken_length"]);
-    let (whole_area, softened_area) = (any(["area", "length"]), column("softened_area"));
-    let of = |column: Option<&Column>, k: usize| column.map_or(0.0, |c| c.data[k]);
-    let one = |k: usize| {
-        if of(broken, k) > 0.0 {
-            let state = match of(mode, k) {
-                mode if mode > 1.5 => IN_SHEAR,
-                mode if mode > 0.5 => IN_TENSION,
-                _ if of(open, k) > 0.0 => GAPING,
-                _ => BROKEN,
-            };
-            (state, of(failed_area, k))
-        } else if of(open, k) > 0.0 {
-            (OPEN, of(whole_area, k))
-        } else if of(softened, k) > 0.0 {
-            (SOFTENED, of(softened_area, k))
-        } else if of(sliding, k) > 0.0 {
-            (SLIDING, of(whole_area, k))
-        } else {
-            (0, of(whole_area, k))
-        }
-    };
-    (0..contacts).map(one).unzip()
-}
 
 /// The answer `contacts`.
 pub fn wire(touches: &Touches) -> Vec<u8> {
@@ -62,7 +20,7 @@ pub fn wire(touches: &Touches) -> Vec<u8> {
         column.map_or_else(Vec::new, |c| c.data.iter().map(|v| places_of.find(*v)).collect())
     };
     let (states, areas) = states(columns, points.len());
-    let mut sums = [0.0; STATES];
+    let mut sums = [0.0; STATES.len()];
     for (state, area) in states.iter().zip(&areas) {
         sums[usize::from(*state)] += area;
     }
@@ -131,7 +89,7 @@ pub fn cracks(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
                 points.extend(shape::single(p));
             }
             let sheared = of("mode", f).is_some_and(|m| m > 1.5);
-            modes.push(if sheared { IN_SHEAR } else { IN_TENSION });
+            modes.push(if sheared { BROKEN_IN_SHEAR } else { BROKEN_IN_TENSION });
             for (side, name) in sides.iter_mut().zip(["block_a", "block_b"]) {
                 side.push(of(name, f).map_or(u32::MAX, |id| places_of.find(id)));
             }
@@ -179,37 +137,4 @@ pub fn bolts(run: &Run, k: usize) -> Result<Vec<u8>, Problem> {
         .u32("blockA", &side("block_a"))
         .u32("blockB", &side("block_b"))
         .finish(&json!({ "largest": largest, "smallest": smallest, "unit": "N" })))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn broken_comes_before_open_and_softened_before_sliding() {
-        let numbers = |name: &str, values: [f64; 7]| Column::scalar(name, "-", values.to_vec());
-        let columns = [
-            numbers("area", [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]),
-            numbers("broken_points", [0.0, 3.0, 1.0, 0.0, 0.0, 4.0, 4.0]),
-            numbers("open_points", [0.0, 3.0, 0.0, 1.0, 0.0, 0.0, 4.0]),
-            numbers("sliding_points", [1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.0]),
-            numbers("failed_area", [0.0, 1.5, 0.5, 0.0, 0.0, 6.0, 7.0]),
-            numbers("failure_mode", [0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 0.0]),
-            numbers("softened_points", [0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0]),
-            numbers("softened_area", [0.0, 0.0, 0.0, 0.0, 2.5, 0.0, 0.0]),
-        ];
-        let (states, areas) = states(&columns, 7);
-        assert_eq!(states, [SLIDING, IN_TENSION, IN_SHEAR, OPEN, SOFTENED, BROKEN, GAPING]);
-        assert_eq!(areas, [1.0, 1.5, 0.5, 4.0, 2.5, 6.0, 7.0]);
-    }
-
-    #[test]
-    fn joints_of_the_plane_have_lengths() {
-        let columns = [
-            Column::scalar("length", "m", vec![2.0, 3.0]),
-            Column::scalar("broken_points", "-", vec![1.0, 0.0]),
-            Column::scalar("broken_length", "m", vec![0.5, 0.0]),
-        ];
-        assert_eq!(states(&columns, 2), (vec![BROKEN, 0], vec![0.5, 3.0]));
-    }
 }

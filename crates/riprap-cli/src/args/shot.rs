@@ -2,10 +2,28 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use riprap::plot::Normal;
 
 use super::plot::{factor, word};
+
+/// Which contacts are drawn.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum ContactPoints {
+    /// All but those that only touch
+    Changed,
+    /// All
+    All,
+}
+
+/// What colours trails.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum TrailColour {
+    /// Mean speed between two frames
+    Speed,
+    /// A colour for each block
+    Block,
+}
 
 /// Draw the blocks of a run in space as they stand, without a browser.
 ///
@@ -19,6 +37,8 @@ Examples:
   riprap shot wedge.run --view 225 90                 from above, the south-west at the foot of the picture
   riprap shot blast.run --cut y --at '0 m' --by peak_speed --log
   riprap shot wall.run --chains --vectors velocity    contact forces as tubes, velocities as arrows
+  riprap shot rockfall.run --trails                   the ways of what moved, by speed
+  riprap shot wall.run --contacts                     contacts that slide, have broken or are open
   riprap shot wedge.run --perspective=50              things farther away are smaller
   riprap shot wedge.run --saved south                 a view saved in riprap view, from wedge.run/views.json
   riprap shot wedge.run -o wedge.apng --fps 20        a film of all frames that browsers and slides play
@@ -70,6 +90,12 @@ pub struct Shot {
     /// Contact forces as tubes from block to block
     #[arg(long)]
     pub chains: bool,
+    /// Contacts as points coloured by state: those that slide, have broken or are open, or `all`
+    #[arg(long, value_name = "WHICH", num_args = 0..=1, require_equals = true, default_missing_value = "changed")]
+    pub contacts: Option<ContactPoints>,
+    /// The ways of all blocks that moved by a quarter of a block, up to the frame, by mean `speed` or by `block`
+    #[arg(long, value_name = "BY", num_args = 0..=1, require_equals = true, default_missing_value = "speed")]
+    pub trails: Option<TrailColour>,
     /// Field of vectors, drawn as arrows: displacement, velocity or force
     #[arg(long, value_name = "FIELD")]
     pub vectors: Option<String>,

@@ -5,7 +5,7 @@ use riprap::scenario::units::Dim;
 
 use super::plot::{quantity, range};
 use super::run_folder;
-use crate::args::Shot;
+use crate::args::{ContactPoints, Shot, TrailColour};
 use crate::failure::Failure;
 use crate::screen;
 
@@ -61,6 +61,15 @@ fn asked(args: &Shot, first: Which) -> Result<plot::Shot, Failure> {
     shot.bolts &= !args.no_bolts;
     shot.shadows &= !args.no_shadows;
     shot.chains |= args.chains;
+    if let Some(which) = args.contacts {
+        shot.contacts = Some(match which {
+            ContactPoints::Changed => plot::CHANGED,
+            ContactPoints::All => plot::CHANGED.map(|_| true),
+        });
+    }
+    if let Some(by) = args.trails {
+        shot.trails = Some(plot::Trails { by_block: matches!(by, TrailColour::Block), only: None });
+    }
     if args.vectors.is_some() {
         shot.vectors.clone_from(&args.vectors);
     }

@@ -13,6 +13,9 @@ use super::wanted::{Shot, rgb};
 
 /// Forces below this share of the largest are no part of chains, as in the viewer.
 const WEAK: f64 = 0.02;
+/// Held blocks, and those so many times as large as the other one of a contact, are ground to it: the tube ends at the contact, since the
+/// middle of a slab or of a slope is not where the force goes. As in the viewer.
+const GROUND: f64 = 3.0;
 /// Colours of small forces and of the largest one, as in the viewer.
 const COLOURS: [&str; 2] = ["#f7c873", "#8c1313"];
 /// The largest force is drawn so wide, and the longest arrow so long: shares of the model's diagonal.
@@ -62,24 +65,40 @@ pub(super) fn unit_of(frame: &Frame, name: &str) -> Result<String, PlotError> {
 
 /// What is said of chains and arrows.
 pub(super) fn notes(shot: &Shot, [strongest, longest]: [f64; 2], unit: &str) -> Vec<String> {
+    let sized = |value: f64| match unit {
+        "m" | "m/s" if value < 0.1 => format!("{} m{unit}", super::super::digits(1e3 * value, 3)),
+        "N" if value >= 1e3 => format!("{} kN", super::super::digits(1e-3 * value, 3)),
+        _ => format!("{} {unit}", super::super::digits(value, 3)),
+    };
     let mut out = Vec::new();
     if shot.chains {
         let most = super::super::digits(1e-3 * strongest, 3);
         out.push(format!("contact forces: tubes as thick and dark as they are, up to {most} kN"));
     }
     if let Some(name) = &shot.vectors {
-        out.push(format!("arrows: {name}, up to {} {unit}", super::super::digits(longest, 3)));
+        out.push(format!("arrows: {name}, up to {}", sized(longest)));
     }
     out
 }
 
-/// Middles of the blocks as drawn, by their numbers.
-fn middles(frame: &Frame, shot: &Shot) -> BTreeMap<u32, Vec3> {
+/// Middles of the blocks as drawn and the diagonals of the boxes around them, m, by their numbers; those of held ones are infinite.
+fn middles(frame: &Frame, shot: &Shot) -> BTreeMap<u32, (Vec3, f64)> {
     let numbers = frame.column("block").map(|c| &c.data);
     let corners = super::drawing::corners(frame, shot);
-    let middle = |all: &[Vec3]| all.iter().sum::<Vec3>() / all.len().max(1) as f64;
+    let middle = |all: &[Vec3]| {
+        let (low, high) = all
+            .iter()
+            .fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(*p), h.max(*p)));
+        (all.iter().sum::<Vec3>() / all.len().max(1) as f64, (high - low).length())
+    };
     let number = |i: usize| numbers.and_then(|all| all.get(i)).map_or(i as u32, |n| *n as u32);
-    corners.iter().enumerate().map(|(i, all)| (number(i), middle(all))).collect()
+    let held = frame.column("held").map(|c| &c.data);
+    let is_held = |i: usize| held.and_then(|all| all.get(i)).is_some_and(|v| *v > 0.0);
+    let one = |(i, all): (usize, &Vec<Vec3>)| {
+        let (at, size) = middle(all);
+        (number(i), (at, if is_held(i) { f64::INFINITY } else { size }))
+    };
+    corners.iter().enumerate().map(one).collect()
 }
 
 /// Rods of the chains and arrows of a frame; `most` as [`most`] of all frames, `reach`: the model's diagonal, m.
@@ -98,11 +117,12 @@ pub(super) fn rods(
     let plane = shot.cut.map(unit);
     let away = |p: Vec3| plane.is_some_and(|(normal, at)| normal.dot(p) > at);
     if strongest > 0.0 {
-        chains(frame, seen, (strongest, reach), (&middles, &away), &mut out);
+        let places = super::contacts::places(frame, shot);
+        chains(frame, seen, &places, (strongest, reach), (&middles, &away), &mut out);
     }
     if let Some(column) = shot.vectors.as_deref().and_then(|name| vectors(frame, name)) {
         let step = (frame.blocks() / ARROWS).max(1);
-        for (v, (_, from)) in column.data.chunks_exact(3).zip(&middles).step_by(step) {
+        for (v, (_, (from, _))) in column.data.chunks_exact(3).zip(&middles).step_by(step) {
             let way = Vec3::new(v[0], v[1], v[2]);
             let share = way.length() / longest;
             if share.is_nan() || share <= 0.01 || away(*from) {
@@ -122,26 +142,31 @@ pub(super) fn rods(
 fn chains(
     frame: &Frame,
     seen: (&Camera, &Window),
+    places: &[Vec3],
     (strongest, reach): (f64, f64),
-    (middles, away): (&BTreeMap<u32, Vec3>, &dyn Fn(Vec3) -> bool),
+    (middles, away): (&BTreeMap<u32, (Vec3, f64)>, &dyn Fn(Vec3) -> bool),
     out: &mut Vec<Rod>,
 ) {
-    let column = |name: &str| frame.contact_columns.iter().find(|c| c.name == name);
+    let column = |name: &str| super::contacts::column(frame, name);
     let (Some(forces), Some(a), Some(b)) = (forces(frame), column("block_a"), column("block_b"))
     else {
         return;
     };
     let [weak, strong] = COLOURS.map(rgb);
     let mut tubes = Vec::new();
-    for (i, (v, at)) in forces.data.chunks_exact(3).zip(&frame.contact_points).enumerate() {
+    for (i, (v, at)) in forces.data.chunks_exact(3).zip(places).enumerate() {
         let share = Vec3::new(v[0], v[1], v[2]).length() / strongest;
-        let at = Vec3::from(*at);
+        let at = *at;
         if share.is_nan() || share <= WEAK || !at.is_finite() || away(at) {
             continue;
         }
         let ends = [a, b].map(|side| side.data.get(i).and_then(|n| middles.get(&(*n as u32))));
-        for end in ends.into_iter().flatten().filter(|end| !away(**end)) {
-            tubes.push((share, [at, *end]));
+        for [end, other] in [ends, [ends[1], ends[0]]] {
+            let Some((end, size)) = end else { continue };
+            let ground = other.is_some_and(|(_, other)| *size > GROUND * other);
+            if !ground && !away(*end) {
+                tubes.push((share, [at, *end]));
+            }
         }
     }
     // The largest last, so that none is hidden by a smaller one.

@@ -4,7 +4,7 @@ use resvg::tiny_skia::Pixmap;
 use riprap_geom::{Quat, Vec3};
 use riprap_record::frame::Frame;
 
-use super::super::svg::{Anchor, Page, text_width};
+use super::super::svg::{Anchor, Page, fitted, text_width};
 use super::super::{Look, PlotError};
 use super::camera::{Camera, Window};
 use super::drawing::unit;
@@ -14,6 +14,8 @@ use super::wanted::{FINE, Note, Shot, TITLE, failed};
 const SIZE: f64 = 12.0;
 const AWAY: [f64; 2] = [14.0, -18.0];
 const HIGH: f64 = 18.0;
+/// A box keeps so far from the edge of the picture, pixels.
+const EDGE: f64 = 2.0;
 
 /// Where a note is in a frame, m; `None`: its block is not there.
 fn place(note: &Note, frame: &Frame, shot: &Shot) -> Option<Vec3> {
@@ -58,14 +60,18 @@ pub(super) fn write(
         if !inside || y >= TITLE + f64::from(shot.size[1]) {
             continue;
         }
-        let [tx, ty] = [x + AWAY[0], y + AWAY[1]];
+        let most = f64::from(map.width()) - 2.0 * EDGE;
+        let text = fitted(&note.text, SIZE, most - 8.0);
+        let long = text_width(&text, SIZE) + 8.0;
+        // Boxes stay in the picture.
+        let tx = (x + AWAY[0]).min(EDGE + most - long + 4.0).max(EDGE + 4.0);
+        let ty = (y + AWAY[1]).max(0.5 * HIGH + EDGE);
         page.line([x, y], [tx, ty], "stroke=\"#1a1a1a\" stroke-width=\"1\"");
         page.circle([x, y], 2.5, "");
-        let long = text_width(&note.text, SIZE) + 8.0;
         let [left, top] = [tx - 4.0, ty - 0.5 * HIGH];
         let style = "fill=\"#ffffff\" stroke=\"#1a1a1a\" stroke-width=\"1\"";
         page.rect(left, top, long, HIGH, style);
-        page.text([tx, ty + 0.36 * SIZE], SIZE, Anchor::Start, &note.text);
+        page.text([tx, ty + 0.36 * SIZE], SIZE, Anchor::Start, &text);
         boxes.push([left - 0.5, top - 0.5, left + long + 0.5, top + HIGH + 0.5]);
     }
     if boxes.is_empty() {

@@ -134,3 +134,42 @@ fn chains_arrows_and_notes_are_those_of_the_stored_picture() {
     let error = Seen::of([Ok(frame)].into_iter(), &wrong, &[]).err().unwrap();
     assert!(error.to_string().contains("displacement, velocity or force"), "{error}");
 }
+
+#[test]
+fn tubes_end_at_contacts_with_ground() {
+    let mut frame = wall();
+    // A brick of the lowest course on the slab.
+    frame.contact_points = vec![[-2.0, 0.8, 0.0]];
+    frame.contact_columns = vec![
+        Column::scalar("block_a", "-", vec![1.0]),
+        Column::scalar("block_b", "-", vec![0.0]),
+        Column::vector3("force_on_a", "N", [[0.0, 0.0, 1e3]]),
+    ];
+    let count = |frame: &Frame| {
+        let with = Shot { chains: true, ..shot("material") };
+        let seen = Seen::of([Ok(frame.clone())].into_iter(), &with, &[]).unwrap();
+        let look = (&seen.camera, &seen.window);
+        chains::rods(frame, &with, look, seen.strongest, seen.window.reach()).len()
+    };
+    assert_eq!(count(&frame), 1, "into the brick alone");
+    frame.contact_columns[1] = Column::scalar("block_b", "-", vec![4.0]);
+    assert_eq!(count(&frame), 2, "from brick to brick");
+    let held = (0..frame.blocks()).map(|i| f64::from(u8::from(i == 4))).collect();
+    frame.block_columns.push(Column::scalar("held", "-", held));
+    assert_eq!(count(&frame), 1, "the other is held");
+}
+
+#[test]
+fn lines_below_a_narrow_picture_are_broken() {
+    let with = Shot { chains: true, ..shot("material") };
+    let [narrow, wide] = [220, 900].map(|wide| {
+        let picture = drawn(&Shot { size: [wide, 150], ..with.clone() });
+        // Ink in the last pixels of the lines below.
+        let foot = TITLE as u32 + 150..picture.height();
+        let edge = picture.width() - 6..picture.width();
+        let dark = |x, y| picture.pixel(x, y).is_some_and(|p| p.red() < 128);
+        assert!(!foot.clone().any(|y| edge.clone().any(|x| dark(x, y))));
+        foot.len()
+    });
+    assert!(narrow > wide, "{narrow} {wide}");
+}

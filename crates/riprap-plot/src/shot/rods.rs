@@ -45,20 +45,26 @@ impl Rod {
     /// One between two places of the model that no cut takes away; `None`: behind the eye.
     pub(super) fn between(
         line: [Vec3; 2],
-        (camera, window): (&Camera, &Window),
+        seen: (&Camera, &Window),
         half: [f64; 2],
         colour: [f64; 3],
     ) -> Option<Self> {
-        let seen = camera.polygon(&line, &|_| -1.0);
+        Self::laid(line, seen, half, colour, (SEEN, &|_| -1.0))
+    }
+
+    /// The same with the share of its colour where rock lies before it, and how far places are beyond the cut, m.
+    pub(super) fn laid(
+        line: [Vec3; 2],
+        (camera, window): (&Camera, &Window),
+        half: [f64; 2],
+        colour: [f64; 3],
+        (pale, above): (f64, &dyn Fn(Vec3) -> f64),
+    ) -> Option<Self> {
+        let seen = camera.polygon(&line, above);
         let [a, b, ..] = seen[..] else { return None };
         let ends = [a, b].map(|end| window.at(end.0));
-        ends.iter().all(|end| end.is_finite()).then_some(Self {
-            ends,
-            above: [-1.0; 2],
-            half,
-            colour,
-            pale: SEEN,
-        })
+        let there = ends.iter().all(|end| end.is_finite());
+        there.then_some(Self { ends, above: [a.1, b.1], half, colour, pale })
     }
 }
 
@@ -121,7 +127,11 @@ impl Drawing {
                     true => mean(rod.above) < -4.0 * window.slack,
                     false => self.depth[at] > mean(rod.ends.map(|end| end.z)) + window.slack,
                 };
-                points.insert(at, (colour, if behind { rod.pale } else { 1.0 }));
+                let part = if behind { rod.pale } else { 1.0 };
+                // What is hidden hides nothing.
+                if part > 0.0 {
+                    points.insert(at, (colour, part));
+                }
             }
         }
     }

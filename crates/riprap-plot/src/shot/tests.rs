@@ -186,7 +186,14 @@ fn a_saved_view_is_found_by_its_name() {
         {"name": "south", "eye": [0, -9, 1], "target": [0, 0, 1], "up": [0, 0, 1], "angle": 40, "zoom": 1, "field": "velocity",
          "log": false, "range": [0, 2.5], "exaggeration": 20, "cut": {"normal": [0, -1, 0], "at": -0.5}, "bolts": false, "settings": {}},
         {"name": "flat", "eye": [0, 0, 100], "target": [0, 0, 0], "angle": null}]}"#;
+    let marks = r#"{"views": [{"name": "marks", "eye": [0, -9, 1], "target": [0, 0, 1], "picked": 12, "settings":
+        {"trails": "picked", "trailColour": "block", "contacts": true, "states": [true, false]}}]}"#;
+    let marks = told(marks, "marks").unwrap();
+    assert_eq!(marks.trails, Some(Trails { by_block: true, only: Some(12) }));
+    let states = [true, false, true, true, true, true, true, true];
+    assert_eq!(marks.contacts, Some(states));
     let south = told(text, "south").unwrap();
+    assert_eq!((south.trails, south.contacts), (None, None));
     let up = [0.0, 0.0, 1.0];
     let eye = Eye::At { place: [0.0, -9.0, 1.0], target: up, up, angle: 40.0 };
     assert_eq!((south.eye, south.field.as_str(), south.bolts), (eye, "velocity", false));
@@ -230,4 +237,81 @@ fn options_without_sense_are_refused() {
     for (rate, animated) in [(10.0, false), (0.0, true), (f64::NAN, true), (61.0, true)] {
         assert!(check_rate(Some(rate), animated).unwrap_err().to_string().starts_with("fps"));
     }
+}
+
+/// The brick and the tetrahedron of the sample: `far` is how far the second has gone along x, m.
+fn gone(step: u64, far: f64) -> Frame {
+    let mut frame = solid_sample();
+    (frame.step, frame.time) = (step, 0.5 * step as f64);
+    let from = frame.offsets[1] as usize;
+    for corner in &mut frame.points[from..] {
+        corner[0] += far;
+    }
+    let shifts = vec![[0.0; 3], [far, 0.0, 0.0]];
+    frame.block_columns = vec![
+        riprap_record::Column::scalar("block", "-", vec![3.0, 7.0]),
+        riprap_record::Column::vector3("displacement", "m", shifts),
+    ];
+    frame
+}
+
+#[test]
+fn trails_are_the_ways_of_what_moved_up_to_the_frame() {
+    let frames = [gone(0, 0.0), gone(1, 1.0), gone(2, 4.0)];
+    let all = || frames.iter().map(|frame| Ok(frame.clone()));
+    let trails = Trails::default();
+    let shot = Shot { eye: from([180.0, 0.0]), ..Shot::default() };
+    let ways = Ways::of(all, &shot, trails).unwrap();
+    assert_eq!(
+        ways.note(),
+        "trail of 1 block, from slow (blue) to fast (red), up to 6.00 m/s",
+        "3 m in half a second"
+    );
+    let axes = camera::axes(&shot.eye);
+    let (camera, window) =
+        camera::fitted(&shot.eye, axes, [Vec3::splat(-5.0), Vec3::splat(5.0)], [200, 200]);
+    let count = |k: usize| ways.rods(&frames[k], &shot, (&camera, &window)).len();
+    assert_eq!([0, 1, 2].map(count), [0, 1, 2]);
+    // The brick stays.
+    let only = |block| Ways::of(all, &shot, Trails { only: Some(block), ..trails }).unwrap().note();
+    assert_eq!(only(9), "trails: no block has moved by a quarter of a block");
+    assert!(only(3).starts_with("trail of 1 block"));
+    let by_block = Ways::of(all, &shot, Trails { by_block: true, ..trails }).unwrap();
+    assert_eq!(by_block.note(), "trail of 1 block");
+    let bare = || std::iter::once(Ok(solid_sample_without_columns()));
+    let error = Ways::of(bare, &shot, trails).err().unwrap().to_string();
+    assert!(error.contains("displacement"), "{error}");
+}
+
+fn solid_sample_without_columns() -> Frame {
+    Frame { block_columns: Vec::new(), ..solid_sample() }
+}
+
+#[test]
+fn contacts_are_points_in_the_colour_of_their_state() {
+    let mut frame = gone(0, 0.0);
+    frame.contact_points = vec![[0.0; 3], [0.5, 0.0, 0.0], [1.0, 0.0, 0.0]];
+    let column = |name: &str, of: [f64; 3]| riprap_record::Column::scalar(name, "-", of.to_vec());
+    frame.contact_columns = vec![
+        column("sliding_points", [0.0, 2.0, 0.0]),
+        column("open_points", [0.0, 0.0, 4.0]),
+        column("block_a", [3.0; 3]),
+        column("block_b", [7.0; 3]),
+    ];
+    let counts = contacts::counts(&frame);
+    assert_eq!(counts, [1, 1, 0, 0, 0, 0, 0, 1]);
+    let eye = from([180.0, 0.0]);
+    let (camera, window) =
+        camera::fitted(&eye, camera::axes(&eye), [Vec3::splat(-5.0), Vec3::splat(5.0)], [200, 200]);
+    let drawn = |wanted: Option<[bool; 8]>, cut: Option<Cut>| {
+        let shot = Shot { eye, contacts: wanted, cut, ..Shot::default() };
+        let said: Vec<String> =
+            contacts::note(&shot, &counts, 1).into_iter().map(|piece| piece.text).collect();
+        (contacts::rods(&frame, &shot, (&camera, &window)).len(), said.join("|"))
+    };
+    assert_eq!(drawn(None, None), (0, String::new()));
+    let words = "contacts, pale behind rock:|sliding 1|open 1";
+    assert_eq!(drawn(Some(CHANGED), None), (2, words.to_owned()));
+    let cut = Cut { normal: [1.0, 0.0, 0.0], at: 0.7 };
+    assert_eq!(drawn(Some([true; 8]), Some(cut)).0, 2, "one is cut away");
 }

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::super::PlotError;
 use super::super::frames::{Which, unit_of};
 use super::kinds::Kinds;
-use super::wanted::{Cut, Eye, Note, Shot};
+use super::wanted::{CHANGED, Cut, Eye, Note, Shot, Trails};
 
 /// What somebody asks for of a picture; the rest is that of a saved view or of a new shot.
 #[derive(Clone, Copy, Debug, Default)]
@@ -135,8 +135,23 @@ fn shot(view: &Value) -> Result<Shot, String> {
     let chosen = &view["settings"];
     let shadows = chosen["shadows"].as_bool().unwrap_or(true);
     let chains = chosen["chains"].as_bool().unwrap_or(false);
+    let contacts = chosen["contacts"].as_bool().unwrap_or(false).then(|| states(&chosen["states"]));
+    let by_block = chosen["trailColour"] == "block";
+    let picked = view["picked"].as_u64().and_then(|block| u32::try_from(block).ok());
+    let trails = match chosen["trails"].as_str() {
+        Some("moving") => Some(Trails { by_block, only: None }),
+        Some("picked") => picked.map(|block| Trails { by_block, only: Some(block) }),
+        Some(_) | None => None,
+    };
     let vectors = ["displacement", "velocity", "force"];
     let vectors = chosen["vectors"].as_str().filter(|name| vectors.contains(name));
     let vectors = vectors.map(str::to_owned);
-    Ok(Shot { field, eye, cut, bolts, options, shadows, chains, vectors, ..new })
+    Ok(Shot { field, eye, cut, bolts, options, shadows, chains, contacts, trails, vectors, ..new })
+}
+
+/// The states of contacts that a view shows.
+fn states(list: &Value) -> [bool; CHANGED.len()] {
+    let one = |(k, usual): (usize, bool)| list[k].as_bool().unwrap_or(usual);
+    let mut all = CHANGED.into_iter().enumerate().map(one);
+    std::array::from_fn(|_| all.next().unwrap_or(false))
 }

@@ -1,6 +1,7 @@
 //! What is to be drawn, and from where.
 
 use riprap_geom::Vec3;
+use riprap_record::contacts::STATES;
 
 use super::super::PlotError;
 use super::super::drawing::{BlockOptions, Normal};
@@ -74,6 +75,10 @@ pub struct Shot {
     pub shadows: bool,
     /// Contact forces as tubes from block to block.
     pub chains: bool,
+    /// Contacts as points: which of their states, by their numbers.
+    pub contacts: Option<[bool; STATES.len()]>,
+    /// The ways that blocks have taken up to the frame.
+    pub trails: Option<Trails>,
     /// A field of vectors, drawn as arrows from the middles of the blocks.
     pub vectors: Option<String>,
     /// Texts at places of the model.
@@ -92,12 +97,26 @@ impl Default for Shot {
             bolts: true,
             shadows: true,
             chains: false,
+            contacts: None,
+            trails: None,
             vectors: None,
             notes: Vec::new(),
             options: BlockOptions::default(),
         }
     }
 }
+
+/// Which ways of blocks are drawn, and how.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Trails {
+    /// Coloured by block; else by mean speed from frame to frame.
+    pub by_block: bool,
+    /// Number of the only block whose way is drawn; `None`: all that moved by a quarter of a usual block.
+    pub only: Option<u32>,
+}
+
+/// States of contacts that are drawn where none are named: all but touching ones.
+pub const CHANGED: [bool; STATES.len()] = [false, true, true, true, true, true, true, true];
 
 /// A text at a place of the model.
 #[derive(Clone, Debug, PartialEq)]

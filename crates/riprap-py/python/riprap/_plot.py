@@ -169,6 +169,8 @@ def shot(
     bolts: bool = True,
     shadows: bool = True,
     chains: bool = False,
+    contacts: "bool | str" = False,
+    trails: "bool | str" = False,
     vectors: str | None = None,
     fps: float | None = None,
 ) -> Picture:
@@ -194,6 +196,8 @@ def shot(
         bolts: bolts as rods.
         shadows: shadows of the sun, and darker hollows.
         chains: contact forces as tubes from block to block.
+        contacts: contacts as points coloured by state: ``True`` those that slide, have broken or are open, ``"all"`` all.
+        trails: the ways of all blocks that moved by a quarter of a block, up to the frame: ``True`` or ``"speed"`` by mean speed, ``"block"`` by block.
         vectors: field of vectors, drawn as arrows: ``displacement``, ``velocity`` or ``force``.
         fps: pictures of a film in a second; 10 by default.
 
@@ -229,11 +233,17 @@ def shot(
         "bolts": bolts,
         "shadows": shadows,
         "chains": chains,
+        "contacts": _chosen(contacts, "changed"),
+        "trails": _chosen(trails, "speed"),
         "vectors": vectors,
         "fps": fps,
     }
     target = Path(out) if out is not None else folder / "plots" / "shot.png"
     return Picture(_riprap.shot(folder, target, options))
+
+
+def _chosen(given: "bool | str", usual: str) -> str | None:
+    return given if isinstance(given, str) else usual if given else None
 
 
 def _metres(length: "str | float | None") -> float | None:
