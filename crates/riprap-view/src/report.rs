@@ -22,8 +22,12 @@ const SCRIPT: &str = include_str!("../assets/app.js");
 const STYLE: &str = include_str!("../assets/app.css");
 const LAYOUT: &str = include_str!("report.css");
 
-/// File name, without its ending, of the picture of the model before it moved.
+/// File name, without its ending, of the picture of a model in the plane before it moved.
 pub const SETUP: &str = "setup";
+/// The same of a view of a model in space.
+pub const SETUP_VIEW: &str = "setup_view";
+/// The same of a section of a model in space.
+pub const SETUP_SECTION: &str = "setup_section";
 
 /// How large a report may become.
 #[derive(Debug, Clone, Copy)]
@@ -63,8 +67,8 @@ impl Default for Limits {
     }
 }
 
-/// The report as an HTML file, with the pictures in `plots` (SVG or PNG) in their order; one called `setup` comes first, under a
-/// head of its own.
+/// The report as an HTML file, with the pictures in `plots` (SVG or PNG) in their order; those of the set-up come first, under a
+/// head of their own, a view before a section.
 ///
 /// # Errors
 /// A folder that is no run; damaged frames are left out of the replay and named.
@@ -86,8 +90,11 @@ pub fn report(
     );
     let scene_table = words::scene(run);
     facts(&mut out, &manifest, &signature.or_of(&scene_table));
-    let (setup, plots): (Vec<_>, Vec<_>) =
-        plots.iter().partition(|p| p.file_stem().is_some_and(|s| s == SETUP));
+    let of_setup = |path: &&PathBuf| {
+        path.file_stem().is_some_and(|s| [SETUP, SETUP_VIEW, SETUP_SECTION].iter().any(|n| s == *n))
+    };
+    let (mut setup, plots): (Vec<_>, Vec<_>) = plots.iter().partition(of_setup);
+    setup.sort_by_key(|path| path.file_stem().is_some_and(|s| s == SETUP_SECTION));
     pictures(&mut out, "Set-up", &setup);
     words::materials(&mut out, &scene_table);
     groups(&mut out, &run.names());

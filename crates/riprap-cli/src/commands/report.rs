@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use riprap::plot::{self as drawn, BlockOptions, Which};
-use riprap_view::report::{self, Limits, SETUP, Signature};
+use riprap::plot::{self as drawn, Asked, BlockOptions, Shot, Which};
+use riprap_view::report::{self, Limits, SETUP, SETUP_SECTION, SETUP_VIEW, Signature};
 use riprap_view::run::Run;
 
 use crate::args::Report;
@@ -36,14 +36,28 @@ pub fn run(args: &Report) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Draws the model at its first frame, coloured by material; in space a section. What cannot be drawn is reported and left out.
+/// Draws the model at its first frame, coloured by material; in space a view and a section. What cannot be drawn is reported and left out.
 fn set_up(run: &Path) -> Result<(), Failure> {
     let plots = run.join("plots");
     std::fs::create_dir_all(&plots)
         .map_err(|e| Failure::Output(format!("could not create {}: {e}", plots.display())))?;
-    let out = plots.join(SETUP).with_extension("svg");
     let first = Which::Index(1);
-    match drawn::blocks(run, first, "material", BlockOptions::default(), &out) {
+    let view = || {
+        let asked = Asked { field: Some("material"), ..Asked::default() };
+        let shot = Shot::asked(run, first, &asked)?;
+        drawn::shots(run, &[first], &shot, None, &plots.join(SETUP_VIEW).with_extension("png"))
+    };
+    let flat = |name: &str| {
+        let out = plots.join(name).with_extension("svg");
+        drawn::blocks(run, first, "material", BlockOptions::default(), &out)
+    };
+    let drawn = match view() {
+        Ok(_) => flat(SETUP_SECTION),
+        // A run in the plane.
+        Err(drawn::PlotError::Unsuitable { .. }) => flat(SETUP),
+        Err(error) => Err(error),
+    };
+    match drawn {
         Ok(_) => Ok(()),
         Err(error @ drawn::PlotError::Output(_)) => Err(error.into()),
         Err(error) => {
@@ -60,14 +74,18 @@ fn default_name(run: &Path) -> PathBuf {
     PathBuf::from(format!("{stem}.html"))
 }
 
-/// SVG pictures in the run's plots, by name.
+/// SVG pictures in the run's plots and the view of the set-up, by name. Of a run in space, reports of earlier versions left a section as
+/// the set-up.
 fn pictures(run: &Path) -> Vec<PathBuf> {
+    let view = run.join("plots").join(SETUP_VIEW).with_extension("png");
+    let stale = view.exists().then(|| run.join("plots").join(SETUP).with_extension("svg"));
     let mut found: Vec<PathBuf> = std::fs::read_dir(run.join("plots"))
         .into_iter()
         .flatten()
         .flatten()
         .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|e| e == "svg"))
+        .filter(|path| path.extension().is_some_and(|e| e == "svg") || *path == view)
+        .filter(|path| stale.as_ref() != Some(path))
         .collect();
     found.sort();
     found

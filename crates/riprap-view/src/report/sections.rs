@@ -158,6 +158,46 @@ pub(super) fn trust(out: &mut String, run: &Run) {
     }
 }
 
+/// What a picture shows, by the name of its file.
+fn caption(stem: &str) -> String {
+    let known = match stem {
+        "setup" => "The model before the first step, coloured by material",
+        "setup_view" => {
+            "The model before the first step, coloured by material; seen from the south-west"
+        }
+        "setup_section" => "A section through it, coloured by material",
+        "energy" => "Energies over time",
+        "histories" => "Histories of the scene",
+        "stereonet" => "Poles of the joint faces between blocks",
+        "rose" => "Strikes or directions of the joints",
+        "fragments" => "Sizes of the fragments",
+        "ppv" => "Peak particle velocity over the scaled distance from the charge",
+        "crater" => "The crater",
+        "heave" => "Heave above the charge",
+        "cavity" => "Pressure and volume of the gas in the cavity",
+        "trust" => "Shares of the errors of the results",
+        "section" => "A section through the blocks",
+        other => {
+            return match other.split_once('_') {
+                Some(("blocks", field)) => format!("The blocks, coloured by {}", words(field)),
+                Some(("section", field)) => format!("A section, coloured by {}", words(field)),
+                Some(("spectrum", of)) => format!("Response spectrum of {}", words(of)),
+                Some(_) | None => capital(&words(other)),
+            };
+        }
+    };
+    known.to_owned()
+}
+
+fn words(name: &str) -> String {
+    name.replace('_', " ")
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
+}
+
 pub(super) fn pictures(out: &mut String, head: &str, plots: &[&PathBuf]) {
     let mut headed = false;
     for path in plots {
@@ -173,7 +213,7 @@ pub(super) fn pictures(out: &mut String, head: &str, plots: &[&PathBuf]) {
             let _ = writeln!(out, "<h2>{head}</h2>");
             headed = true;
         }
-        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let name = caption(&path.file_stem().unwrap_or_default().to_string_lossy());
         let _ = writeln!(
             out,
             "<figure><img alt=\"{0}\" src=\"data:{kind};base64,{1}\"><figcaption>{0}</figcaption></figure>",
