@@ -35,6 +35,8 @@ const LARGEST_FILE: u64 = 256 << 20;
 pub struct Run {
     path: PathBuf,
     memory: Mutex<Memory>,
+    /// Held while a shape is made.
+    making: Mutex<()>,
 }
 
 #[derive(Debug, Default)]
@@ -52,7 +54,7 @@ struct Memory {
 impl Run {
     /// A folder, sound or not: what is wrong with it is reported when it is asked for something.
     pub fn new(path: &Path) -> Self {
-        Run { path: path.to_owned(), memory: Mutex::default() }
+        Run { path: path.to_owned(), memory: Mutex::default(), making: Mutex::default() }
     }
 
     /// Where it is.
@@ -268,6 +270,11 @@ impl Run {
         if let Some(shape) = self.remembered(&key) {
             return Ok((shape, frame));
         }
+        // Who asks for it meanwhile waits: a large one takes a second on all cores.
+        let _alone = self.making.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(shape) = self.remembered(&key) {
+            return Ok((shape, frame));
+        }
         let origin = self.origin(k, &frame)?;
         let shape = Arc::new(Shape::of(&frame, origin));
         let mut memory = self.memory();
@@ -276,6 +283,13 @@ impl Run {
         }
         memory.shapes.push(Arc::clone(&shape));
         Ok((shape, frame))
+    }
+
+    /// Makes the shape of the last frame, with which the page begins; what is wrong with it is said to the page.
+    pub(crate) fn prepare(&self) {
+        if let Some(last) = self.moments().ok().and_then(|moments| moments.len().checked_sub(1)) {
+            let _ = self.placed(last);
+        }
     }
 
     fn memory(&self) -> std::sync::MutexGuard<'_, Memory> {

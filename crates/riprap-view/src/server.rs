@@ -125,6 +125,9 @@ impl Server {
     /// # Errors
     /// The network breaks down.
     pub fn run(self) -> Result<(), ServerError> {
+        // A browser takes a second to start: what it asks for first is ready then.
+        let runs = Arc::clone(&self.runs);
+        std::thread::spawn(move || runs.iter().for_each(Run::prepare));
         let threads = std::thread::available_parallelism().map_or(2, |n| n.get().clamp(2, 4));
         let runtime = tokio::runtime::Builder::new_multi_thread()
             // It only waits: answers are made on the threads for what blocks.
