@@ -324,7 +324,7 @@ export class App {
       },
       picture: () => void this.save("picture"),
       sequence: () => void this.save("sequence"),
-      film: () => void this.save("film"),
+      film: (container) => void this.save(container),
       niceExaggeration: () => Math.min(...this.panes.map(({ view }) => view.niceExaggeration())),
       unpick: () => {
         for (const pane of this.panes) void this.pick(pane, null);
@@ -351,7 +351,7 @@ export class App {
   }
 
   /** Saves pictures; a second call while one is at work stops it. */
-  private async save(what: "picture" | "sequence" | "film"): Promise<void> {
+  private async save(what: "picture" | "sequence" | film.Container): Promise<void> {
     const views = this.panes.filter((p) => p.view.blocks).map((p) => p.view);
     if (views.length === 0) return;
     if (this.work) {
@@ -366,7 +366,11 @@ export class App {
     };
     try {
       if (what === "picture") await film.picture(views, this.choices.now);
-      else await film[what]([views, this.choices.now, this.timeline, this.saved.move()], progress);
+      else {
+        const playing: film.Playing = [views, this.choices.now, this.timeline, this.saved.move()];
+        if (what === "sequence") await film.sequence(playing, progress);
+        else await film.film(playing, progress, what);
+      }
       this.panel?.say(work.signal.aborted ? "stopped" : "saved");
     } catch (error) {
       this.panel?.say(told(error).what);

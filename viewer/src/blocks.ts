@@ -538,6 +538,19 @@ export class Blocks {
     return out;
   }
 
+  /** Diagonal of the box around a block at rest, m; NaN: no such block. */
+  diagonal(b: number): number {
+    if (b >= this.count) return NaN;
+    const [low, high] = [new THREE.Vector3(Infinity, Infinity, Infinity), new THREE.Vector3(-Infinity, -Infinity, -Infinity)];
+    const at = new THREE.Vector3();
+    for (let p = this.offsets[b]!; p < this.offsets[b + 1]!; p++) {
+      at.fromArray(this.rest, 3 * p);
+      low.min(at);
+      high.max(at);
+    }
+    return high.distanceTo(low);
+  }
+
   /** Place of a block in the frame by its number; below zero if it is not there. */
   placeOf(id: number): number {
     if (this.places.size === 0) this.ids.forEach((of, b) => this.places.set(of, b));

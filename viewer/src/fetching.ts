@@ -32,7 +32,7 @@ export async function fetchFrame(run: Run, k: number, settings: Settings, shown:
   const needCracks = settings.cracks && run.summary.cracks;
   const needBolts = settings.bolts && run.summary.bolts === true;
   const needStress = settings.stress && run.hasStress;
-  const needSupports = settings.supports && run.hasField("held");
+  const needSupports = (settings.supports || settings.chains) && run.hasField("held");
   const needMaterials = settings.joints === "interface" && run.hasField("material");
   const [motion, values, range, arrows, contacts, cracks, bolts, stress, supports, materials] = await Promise.all([
     run.motion(k),

@@ -1,4 +1,4 @@
-// Pictures for elsewhere: a PNG of the present frame, all frames as PNG in a zip, a WebM film.
+// Pictures for elsewhere: a PNG of the present frame, all frames as PNG in a zip, a film as WebM or MP4.
 
 import { zipSync } from "fflate";
 import { save } from "./dom";
@@ -8,6 +8,7 @@ import type { Settings } from "./settings";
 import type { Standpoint } from "./stage";
 import type { Timeline } from "./timeline";
 import type { View } from "./view";
+import { mp4, type Mp4Film } from "./mp4";
 import { webm, type EncodedFrame, type Film } from "./webm";
 
 /** Frames of a zip at most: it is put together in memory. */
@@ -44,7 +45,7 @@ export function compose(views: View[], settings: Settings, canvas = document.cre
     ctx.textBaseline = "middle";
     ctx.font = `600 ${13 * ratio}px system-ui, sans-serif`;
     ctx.fillText(`${manifest.title || view.run.summary.name}   ${time}`, x + 12 * ratio, head / 2, sizes[i]![0] - 24 * ratio);
-    paintLegend(ctx, legendOf(view, settings), view.scale, [x + 14 * ratio, head + 8 * ratio], ratio, ink);
+    paintLegend(ctx, legendOf(view, settings), view.scale, [x + 14 * ratio, head + 8 * ratio, sizes[i]![0] - 28 * ratio], ratio, ink);
     paintLabels(ctx, view.labels(), [x, head, ...sizes[i]!], ratio, [ink, paper]);
     x += sizes[i]![0];
   });
@@ -113,45 +114,87 @@ export async function sequence(playing: Playing, progress: Progress): Promise<vo
   if (whole) save(new Blob([zipSync(files) as Uint8Array<ArrayBuffer>], { type: "application/zip" }), `${nameOf(playing[0])}_frames.zip`);
 }
 
-/** Codecs of a film, the better one first: as the encoder and as the file name it. */
-const CODECS = [
-  ["vp09.00.51.08", "V_VP9"],
-  ["vp8", "V_VP8"],
-] as const;
+/** Files of a film. */
+export type Container = "webm" | "mp4";
+
+interface Codec<Id> {
+  /** As the encoder names it. */
+  codec: string;
+  /** As the file does. */
+  id: Id;
+  /** As people do. */
+  name: string;
+}
+
+/** Codecs of a film, those that more players show first. H.264 is not in every browser: its makers ask for a licence. */
+const CODECS: { webm: Codec<Film["codec"]>[]; mp4: Codec<Mp4Film["codec"]>[] } = {
+  webm: [
+    { codec: "vp09.00.51.08", id: "V_VP9", name: "VP9" },
+    { codec: "vp8", id: "V_VP8", name: "VP8" },
+  ],
+  mp4: [
+    { codec: "avc1.640034", id: "avc", name: "H.264" },
+    { codec: "avc1.420034", id: "avc", name: "H.264" },
+    { codec: "vp09.00.51.08", id: "vp9", name: "VP9" },
+    { codec: "av01.0.12M.08", id: "av1", name: "AV1" },
+  ],
+};
 /** Every so many frames one stands alone: players begin there when somebody goes to a place. */
 const KEY_EVERY = 50;
 /** Pictures that wait for the encoder at most. */
 const WAITING = 4;
 
-/** How the encoder is to be set; it must not drop frames that take long. */
-async function encoderConfig(width: number, height: number, framerate: number): Promise<[VideoEncoderConfig, Film["codec"]]> {
+/** The codec that MP4 films of this browser would have, by its name; null: it can write none. */
+export async function mp4Codec(): Promise<string | null> {
+  if (typeof VideoEncoder === "undefined") return null;
+  for (const { codec, name } of CODECS.mp4) {
+    const answer = await VideoEncoder.isConfigSupported({ codec, width: 1280, height: 720 }).catch(() => null);
+    if (answer?.supported) return name;
+  }
+  return null;
+}
+
+/** How the encoder is to be set, and the codec as the file names it; it must not drop frames that take long. */
+async function encoderConfig<C extends Container>(container: C, width: number, height: number, framerate: number): Promise<[VideoEncoderConfig, (typeof CODECS)[C][number]]> {
   if (typeof VideoEncoder === "undefined") {
     const why = window.isSecureContext ? "This browser has no video encoder (WebCodecs)." : "Browsers encode video only on pages of this machine (127.0.0.1) or served by https.";
     throw new Error(`${why} Save all frames as PNG instead, or write the film without a browser: riprap shot RUN --all -o film.apng`);
   }
   // Drawings have sharp edges, and smooth shades that show bands where bits are few.
   const bitrate = Math.max(2e6, Math.round(0.35 * width * height * framerate));
-  for (const [codec, id] of CODECS) {
-    const config: VideoEncoderConfig = { codec, width, height, framerate, bitrate, latencyMode: "quality" };
+  for (const one of CODECS[container]) {
+    const config: VideoEncoderConfig = { codec: one.codec, width, height, framerate, bitrate, latencyMode: "quality" };
     const answer = await VideoEncoder.isConfigSupported(config);
-    if (answer.supported) return [config, id];
+    if (answer.supported) return [config, one];
   }
-  throw new Error(`This browser cannot encode VP9 or VP8 at ${width} x ${height} pixels. Make the window smaller, or save all frames as PNG instead.`);
+  const names = [...new Set(CODECS[container].map(({ name }) => name))].join(" or ");
+  throw new Error(`This browser cannot encode ${names} at ${width} x ${height} pixels. Make the window smaller, or save all frames as PNG instead.`);
 }
 
 /** Encodes every picture once, as fast as the machine can: a slow machine leaves the film as it is. */
-export async function film(playing: Playing, progress: Progress): Promise<void> {
+export async function film(playing: Playing, progress: Progress, container: Container): Promise<void> {
   const rate = playing[1].speed;
   const frames: EncodedFrame[] = [];
-  const made: { film?: Film; encoder?: VideoEncoder; failed?: DOMException } = {};
+  const made: { size?: { width: number; height: number }; file?: () => Uint8Array<ArrayBuffer>; encoder?: VideoEncoder; decoder?: VideoDecoderConfig; failed?: DOMException } = {};
   const broken = () => {
     if (made.failed) throw new Error(`The browser could not encode the film: ${made.failed.message}`);
   };
   const start = async ({ width, height }: HTMLCanvasElement) => {
-    const [config, codec] = await encoderConfig(width, height, rate);
-    made.film = { width, height, codec, framesPerSecond: rate, frames };
+    const film = { width, height, framesPerSecond: rate, frames };
+    let config: VideoEncoderConfig;
+    if (container === "webm") {
+      const [set, { id }] = await encoderConfig("webm", width, height, rate);
+      config = set;
+      made.file = () => webm({ ...film, codec: id });
+    } else {
+      const [set, { id }] = await encoderConfig("mp4", width, height, rate);
+      config = set;
+      made.file = () => mp4({ ...film, codec: id, decoder: made.decoder ?? { codec: set.codec } });
+    }
+    made.size = { width, height };
     const encoder = new VideoEncoder({
-      output: (chunk) => {
+      output: (chunk, about) => {
+        if (about?.decoderConfig) made.decoder ??= about.decoderConfig;
         const data = new Uint8Array(chunk.byteLength);
         chunk.copyTo(data);
         frames.push({ data, key: chunk.type === "key" });
@@ -166,7 +209,7 @@ export async function film(playing: Playing, progress: Progress): Promise<void> 
     const whole = await play(playing, progress, async (canvas, k, count) => {
       wanted = count;
       const encoder = made.encoder ?? (await start(canvas));
-      if (canvas.width !== made.film!.width || canvas.height !== made.film!.height) {
+      if (canvas.width !== made.size!.width || canvas.height !== made.size!.height) {
         throw new Error("The window changed its size while the film was made. Make it again and leave the window as it is.");
       }
       const picture = new VideoFrame(canvas, { timestamp: Math.round((1e6 * k) / rate), duration: Math.round(1e6 / rate) });
@@ -176,11 +219,11 @@ export async function film(playing: Playing, progress: Progress): Promise<void> 
       while (encoder.encodeQueueSize > WAITING && !made.failed) await new Promise((done) => setTimeout(done, 5));
     });
     broken();
-    if (!whole || !made.film) return;
+    if (!whole || !made.file) return;
     await made.encoder!.flush();
     broken();
     if (frames.length !== wanted) throw new Error(`The browser encoded ${frames.length} of ${wanted} frames. Save all frames as PNG instead.`);
-    save(new Blob([webm(made.film)], { type: "video/webm" }), `${nameOf(playing[0])}.webm`);
+    save(new Blob([made.file()], { type: `video/${container}` }), `${nameOf(playing[0])}.${container}`);
   } finally {
     if (made.encoder && made.encoder.state !== "closed") made.encoder.close();
   }

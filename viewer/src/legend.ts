@@ -56,7 +56,7 @@ export function legendOf(view: View, settings: Settings): LegendText {
   }
   if (view.chained) {
     const { count, longest, unit } = view.chained;
-    out.notes.push({ text: `forces of ${count} contacts up to ${quantity(longest, unit, 3)}`, colour: CHAINS });
+    out.notes.push({ text: `${count === 1 ? "force of 1 contact" : `forces of ${count} contacts`} up to ${quantity(longest, unit, 3)}`, colour: CHAINS });
   }
   if (view.trailed) {
     const { count, fastest, left } = view.trailed;
@@ -160,12 +160,12 @@ export function legendElement(text: LegendText, scale: Scale): HTMLElement {
   return box;
 }
 
-/** The legend drawn into a picture; `x`, `y`: its upper left corner, `s`: pixels per unit. */
+/** The legend drawn into a picture; `x`, `y`: its upper left corner, `wide`: its room; longer lines are narrowed, `s`: pixels per unit. */
 export function paintLegend(
   ctx: CanvasRenderingContext2D,
   text: LegendText,
   scale: Scale,
-  [x, y]: [number, number],
+  [x, y, wide]: [number, number, number],
   s: number,
   ink: string,
 ): void {
@@ -174,7 +174,7 @@ export function paintLegend(
   ctx.fillStyle = ink;
   let line = y + 10 * s;
   if (text.title) {
-    ctx.fillText(text.title, x, line);
+    ctx.fillText(text.title, x, line, wide);
     line += 16 * s;
   }
   ctx.font = `${11 * s}px system-ui, sans-serif`;
@@ -186,7 +186,7 @@ export function paintLegend(
   if (text.kinds) {
     for (const mark of text.marks) {
       chip(mark.colour ?? ink);
-      ctx.fillText(mark.text, x + 16 * s, line);
+      ctx.fillText(mark.text, x + 16 * s, line, wide - 16 * s);
       line += 15 * s;
     }
   } else if (text.marks.length > 0) {
@@ -201,7 +201,8 @@ export function paintLegend(
   }
   for (const note of text.notes) {
     if (note.colour) chip(note.colour);
-    ctx.fillText(note.text, note.colour ? x + 16 * s : x, line);
+    const from = note.colour ? 16 * s : 0;
+    ctx.fillText(note.text, x + from, line, wide - from);
     line += 15 * s;
   }
 }

@@ -259,10 +259,19 @@ export class Bolts extends Instances {
 /** Forces below this share of the largest are no part of chains. */
 export const WEAK = 0.02;
 
+/**
+ * Held blocks, and those so many times as large as the other one of a contact, are ground to it: the tube ends at the contact, since the
+ * middle of a slab or of a slope is not where the force goes. crates/riprap-plot/src/shot/chains.rs has the same.
+ */
+const GROUND = 3;
+
 /** Tubes from the middle of a block over a contact to the middle of the other, as thick and dark as the force; they show through the blocks. */
 export class Chains extends Instances {
-  /** Draws those of the contacts at `places`, the thickest `thick` wide; `middle` is where a block is drawn, null where it is not. How many contacts. */
-  draw(contacts: Packet<ContactInfo>, places: Float32Array, middle: (block: number) => THREE.Vector3 | null, thick: number): number {
+  /**
+   * Draws those of the contacts at `places`, the thickest `thick` wide; `middle` is where a block is drawn, null where it is not, `size` the
+   * diagonal of the box around it, without end where it is held. How many contacts.
+   */
+  draw(contacts: Packet<ContactInfo>, places: Float32Array, middle: (block: number) => THREE.Vector3 | null, size: (block: number) => number, thick: number): number {
     this.clear();
     const forces = contacts.f32("forces");
     const sides = [contacts.u32("blockA"), contacts.u32("blockB")] as const;
@@ -273,7 +282,9 @@ export class Chains extends Instances {
       const share = Math.hypot(forces[3 * i]!, forces[3 * i + 1]!, forces[3 * i + 2]!) / longest;
       if (!(share > WEAK) || !Number.isFinite(places[3 * i]!)) continue;
       const at = new THREE.Vector3().fromArray(places, 3 * i);
-      const ends = sides.flatMap((side) => middle(side[i] ?? NOBODY) ?? []);
+      const blocks = sides.map((side) => side[i] ?? NOBODY);
+      const sizes = blocks.map(size);
+      const ends = blocks.flatMap((block, side) => (sizes[side]! > GROUND * sizes[1 - side]! ? [] : (middle(block) ?? [])));
       tubes.push(...ends.map((to) => ({ from: at, to, share })));
       drawn += ends.length > 0 ? 1 : 0;
     }

@@ -110,8 +110,10 @@ export function paintLabels(ctx: CanvasRenderingContext2D, labels: Label[], [x, 
   ctx.textBaseline = "middle";
   for (const label of labels) {
     const [px, py] = [x + label.x * wide, y + label.y * high];
-    const [tx, ty] = [px + 14 * s, py - 18 * s];
-    const long = ctx.measureText(label.text).width;
+    // Boxes stay in the picture.
+    const long = Math.min(ctx.measureText(label.text).width, wide - 12 * s);
+    const tx = Math.max(x + 6 * s, Math.min(px + 14 * s, x + wide - long - 6 * s));
+    const ty = Math.max(py - 18 * s, y + 11 * s);
     ctx.strokeStyle = ink;
     ctx.lineWidth = s;
     ctx.beginPath();
@@ -122,7 +124,7 @@ export function paintLabels(ctx: CanvasRenderingContext2D, labels: Label[], [x, 
     ctx.fillRect(tx - 4 * s, ty - 9 * s, long + 8 * s, 18 * s);
     ctx.strokeRect(tx - 4 * s, ty - 9 * s, long + 8 * s, 18 * s);
     ctx.fillStyle = ink;
-    ctx.fillText(label.text, tx, ty);
+    ctx.fillText(label.text, tx, ty, long);
     ctx.beginPath();
     ctx.arc(px, py, 2.5 * s, 0, 2 * Math.PI);
     ctx.fill();

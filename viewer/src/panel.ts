@@ -2,6 +2,7 @@
 
 import { KINDS, MAPS, defaultMap } from "./colour";
 import { check, choice, el, row } from "./dom";
+import { mp4Codec, type Container } from "./film";
 import { quantity, short } from "./format";
 import { kindName } from "./legend";
 import { STATES } from "./marks";
@@ -15,7 +16,7 @@ export interface Actions {
   fit: (side?: "default" | "x" | "y" | "z") => void;
   picture: () => void;
   sequence: () => void;
-  film: () => void;
+  film: (container: Container) => void;
   niceExaggeration: () => number;
   unpick: () => void;
   /** Picks the first of some blocks of a run and looks at all of them. */
@@ -363,6 +364,14 @@ export class Panel {
 
   private saveBox(): HTMLElement {
     const button = (label: string, title: string, act: () => void) => el("button", { type: "button", title, onclick: act }, label);
+    const mp4 = button("MP4", "", () => this.actions.film("mp4"));
+    mp4.hidden = true;
+    void mp4Codec().then((codec) => {
+      if (codec === null) return;
+      mp4.hidden = false;
+      mp4.textContent = `MP4 (${codec})`;
+      mp4.title = `The same film as MP4, its pictures in ${codec}${codec === "H.264" ? "" : ", which slides and older players may not show"}`;
+    });
     return el(
       "div",
       {},
@@ -371,7 +380,8 @@ export class Panel {
         {},
         button("Picture", "PNG of what is shown (s)", this.actions.picture),
         button("All frames", "PNG of every frame, in a zip", this.actions.sequence),
-        button("Film", "WebM with every frame once, at the frames per second of the bar below", this.actions.film),
+        button("Film", "WebM with every frame once, at the frames per second of the bar below", () => this.actions.film("webm")),
+        mp4,
       ),
       this.saved.pathRow(this.dimension),
       this.status,

@@ -29,6 +29,8 @@ export interface SavedView {
   /** What lies along the normal beyond `at` is taken away. */
   cut: { normal: Triple; at: number } | null;
   bolts: boolean;
+  /** Number of the block whose trail is shown, where one is. */
+  picked?: number;
   /** What was chosen in the viewer, where it is not what a new page has. */
   settings: Partial<Settings>;
 }
@@ -55,6 +57,7 @@ export function taken(view: View, settings: Settings, name: string): SavedView {
     exaggeration: settings.exaggeration,
     cut: view.cutAway(settings),
     bolts: settings.bolts,
+    ...(settings.trails === "picked" && view.picked !== null ? { picked: view.picked } : {}),
     settings: Object.fromEntries(chosen) as Partial<Settings>,
   };
 }

@@ -292,7 +292,8 @@ export class View {
       return at.add(new THREE.Vector3().fromArray(blocks.middles, 3 * b));
     };
     const thick = 0.015 * this.modelSize() * settings.vectorSize;
-    const count = this.chains.draw(contacts, places, middle, thick);
+    const held = this.last!.supports?.f32("values");
+    const count = this.chains.draw(contacts, places, middle, (b) => (held && held[b]! > 0 ? Infinity : blocks.diagonal(b)), thick);
     this.chained = { count, longest, unit: contacts.info.forceUnit ?? "" };
   }
 

@@ -5,7 +5,7 @@ import { mkdtempSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { BINARY } from "./runs";
-import { expect, pixels, settled, shoot, test } from "./serve";
+import { expect, pixels, settled, shoot, stage, test } from "./serve";
 
 /** Four bricks of 1 m3 and 2600 kg/m3 on each other, the lowest held: the lowest contact carries three. */
 const TOWER = `
@@ -51,6 +51,35 @@ test("force chains lead the weight of a tower down, and their legend tells the l
   await expect(page.locator(".legend")).not.toContainText("forces of");
   await settled(page);
   expect(await pixels(page)).toBe(before);
+});
+
+test("a tube ends at its contact with ground", async ({ view }) => {
+  const folder = mkdtempSync(join(tmpdir(), "riprap-slab-"));
+  // A brick near the edge of a slab whose middle is 3 m away.
+  const brick = 'grid.box = { size = ["1 m", "1 m", "1 m"], cell = "1 m", corner = ["3 m", "0 m", "0 m"] }';
+  const slab = '[[blocks]]\nname = "slab"\nmaterial = "granite"\ngrid.box = { size = ["7 m", "1 m", "1 m"], cell = ["7 m", "1 m", "1 m"], corner = ["-3 m", "0 m", "-1 m"] }';
+  const scene = TOWER.replace(/grid\.box = .*/, brick).replace("[[supports]]", `${slab}\n[[supports]]`).replace('block = "tower.1"', 'block = "slab"');
+  writeFileSync(join(folder, "slab.toml"), scene);
+  execFileSync(BINARY, ["run", "slab.toml", "--out", "slab.run", "--quiet"], { cwd: folder, stdio: "ignore" });
+  const page = await view(join(folder, "slab.run"));
+  await page.keyboard.press("n");
+  await expect(page.locator(".legend")).toContainText("force of 1 contact up to 26 kN");
+  await settled(page);
+  // The middle of the slab is three edges of the brick away from it.
+  const wide = await stage(page).evaluate((canvas) => {
+    const { width, height } = canvas as HTMLCanvasElement;
+    const copy = document.createElement("canvas");
+    [copy.width, copy.height] = [width, height];
+    const ctx = copy.getContext("2d")!;
+    ctx.drawImage(canvas as HTMLCanvasElement, 0, 0);
+    const { data } = ctx.getImageData(0, 0, width, height);
+    const red = Array.from({ length: width * height }, (_, i) => i).filter((i) => data[4 * i]! > 110 && data[4 * i + 1]! < 60 && data[4 * i + 2]! < 60);
+    const across = red.map((i) => i % width);
+    return { count: red.length, share: (Math.max(...across) - Math.min(...across)) / width };
+  });
+  expect(wide.count).toBeGreaterThan(20);
+  expect(wide.share).toBeLessThan(0.08);
+  await shoot(page, "force-chains-slab");
 });
 
 test("force chains in the plane", async ({ view }) => {

@@ -103,6 +103,49 @@ test("a film has every frame once, at its time, in the size of the picture", asy
   writeFileSync(join(pictures, "steep.webm"), film.bytes);
 });
 
+/** Boxes of MP4 by their names; those that hold others are opened. */
+function boxes(bytes: Buffer, from = 0, to = bytes.length, out: [name: string, content: Buffer][] = []): typeof out {
+  for (let at = from; at < to; ) {
+    const [size, name] = [bytes.readUInt32BE(at), bytes.toString("latin1", at + 4, at + 8)];
+    out.push([name, bytes.subarray(at + 8, at + size)]);
+    if (["moov", "trak", "mdia", "minf", "stbl"].includes(name)) boxes(bytes, at + 8, at + size, out);
+    at += size;
+  }
+  return out;
+}
+
+test("a film is an MP4, too, where the browser can encode one", async ({ view }) => {
+  const page = await view("steep");
+  const frames = Number(await page.locator(".scrub").getAttribute("max")) + 1;
+  await page.getByLabel("frames per second").selectOption("20");
+  await page.getByText("Save", { exact: true }).click();
+  const button = page.getByRole("button", { name: /^MP4 \((H\.264|VP9|AV1)\)$/ });
+  await expect(button).toBeVisible();
+  const name = (await button.textContent())!;
+  const film = await saved(page, name);
+  expect(film.name).toBe("steep.mp4");
+  const all = boxes(film.bytes);
+  const of = (box: string) => all.find(([other]) => other === box)![1];
+  // Players find the table before the frames.
+  const outer = all.map(([box]) => box).filter((box) => ["ftyp", "moov", "mdat"].includes(box));
+  expect(outer).toEqual(["ftyp", "moov", "mdat"]);
+  expect(of("stsd").toString("latin1")).toContain({ "H.264": "avc1", VP9: "vp09", AV1: "av01" }[/\((.*)\)/.exec(name)![1]!]!);
+  expect(of("stsz").readUInt32BE(8)).toBe(frames);
+  const played = await page.evaluate(async (data) => {
+    const video = document.createElement("video");
+    video.src = URL.createObjectURL(new Blob([Uint8Array.from(atob(data), (c) => c.charCodeAt(0))], { type: "video/mp4" }));
+    await new Promise((done, failed) => {
+      video.onloadeddata = done;
+      video.onerror = () => failed(new Error(video.error?.message));
+    });
+    return { wide: video.videoWidth, high: video.videoHeight, seconds: video.duration };
+  }, film.bytes.toString("base64"));
+  const size = await stage(page).evaluate((c) => [(c as HTMLCanvasElement).width, (c as HTMLCanvasElement).height]);
+  expect([played.wide, played.high]).toEqual([size[0]! & ~1, (size[1]! + 26) & ~1]);
+  expect(played.seconds).toBeCloseTo(0.05 * frames, 2);
+  if (process.env.RIPRAP_FILM) writeFileSync(process.env.RIPRAP_FILM, film.bytes);
+});
+
 test("without an encoder the page says what to do", async ({ view }) => {
   const page = await view("steep");
   await page.evaluate(() => Object.defineProperty(window, "VideoEncoder", { value: undefined }));

@@ -141,7 +141,7 @@ fn licences(root: &Path, target: &str) -> Result<String, String> {
     let tree: Value =
         serde_json::from_slice(&output.stdout).map_err(|e| format!("cargo metadata: {e}"))?;
     let mut list = String::from(
-        "The program contains these libraries. The texts of their licences follow, each once. The page of `riprap view` contains three.js,\nuPlot, fflate (MIT) and d3-scale-chromatic (ISC); their notices are in the page.\n\n",
+        "The program contains these libraries. The texts of their licences follow, each once. The page of `riprap view` contains three.js,\nuPlot, fflate, mp4-muxer (MIT) and d3-scale-chromatic (ISC); their notices are in the page.\n\n",
     );
     let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
     for package in linked(&tree)? {
