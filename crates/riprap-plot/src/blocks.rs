@@ -204,7 +204,7 @@ pub(super) fn draw(
         axes(&mut page, &window, corner, words.axes);
         page.begin_clip(&format!("frame{i}"), corner[0], corner[1], w, h);
         let paint = |v: f64| match words.kinds {
-            Some(_) => colour::kind(v).to_owned(),
+            Some(_) => colour::material(v).to_owned(),
             None => map.at(scale.share(v)),
         };
         outlines(&mut page, frame, field, &paint, &window, corner);
@@ -452,7 +452,7 @@ fn chips(page: &mut Page, names: &[String], values: &[f64], at: [f64; 2]) {
     let there = |k: usize| values.contains(&(k as f64));
     let shown = names.iter().enumerate().filter(|(k, _)| there(*k));
     let shown: Vec<(&str, &str)> =
-        shown.map(|(k, name)| (colour::kind(k as f64), name.as_str())).collect();
+        shown.map(|(k, name)| (colour::material(k as f64), name.as_str())).collect();
     chips_of(page, &shown, at);
 }
 

@@ -36,6 +36,17 @@ const KINDS: [&str; 10] = [
     "#9c755f", "#bab0ab",
 ];
 
+/// Hues of materials, as in the viewer.
+pub(super) const MATERIALS: [&str; 10] = [
+    "#c3ac87", "#86a3bd", "#b98474", "#93ab7d", "#a091b5", "#cda552", "#76aca4", "#bd93a8",
+    "#a3a39a", "#d2bfa6",
+];
+
+/// Colour of a material by its number.
+pub(super) fn material(number: f64) -> &'static str {
+    if number >= 0.0 { MATERIALS[number.round() as usize % MATERIALS.len()] } else { "#ffffff" }
+}
+
 /// Colour of a kind by its number.
 pub(super) fn kind(number: f64) -> &'static str {
     if number >= 0.0 { KINDS[number.round() as usize % KINDS.len()] } else { "#ffffff" }

@@ -1,17 +1,12 @@
 //! Fields whose values are kinds, not amounts: their names and colours, those of the viewer.
 
-use super::super::colour;
+use super::super::colour::{self, MATERIALS};
 
 /// Colours of the types of block theory, from what is not listed to what cannot go.
 const TYPES: [&str; 5] = ["#a8adb3", "#d62728", "#f2a33a", "#59a14f", "#6f9bd1"];
 /// Colours of how a removable block goes.
 const MODES: [&str; 5] = ["#a8adb3", "#59a14f", "#f2a33a", "#e0662b", "#a3123a"];
 
-/// Hues of materials.
-const MATERIALS: [&str; 10] = [
-    "#c3ac87", "#86a3bd", "#b98474", "#93ab7d", "#a091b5", "#cda552", "#76aca4", "#bd93a8",
-    "#a3a39a", "#d2bfa6",
-];
 /// Ground from a survey: grey.
 pub(super) const TERRAIN: &str = "#b3b1ab";
 /// Shades of the hue of a material, lighter and darker by this share at most.

@@ -34,6 +34,11 @@ pub(super) fn short(v: f64) -> String {
     }
 }
 
+/// Units with their powers raised.
+pub(super) fn superscript(text: &str) -> String {
+    text.replace("m3", "m³").replace("m2", "m²").replace("s2", "s²")
+}
+
 /// Shares of the largest number below which nothing but round-off is reported.
 const ROUND_OFF: f64 = 1e-12;
 

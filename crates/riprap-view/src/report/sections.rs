@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 
 use super::Signature;
-use super::html::{escape, rounded, short, table, text_of};
+use super::html::{escape, rounded, short, superscript, table, text_of};
 use crate::run::Run;
 
 /// Groups of blocks, with what is in them.
@@ -67,9 +67,9 @@ pub(super) fn facts(out: &mut String, m: &Manifest, signature: &Signature) {
             ("changed", changed),
             ("model time", format!("{} s", short(m.time))),
             ("steps", m.steps.to_string()),
-            ("last time step", format!("{} s", short(m.dt))),
+            ("last time step", format!("{} s", rounded(m.dt, m.dt))),
             ("started", m.started.replace('T', " ").replace('Z', " UTC")),
-            ("wall time", format!("{} s", short(m.wall_time))),
+            ("wall time", format!("{} s", rounded(m.wall_time, m.wall_time))),
         ],
     );
     if !m.sources.is_empty() {
@@ -96,14 +96,18 @@ pub(super) fn checks(out: &mut String, run: &Run) {
     if lines.is_empty() {
         return;
     }
-    let count = |status: &str| lines.iter().filter(|l| l["status"] == status).count();
-    let _ = writeln!(
-        out,
-        "<h2>Checks</h2>\n<p>{} passed, {} failed, {} skipped (known failures, shown with their reason).</p>",
-        count("passed"),
-        count("failed"),
-        count("skipped")
-    );
+    let count =
+        |status: &str, words: &str| match lines.iter().filter(|l| l["status"] == status).count() {
+            0 => None,
+            count => Some(format!("{count} {words}")),
+        };
+    let counts = [
+        count("passed", "passed"),
+        count("failed", "failed"),
+        count("skipped", "skipped (known failures, shown with their reason)"),
+    ];
+    let counts: Vec<String> = counts.into_iter().flatten().collect();
+    let _ = writeln!(out, "<h2>Checks</h2>\n<p>{}.</p>", counts.join(", "));
     out.push_str(
         "<table class=\"grid\"><tr><th></th><th>check</th><th>measured, expected</th></tr>\n",
     );
@@ -117,7 +121,7 @@ pub(super) fn checks(out: &mut String, run: &Run) {
             "<tr class=\"{0}\"><td>{0}</td><td>{1}{note}</td><td>{2}</td></tr>",
             escape(&status),
             escape(&text_of(line, "check")),
-            escape(&text_of(line, "words")),
+            escape(&superscript(&text_of(line, "words"))),
         );
     }
     out.push_str("</table>\n");
@@ -168,8 +172,8 @@ fn caption(stem: &str) -> String {
         "setup_section" => "A section through it, coloured by material",
         "energy" => "Energies over time",
         "histories" => "Histories of the scene",
-        "stereonet" => "Poles of the joint faces between blocks",
-        "rose" => "Strikes or directions of the joints",
+        "stereonet" => "Poles of joints and cracks",
+        "rose" => "Directions of joints and cracks",
         "fragments" => "Sizes of the fragments",
         "ppv" => "Peak particle velocity over the scaled distance from the charge",
         "crater" => "The crater",

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use toml::{Table, Value};
 
-use super::html::escape;
+use super::html::{escape, superscript};
 use crate::run::Run;
 
 /// Keys that have a name of their own.
@@ -140,7 +140,7 @@ fn spoken(key: &str) -> String {
 
 fn text(value: &Value) -> String {
     match value {
-        Value::String(text) => text.replace("m3", "m³").replace("m2", "m²").replace("s2", "s²"),
+        Value::String(text) => superscript(text),
         Value::Array(all) => all.iter().map(text).collect::<Vec<_>>().join(", "),
         Value::Table(_) => properties(value),
         other => other.to_string(),
