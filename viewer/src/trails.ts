@@ -16,6 +16,8 @@ const MOST = 1500;
 /** Places that a page can look through. */
 const PLACES = 30e6;
 const WIDTH = 2.5;
+/** The processor alone draws no more wide pieces while the camera turns: of more, lines are a pixel wide. */
+const WIDE_MOST = 20_000;
 
 /** The way of a block. */
 interface Way {
@@ -37,7 +39,8 @@ export interface TrailsShown {
 export class Trails {
   readonly object = new THREE.Group();
   private readonly material = new LineMaterial({ linewidth: WIDTH, vertexColors: true });
-  private lines: LineSegments2 | null = null;
+  private readonly thin = new THREE.LineBasicMaterial({ vertexColors: true });
+  private lines: LineSegments2 | THREE.LineSegments | null = null;
   /** Segments that end in frame k or before it. */
   private upTo: number[] = [];
   private ways: Way[] = [];
@@ -49,6 +52,8 @@ export class Trails {
   constructor(
     private readonly run: Run,
     private readonly loading: Loading,
+    /** Whether the processor draws. */
+    private readonly software: boolean,
   ) {}
 
   private key(which: "moving" | "picked", picked: number | null): string {
@@ -113,7 +118,9 @@ export class Trails {
     const state = `${this.read} ${exaggeration} ${colour}`;
     if (state !== this.drawn) this.build(exaggeration, colour);
     this.drawn = state;
-    if (this.lines) this.lines.geometry.instanceCount = this.upTo[Math.min(k, this.upTo.length - 1)] ?? 0;
+    const count = this.upTo[Math.min(k, this.upTo.length - 1)] ?? 0;
+    if (this.lines instanceof LineSegments2) this.lines.geometry.instanceCount = count;
+    else this.lines?.geometry.setDrawRange(0, 2 * count);
     this.object.visible = true;
     return this.shown!;
   }
@@ -146,18 +153,27 @@ export class Trails {
     for (const { frame } of pieces) this.upTo[frame] = (this.upTo[frame] ?? 0) + 1;
     for (let k = 0, sum = 0; k < this.run.frames; k++) this.upTo[k] = sum += this.upTo[k] ?? 0;
     if (pieces.length === 0) return;
-    const geometry = new LineSegmentsGeometry();
-    geometry.setPositions(pieces.flatMap((piece) => piece.ends));
+    const places = new Float32Array(6 * pieces.length);
+    pieces.forEach((piece, i) => places.set(piece.ends, 6 * i));
     const map = MAPS.turbo!;
     const css = (piece: (typeof pieces)[number]) => (colour === "block" ? kindColour(piece.id) : map(0.05 + (0.9 * piece.speed) / (fastest || 1)));
     const one = new THREE.Color();
-    geometry.setColors(
-      pieces.flatMap((piece) => {
-        one.set(css(piece));
-        return [one.r, one.g, one.b, one.r, one.g, one.b];
-      }),
-    );
-    this.lines = new LineSegments2(geometry, this.material);
+    const colours = new Float32Array(6 * pieces.length);
+    pieces.forEach((piece, i) => {
+      one.set(css(piece));
+      colours.set([one.r, one.g, one.b, one.r, one.g, one.b], 6 * i);
+    });
+    if (this.software && pieces.length > WIDE_MOST) {
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute("position", new THREE.BufferAttribute(places, 3));
+      geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
+      this.lines = new THREE.LineSegments(geometry, this.thin);
+    } else {
+      const geometry = new LineSegmentsGeometry();
+      geometry.setPositions(places);
+      geometry.setColors(colours);
+      this.lines = new LineSegments2(geometry, this.material);
+    }
     this.lines.frustumCulled = false;
     this.lines.renderOrder = 3;
     // In the plane over the blocks.

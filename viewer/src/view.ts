@@ -101,7 +101,7 @@ export class View {
   ) {
     this.stage = new Stage(host, 2);
     this.stage.onDraw = (metresPerPixel, quick) => this.blocks?.fade(metresPerPixel, quick);
-    this.trails = new Trails(run, loading);
+    this.trails = new Trails(run, loading, this.stage.software);
     this.stage.scene.add(this.trails.object);
     this.arrows = { plane: new Arrows(true), space: new Arrows(false) };
     this.marks = { plane: new Contacts(true), space: new Contacts(false) };
