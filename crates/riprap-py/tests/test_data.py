@@ -159,6 +159,9 @@ def test_shots_of_blocks_in_space(slide, blast, tmp_path):
     view = {"name": "south", "eye": [0, -30, 5], "target": [0, 0, 0], "up": [0, 0, 1], "angle": 30, "field": "velocity"}
     (tmp_path / "views.json").write_text(json.dumps({"views": [view]}))
     assert blast.shot(tmp_path / "b.png", saved="south", views=tmp_path / "views.json", size=(100, 80)).files
+    assert blast.shot(tmp_path / "c.png", trails=True, contacts="all", size=(100, 80)).files
+    with pytest.raises(ValueError, match='trails="colour"; write one of "speed", "block"'):
+        blast.shot(tmp_path / "c.png", trails="colour")
     with pytest.raises(riprap.PlotError, match="valid names: south"):
         blast.shot(tmp_path / "b.png", saved="north", views=tmp_path / "views.json")
     with pytest.raises(riprap.PlotError, match="in the plane"):

@@ -389,6 +389,8 @@ fn plots_are_drawn() {
     bench.run(&["shot", "fall.run", "--cut", "y"]).expect(2).warns(&["--at"]);
     bench.run(&["shot", "fall.run", "--fps", "5"]).expect(2).warns(&["ends in .apng"]);
     bench.run(&["shot", "fall.run", "--perspective=0"]).expect(2).warns(&["1 to 150 degrees"]);
+    bench.run(&["shot", "fall.run", "--trails=colour"]).expect(2).warns(&["speed", "block"]);
+    bench.run(&["shot", "fall.run", "--contacts=open"]).expect(2).warns(&["changed", "all"]);
     bench.run(&["shot", "fall.run", "--saved", "south"]).expect(2).warns(&["views.json"]);
     let strip = ["--time", "0 s", "--time", "0.2 s", "--vectors", "velocity"];
     let words = [&["plot", "fall.run", "blocks", "--exaggerate", "2"], &strip[..]].concat();

@@ -175,17 +175,17 @@ fn caption(stem: &str) -> String {
         "stereonet" => "Poles of joints and cracks",
         "rose" => "Directions of joints and cracks",
         "fragments" => "Sizes of the fragments",
-        "ppv" => "Peak particle velocity over the scaled distance from the charge",
-        "crater" => "The crater",
-        "heave" => "Heave above the charge",
-        "cavity" => "Pressure and volume of the gas in the cavity",
-        "trust" => "Shares of the errors of the results",
+        "ppv" => "Peak particle velocity against scaled distance, with the site law",
+        "crater" => "Uplift of the surface around the charge, and the radius of the crater",
+        "heave" => "Profiles of the surface above the charge",
+        "cavity" => "Pressure and volume of the cavities",
+        "trust" => "Results with their errors",
         "section" => "A section through the blocks",
         other => {
             return match other.split_once('_') {
                 Some(("blocks", field)) => format!("The blocks, coloured by {}", words(field)),
                 Some(("section", field)) => format!("A section, coloured by {}", words(field)),
-                Some(("spectrum", of)) => format!("Response spectrum of {}", words(of)),
+                Some(("spectrum", of)) => format!("Amplitude spectrum of {}", words(of)),
                 Some(_) | None => capital(&words(other)),
             };
         }
@@ -376,6 +376,19 @@ mod tests {
     use super::*;
     use crate::fixture;
     use std::io::Write as _;
+
+    #[test]
+    fn captions_are_words() {
+        for (stem, words) in [
+            ("setup", "The model before the first step, coloured by material"),
+            ("blocks_displacement", "The blocks, coloured by displacement"),
+            ("section_peak_speed", "A section, coloured by peak speed"),
+            ("spectrum_house.velocity", "Amplitude spectrum of house.velocity"),
+            ("my_own_picture", "My own picture"),
+        ] {
+            assert_eq!(caption(stem), words);
+        }
+    }
 
     #[test]
     fn events_are_counted_over_the_whole_file() {
