@@ -2,14 +2,15 @@
 
 use super::chart::{self, Curve, Mark, Panel};
 use super::drawing::{choose, middle, short};
-use super::frames::{Which, load_frame, moment};
+use super::frames::{Which, moment};
+use super::run::Run;
 use super::solid::{self, Body};
-use super::{PlotError, Target, column, suffix, table_csv, write};
+use super::{PlotError, Target, column, table_csv, write};
 use riprap_geom::Vec3;
 use riprap_record::frame::Frame;
 use riprap_record::manifest::Manifest;
 use riprap_record::table::Series;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Stretches shorter than this share of the line are none.
 const NONE: f64 = 1e-7;
@@ -37,18 +38,19 @@ struct Piece {
 /// # Errors
 /// Unknown fields (with the nearest name), frames that do not exist, places with too many or too few coordinates for the space of the
 /// run, a line without length or that meets no block, files that cannot be read or written.
-pub fn along<'t>(
-    folder: &Path,
+pub fn along<'r, 't>(
+    run: impl Into<Run<'r>>,
     frames: &[Which],
     field: &str,
     line: &Along,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
-    let manifest = Manifest::read(folder)?;
+    let run = run.into();
+    let manifest = Manifest::read(run.folder)?;
     let (mut curves, mut columns): (Vec<Curve>, Vec<Series>) = (Vec::new(), Vec::new());
     let mut unit = String::new();
     for which in frames {
-        let frame = load_frame(folder, *which)?;
+        let frame = run.frame(*which)?;
         let chosen = choose(&frame, field)?;
         let [a, b] = [within(&frame, &line.from)?, within(&frame, &line.to)?];
         let length = a.distance(b);
@@ -76,15 +78,16 @@ pub fn along<'t>(
             y.extend([chosen.values[piece.block]; 2]);
             last = Some(piece.to);
         }
-        let name = moment(folder, &frame)?;
-        let own = |name: &str| format!("{name}, {}", moment(folder, &frame).unwrap_or_default());
+        let name = moment(run.folder, &frame)?;
+        let own =
+            |name: &str| format!("{name}, {}", moment(run.folder, &frame).unwrap_or_default());
         columns.push(column(&own("distance"), "m", x.clone()));
         columns.push(column(&own(&chosen.name), &chosen.unit, y.clone()));
         unit = chosen.unit;
         curves.push(Curve { name, x, y, mark: Mark::Line });
     }
     let panel = Panel { name: field.to_owned(), unit, curves, height: 340.0, ..Panel::default() };
-    let title = suffix(&manifest, &format!("{field} along a line"));
+    let title = run.suffix(&manifest, &format!("{field} along a line"));
     let page = chart::draw((&manifest.title, &title), ("distance", "m"), &[panel]);
     write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out)
 }

@@ -2,8 +2,9 @@
 
 use super::blocks::{self, Words};
 use super::drawing::{BlockOptions, Chosen, Vectors, choose, middle, short};
+use super::run::Run;
 use super::section::{self, need_space};
-use super::{PlotError, Target, suffix, write};
+use super::{PlotError, Target, write};
 use riprap_record::field::number;
 use riprap_record::field::with_unit;
 use riprap_record::frame::{Frame, Surfaces, stress};
@@ -38,14 +39,14 @@ pub fn unit_of(folder: &Path, frame: Which, field: &str) -> Result<String, PlotE
 ///
 /// # Errors
 /// As [`strip`].
-pub fn blocks<'t>(
-    folder: &Path,
+pub fn blocks<'r, 't>(
+    run: impl Into<Run<'r>>,
     frame: Which,
     field: &str,
     options: BlockOptions,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
-    strip(folder, &[frame], field, options, out)
+    strip(run, &[frame], field, options, out)
 }
 
 /// Draws several frames with one colour bar: outlines of a run in the plane, cuts of a run in space.
@@ -53,32 +54,34 @@ pub fn blocks<'t>(
 /// # Errors
 /// Unknown fields (with the nearest name), frames that do not exist, a cut that meets no block, files that cannot be
 /// read or written.
-pub fn strip<'t>(
-    folder: &Path,
+pub fn strip<'r, 't>(
+    run: impl Into<Run<'r>>,
     frames: &[Which],
     field: &str,
     options: BlockOptions,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
-    drawn(folder, load_frames(folder, frames)?, field, options, out)
+    let run = run.into();
+    drawn(run, load_frames(run, frames)?, field, options, out)
 }
 
 /// Draws cuts through frames of a run in space; as [`strip`], which takes runs in the plane too.
 ///
 /// # Errors
 /// A run in the plane, and as [`strip`].
-pub fn section<'t>(
-    folder: &Path,
+pub fn section<'r, 't>(
+    run: impl Into<Run<'r>>,
     frames: &[Which],
     field: &str,
     options: BlockOptions,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
-    let loaded = load_frames(folder, frames)?;
+    let run = run.into();
+    let loaded = load_frames(run, frames)?;
     for frame in &loaded {
         need_space(frame, "a section")?;
     }
-    drawn(folder, loaded, field, options, out)
+    drawn(run, loaded, field, options, out)
 }
 
 /// Refuses a column of tensor components asked for as a whole: the root of their squares is no stress of the block and
@@ -118,15 +121,15 @@ fn whole_tensor(frame: &Frame, field: &str) -> Result<(), PlotError> {
 }
 
 /// Draws loaded frames.
-pub(super) fn drawn<'t>(
-    folder: &Path,
+fn drawn<'t>(
+    run: Run<'_>,
     loaded: Vec<Frame>,
     field: &str,
     options: BlockOptions,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
     options.checked()?;
-    let manifest = Manifest::read(folder)?;
+    let manifest = Manifest::read(run.folder)?;
     let fields = loaded
         .iter()
         .map(|f| {
@@ -151,11 +154,11 @@ pub(super) fn drawn<'t>(
         said.push(format!("displacements \u{d7} {}", short(factor)));
     }
     let moments =
-        picture.frames.iter().map(|f| moment(folder, f)).collect::<Result<Vec<_>, _>>()?;
+        picture.frames.iter().map(|f| moment(run.folder, f)).collect::<Result<Vec<_>, _>>()?;
     if let [only] = &moments[..] {
         said.push(only.clone());
     }
-    let suffix = suffix(&manifest, &said.join(", "));
+    let suffix = run.suffix(&manifest, &said.join(", "));
     // Runs of earlier versions do not name their materials.
     let kinds = ["material", "block.material"].contains(&field) && !manifest.materials.is_empty();
     let words = Words {
@@ -217,9 +220,9 @@ pub(super) fn moment(folder: &Path, frame: &Frame) -> Result<String, PlotError> 
     Ok(parts.join(", "))
 }
 
-/// Reads frames of a run folder.
-pub(super) fn load_frames(folder: &Path, frames: &[Which]) -> Result<Vec<Frame>, PlotError> {
-    frames.iter().map(|w| load_frame(folder, *w)).collect()
+/// Reads frames of a run.
+fn load_frames(run: Run<'_>, frames: &[Which]) -> Result<Vec<Frame>, PlotError> {
+    frames.iter().map(|w| run.frame(*w)).collect()
 }
 
 /// Reads a frame of a run folder.

@@ -32,6 +32,7 @@ mod pdf;
 mod planes;
 mod ppv;
 mod rose;
+mod run;
 mod samples;
 mod section;
 mod shot;
@@ -55,6 +56,7 @@ pub use ppv::ppv;
 /// How choices are named: [`Normal`], [`Projection`], [`Vectors`].
 pub use riprap_keys::Words;
 pub use rose::rose;
+pub use run::Run;
 pub use samples::{Sampled, Tornado, histograms, tornado, tornado_with};
 pub use shot::{Asked, CHANGED, Cut, Eye, Note, Shot, Trails, is_film, shots};
 pub use sieve::{blocks as block_sizes, fits as fits_of_sizes, fragments, passing};

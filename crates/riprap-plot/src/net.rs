@@ -1,15 +1,16 @@
 //! Stereonets: poles of joints and cracks on the lower hemisphere.
 
-use super::frames::{Which, crack_surfaces, load_frame, moment};
+use super::frames::{Which, crack_surfaces, moment};
 use super::planes::{self, Crack};
+use super::run::Run;
 use super::section::need_space;
 use super::svg::{Anchor, Page};
-use super::{PlotError, Target, column, digits, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, table_csv, write};
 use riprap_geom::Vec3;
 use riprap_keys::Words;
 use riprap_record::manifest::Manifest;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const PICTURE: &str = "a stereonet";
 /// Radius of the net and where its middle lies.
@@ -76,18 +77,20 @@ struct Dot {
 ///
 /// # Errors
 /// A run in the plane, a run of one block, files that cannot be read or written.
-pub fn stereonet<'t>(
-    folder: &Path,
+pub fn stereonet<'r, 't>(
+    run: impl Into<Run<'r>>,
     frame: Which,
     projection: Projection,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
+    let run = run.into();
+    let folder = run.folder;
     let manifest = Manifest::read(folder)?;
-    let first = load_frame(folder, Which::Index(1))?;
+    let first = run.frame(Which::Index(1))?;
     need_space(&first, PICTURE)?;
-    let last = load_frame(folder, frame)?;
+    let last = run.frame(frame)?;
     let joints = planes::shared(&first);
-    let cracks = planes::cracks(&last, Some(&crack_surfaces(folder, frame)?))?;
+    let cracks = planes::cracks(&last, Some(&crack_surfaces(folder, frame)?), run.of.is_some())?;
     if joints.is_empty() && cracks.is_empty() {
         let what = "no two blocks share a face, and no face is broken".to_owned();
         return Err(PlotError::NothingToDraw { what });
@@ -101,7 +104,7 @@ pub fn stereonet<'t>(
         ),
         ("cracks by shear", merged(of_mode(&cracks, &|s| s == Some(true)))),
     ];
-    let title = suffix(&manifest, &moment(folder, &last)?);
+    let title = run.suffix(&manifest, &moment(folder, &last)?);
     let page = drawn((&manifest.title, &title), projection, &groups);
     let kinds = groups.iter().enumerate();
     let all: Vec<(f64, &Dot)> =

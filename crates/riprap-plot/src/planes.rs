@@ -1,6 +1,7 @@
 //! Planes that separate blocks: shared faces (in the plane shared edges) of a frame, and what has broken.
 
 use super::PlotError;
+use super::run::numbers;
 use riprap_geom::face_overlap::face_overlap;
 use riprap_geom::{Vec2, Vec3};
 use riprap_record::frame::Frame;
@@ -191,8 +192,15 @@ pub(super) struct Crack {
     pub(super) sheared: Option<bool>,
 }
 
-/// Cracks of a frame in space: the surfaces between deformable blocks, and failed patches of rigid ones.
-pub(super) fn cracks(frame: &Frame, surfaces: Option<&Path>) -> Result<Vec<Crack>, PlotError> {
+/// Cracks of a frame in space: the surfaces between deformable blocks, and failed patches of rigid ones. `between`: only those between
+/// two blocks of the frame.
+pub(super) fn cracks(
+    frame: &Frame,
+    surfaces: Option<&Path>,
+    between: bool,
+) -> Result<Vec<Crack>, PlotError> {
+    let there: BTreeSet<u32> =
+        if between { numbers(frame).into_iter().collect() } else { BTreeSet::new() };
     let (mut out, mut pairs) = (Vec::new(), BTreeSet::new());
     if let Some(path) = surfaces.filter(|p| p.exists()) {
         let file = vtu::read(path)?;
@@ -203,15 +211,18 @@ pub(super) fn cracks(frame: &Frame, surfaces: Option<&Path>) -> Result<Vec<Crack
             let points: Vec<Vec3> =
                 file.points[first..end as usize].iter().map(|p| Vec3::from(*p)).collect();
             first = end as usize;
+            let sides = column("block_a").zip(column("block_b"));
+            let sides = sides.map(|(a, b)| [a.data[k] as u32, b.data[k] as u32]);
+            if between && sides.is_some_and(|pair| pair.iter().any(|n| !there.contains(n))) {
+                continue;
+            }
             let normal = area_vector(&points);
             out.push(Crack {
                 normal: normal.normalize_or_zero(),
                 area: areas.map_or(0.5 * normal.length(), |c| c.data[k]),
                 sheared: modes.map(|c| c.data[k] > 1.5),
             });
-            if let (Some(a), Some(b)) = (column("block_a"), column("block_b")) {
-                pairs.insert([a.data[k] as u32, b.data[k] as u32]);
-            }
+            pairs.extend(sides);
         }
     }
     out.extend(failed_patches(frame, &pairs));

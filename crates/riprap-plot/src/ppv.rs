@@ -2,14 +2,15 @@
 
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::drawing::{choose, short};
-use super::frames::{Which, load_frame};
+use super::frames::Which;
+use super::run::Run;
 use super::section::need_space;
-use super::{PlotError, Target, column, digits, solid, sources, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, solid, sources, table_csv, write};
 use crate::fits::{PowerLaw, power_law};
 use riprap_record::frame::Frame;
 use riprap_record::manifest::{Manifest, Source};
 use riprap_record::write_whole;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const PICTURE: &str = "peak particle velocity";
 /// Velocities are drawn in mm/s, the unit of site laws and limits.
@@ -39,14 +40,15 @@ struct Sample {
 ///
 /// # Errors
 /// Runs in the plane, runs without sources that have a mass, frames without `peak_speed`, fewer than three blocks.
-pub fn ppv<'t>(
-    folder: &Path,
+pub fn ppv<'r, 't>(
+    run: impl Into<Run<'r>>,
     frame: Which,
     surface: bool,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
-    let manifest = Manifest::read(folder)?;
-    let frame = load_frame(folder, frame)?;
+    let run = run.into();
+    let manifest = Manifest::read(run.folder)?;
+    let frame = run.frame(frame)?;
     need_space(&frame, PICTURE)?;
     let charges: Vec<&Source> =
         sources(&manifest, PICTURE)?.iter().filter(|s| s.mass.is_some_and(|m| m > 0.0)).collect();
@@ -78,7 +80,8 @@ pub fn ppv<'t>(
         columns.push(column(&format!("{name} 95 %"), "mm/s", all(&|x| fit.upper(x))));
         fits.push((root, fit));
     }
-    let suffix = suffix(&manifest, &format!("peak velocities up to t = {} s", short(frame.time)));
+    let suffix =
+        run.suffix(&manifest, &format!("peak velocities up to t = {} s", short(frame.time)));
     let page = chart::draw((&manifest.title, &suffix), ("", ""), &panels);
     let columns: Vec<_> = columns.iter().collect();
     let out = out.into();

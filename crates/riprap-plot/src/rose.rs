@@ -1,10 +1,11 @@
 //! Rose diagrams: strikes of joints and cracks; in the plane the angles of their traces.
 
 use super::drawing::short;
-use super::frames::{Which, crack_surfaces, load_frame, moment};
+use super::frames::{Which, crack_surfaces, moment};
 use super::planes;
+use super::run::Run;
 use super::svg::{Anchor, Page};
-use super::{PlotError, Target, column, digits, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, table_csv, write};
 use riprap_record::manifest::Manifest;
 use riprap_record::names::Names;
 use std::collections::BTreeMap;
@@ -54,14 +55,16 @@ impl Rose {
 ///
 /// # Errors
 /// No joints and no cracks, files that cannot be read or written.
-pub fn rose<'t>(
-    folder: &Path,
+pub fn rose<'r, 't>(
+    run: impl Into<Run<'r>>,
     frame: Which,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
+    let run = run.into();
+    let folder = run.folder;
     let manifest = Manifest::read(folder)?;
-    let first = load_frame(folder, Which::Index(1))?;
-    let last = load_frame(folder, frame)?;
+    let first = run.frame(Which::Index(1))?;
+    let last = run.frame(frame)?;
     let flat = first.solids.is_none();
     let joints = planes::shared(&first);
     let mut roses = [Rose::new("joints", "#8a8a8a"), Rose::new("cracks", "#d55e00")];
@@ -89,7 +92,8 @@ pub fn rose<'t>(
             }
         }
     } else {
-        for crack in planes::cracks(&last, Some(&crack_surfaces(folder, frame)?))? {
+        for crack in planes::cracks(&last, Some(&crack_surfaces(folder, frame)?), run.of.is_some())?
+        {
             add(1, crack.normal, crack.area);
         }
     }
@@ -102,7 +106,7 @@ pub fn rose<'t>(
         let what = what.to_owned();
         return Err(PlotError::NothingToDraw { what });
     }
-    let title = suffix(&manifest, &moment(folder, &last)?);
+    let title = run.suffix(&manifest, &moment(folder, &last)?);
     let page = drawn((&manifest.title, &title), &roses, flat);
     let unit = if flat { "m" } else { "m2" };
     let middle = |k: usize| (k * PETAL) as f64;

@@ -27,10 +27,11 @@ use riprap_record::write_whole;
 use super::blocks::{bar, chips_of, colours};
 use super::drawing::{Chosen, choose};
 use super::foot::{Foot, Piece};
-use super::frames::{Which, listed, load_frame, moment};
+use super::frames::{Which, listed, moment};
+use super::run::Run;
 use super::section::need_space;
 use super::svg::Page;
-use super::{Look, PlotError, bolts, suffix};
+use super::{Look, PlotError, bolts};
 use camera::{Camera, Window};
 use drawing::Drawing;
 use kinds::Kinds;
@@ -52,13 +53,15 @@ const RATES: std::ops::RangeInclusive<f64> = 0.1..=60.0;
 ///
 /// # Errors
 /// A run in the plane, unknown fields, options without sense, files that cannot be read or written.
-pub fn shots(
-    folder: &Path,
+pub fn shots<'r>(
+    run: impl Into<Run<'r>>,
     frames: &[Which],
     shot: &Shot,
     rate: Option<f64>,
     out: &Path,
 ) -> Result<Vec<PathBuf>, PlotError> {
+    let run = run.into();
+    let folder = run.folder;
     shot.checked()?;
     let animated = is_film(out);
     check_rate(rate, animated)?;
@@ -67,10 +70,10 @@ pub fn shots(
         [] => (1..=listed(folder)?.len()).map(Which::Index).collect(),
         some => some.to_vec(),
     };
-    let seen = Seen::by(folder, &all, shot, &manifest.materials)?;
+    let seen = Seen::by(run, &all, shot, &manifest.materials)?;
     let picture = |which: Which| {
-        let frame = load_frame(folder, which)?;
-        let suffix = suffix(&manifest, &moment(folder, &frame)?);
+        let frame = run.frame(which)?;
+        let suffix = run.suffix(&manifest, &moment(folder, &frame)?);
         seen.picture(&frame, [manifest.title.as_str(), &suffix], shot)
     };
     if animated {
@@ -136,16 +139,15 @@ struct Seen {
 
 impl Seen {
     fn by(
-        folder: &Path,
+        run: Run<'_>,
         all: &[Which],
         shot: &Shot,
         materials: &[String],
     ) -> Result<Self, PlotError> {
-        let mut seen =
-            Self::of(all.iter().map(|which| load_frame(folder, *which)), shot, materials)?;
+        let mut seen = Self::of(all.iter().map(|which| run.frame(*which)), shot, materials)?;
         if let Some(wanted) = shot.trails {
-            let count = listed(folder)?.len();
-            let frames = || (1..=count).map(|k| load_frame(folder, Which::Index(k)));
+            let count = listed(run.folder)?.len();
+            let frames = || (1..=count).map(|k| run.frame(Which::Index(k)));
             seen.follow(Ways::of(frames, shot, wanted)?);
         }
         Ok(seen)

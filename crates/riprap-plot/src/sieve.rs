@@ -1,6 +1,7 @@
 //! The fragment-size curve.
 
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
+use super::run::Run;
 use super::{PlotError, Target, column, digits, suffix, table_csv, write};
 use crate::fits::{Passing, RosinRammler, Swebrec, rosin_rammler_fit, swebrec_fit};
 use riprap_record::manifest::Manifest;
@@ -22,15 +23,15 @@ const POINTS: usize = 200;
 /// are by least squares of the share passing 30 sieves between the smallest and the largest fragment, evenly spaced in the logarithm; their
 /// numbers are also in `NAME_fit.csv`. With fewer than four different sizes there are no fits.
 ///
-/// What is held is no fragment, nor what is joined to it. `group`: only fragments with a block of this group (or this block).
+/// What is held is no fragment, nor what is joined to it. Of some blocks of a run: the fragments that have one of these.
 ///
 /// # Errors
 /// A run without `fragments.csv`, a group that it does not have, a table without fragments, files that cannot be read or written.
-pub fn fragments<'t>(
-    folder: &Path,
-    group: Option<&str>,
+pub fn fragments<'r, 't>(
+    run: impl Into<Run<'r>>,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
+    let Run { folder, of: group } = run.into();
     let manifest = Manifest::read(folder)?;
     let path = folder.join("fragments.csv");
     if !path.exists() {
@@ -136,7 +137,7 @@ fn with_blocks_of(folder: &Path, group: &str) -> Result<BTreeSet<u32>, PlotError
     let table = Table::read(&path)?;
     let (blocks, fragments) = (table.column("block")?, table.column("fragment")?);
     let all = blocks.values.iter().zip(&fragments.values);
-    let of_group = all.filter(|(b, _)| names.stem(**b as u32).any(|b| chosen.has(b)));
+    let of_group = all.filter(|(b, _)| chosen.has(**b as u32));
     Ok(of_group.map(|(_, fragment)| *fragment as u32).collect())
 }
 

@@ -2,14 +2,15 @@
 
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::drawing::{Normal, choose, short};
-use super::frames::{Which, listed, load_frame};
+use super::frames::{Which, listed};
+use super::run::Run;
 use super::section::need_space;
-use super::{PlotError, Target, column, digits, solid, source, suffix, table_csv, write};
+use super::{PlotError, Target, column, digits, solid, source, table_csv, write};
 use riprap_geom::Vec3;
 use riprap_record::frame::Frame;
 use riprap_record::manifest::{Manifest, Source};
 use riprap_record::table::Series;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 const CRATER: &str = "the crater";
 const HEAVE: &str = "the heave";
@@ -118,8 +119,8 @@ fn edge(rings: &[Ring], threshold: f64) -> Edge {
 ///
 /// # Errors
 /// Runs in the plane, without sources, without surface blocks; no threshold and no depth to take it from.
-pub fn crater<'t>(
-    folder: &Path,
+pub fn crater<'r, 't>(
+    run: impl Into<Run<'r>>,
     frame: Which,
     options: CraterOptions,
     out: impl Into<Target<'t>>,
@@ -131,8 +132,9 @@ pub fn crater<'t>(
             wanted: "give a value above zero, for example 40 mm",
         });
     }
-    let manifest = Manifest::read(folder)?;
-    let frame = load_frame(folder, frame)?;
+    let run = run.into();
+    let manifest = Manifest::read(run.folder)?;
+    let frame = run.frame(frame)?;
     need_space(&frame, CRATER)?;
     let source = source(&manifest, options.source, CRATER)?;
     let Some(threshold) = options.uplift.or(source.depth.map(|d| THRESHOLD * d)) else {
@@ -149,7 +151,8 @@ pub fn crater<'t>(
     let width = tops.iter().flat_map(|t| t.width).fold(f64::INFINITY, f64::min);
     let rings = rings(&samples, width);
     let edge = edge(&rings, threshold);
-    let title = suffix(&manifest, &format!("t = {} s: {}", short(frame.time), said(edge, source)));
+    let title =
+        run.suffix(&manifest, &format!("t = {} s: {}", short(frame.time), said(edge, source)));
     let panel = crater_panel(&samples, &rings, threshold, (edge, width));
     let page = chart::draw((&manifest.title, &title), ("", ""), &[panel]);
     let all = |f: &dyn Fn(&Ring) -> f64| rings.iter().map(f).collect();
@@ -252,14 +255,15 @@ fn crater_panel(
 ///
 /// # Errors
 /// Runs in the plane, without sources, without surface blocks; a horizontal section.
-pub fn heave<'t>(
-    folder: &Path,
+pub fn heave<'r, 't>(
+    run: impl Into<Run<'r>>,
     frames: &[Which],
     source_name: Option<&str>,
     normal: Normal,
     out: impl Into<Target<'t>>,
 ) -> Result<Vec<PathBuf>, PlotError> {
-    let manifest = Manifest::read(folder)?;
+    let run = run.into();
+    let manifest = Manifest::read(run.folder)?;
     let source = source(&manifest, source_name, HEAVE)?;
     let [along, _] = normal.across();
     if normal == Normal::Z {
@@ -268,14 +272,14 @@ pub fn heave<'t>(
     }
     let spread: Vec<Which>;
     let frames = if frames.is_empty() {
-        spread = spread_over(listed(folder)?.len());
+        spread = spread_over(listed(run.folder)?.len());
         &spread
     } else {
         frames
     };
     let (mut curves, mut columns): (Vec<Curve>, Vec<Series>) = (Vec::new(), Vec::new());
     for which in frames {
-        let frame = load_frame(folder, *which)?;
+        let frame = run.frame(*which)?;
         let (x, y) = profile(&tops(&frame, source, HEAVE)?, source.centre(), along);
         let name = format!("t = {} s", short(frame.time));
         let axis = normal.axes()[0];
@@ -293,7 +297,7 @@ pub fn heave<'t>(
         notes: vec![format!("{} = {} m", ["x", "y"][across], digits(source.centre()[across], 4))],
         ..Panel::default()
     };
-    let title = suffix(&manifest, &format!("heave over `{}`", source.name));
+    let title = run.suffix(&manifest, &format!("heave over `{}`", source.name));
     let page = chart::draw((&manifest.title, &title), (axis, "m"), &[panel]);
     write(&page, &table_csv(&columns.iter().collect::<Vec<_>>()), out)
 }

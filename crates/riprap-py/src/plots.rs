@@ -6,7 +6,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use riprap::plot as drawn;
 use riprap::plot::{
-    Along, BlockOptions, CraterOptions, Look, PlotError, Projection, Target, Which, Words,
+    Along, BlockOptions, CraterOptions, Look, PlotError, Projection, Run, Target, Which, Words,
 };
 use riprap::scenario::units;
 
@@ -99,6 +99,12 @@ pub fn plot(
             known.join(", ")
         )));
     }
+    let whole = ["histories", "energy", "cavity", "spectrum"];
+    if options.of.is_some() && whole.contains(&what) {
+        return Err(PyValueError::new_err(format!(
+            "of= chooses blocks, and {what:?} is of the whole run"
+        )));
+    }
     if let Some(parent) = out.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent)?;
     }
@@ -139,6 +145,7 @@ pub struct ShotOptions {
     contacts: Option<String>,
     trails: Option<String>,
     vectors: Option<String>,
+    of: Option<String>,
     fps: Option<f64>,
 }
 
@@ -158,7 +165,8 @@ pub fn shot(
     if let Some(parent) = out.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent)?;
     }
-    py.detach(|| drawn::shots(&folder, &frames, &shot, options.fps, &out))
+    let run = Run { folder: &folder, of: options.of.as_deref() };
+    py.detach(|| drawn::shots(run, &frames, &shot, options.fps, &out))
         .map_err(|e| errors::plot(py, &e))
 }
 
@@ -277,28 +285,29 @@ impl Options {
         let given: Vec<Which> = self.times.iter().map(|t| Which::Time(*t)).collect();
         let frames = if given.is_empty() { vec![Which::Last] } else { given.clone() };
         let source = self.source.as_deref();
+        let run = Run { folder, of: self.of.as_deref() };
         match what {
             "energy" => drawn::energy(folder, out),
-            "blocks" => drawn::strip(folder, &frames, &self.by, blocks, out),
-            "section" => drawn::section(folder, &frames, &self.by, blocks, out),
+            "blocks" => drawn::strip(run, &frames, &self.by, blocks, out),
+            "section" => drawn::section(run, &frames, &self.by, blocks, out),
             "line" => {
                 let nowhere = || PlotError::NothingToDraw {
                     what: "a line needs two ends: line=((0, 3), (0, 12))".to_owned(),
                 };
                 let [from, to] = self.line.as_ref().ok_or_else(nowhere)?;
                 let line = Along { from: from.clone(), to: to.clone() };
-                drawn::along(folder, &frames, &self.by, &line, out)
+                drawn::along(run, &frames, &self.by, &line, out)
             }
-            "ppv" => drawn::ppv(folder, frames[0], self.surface, out),
+            "ppv" => drawn::ppv(run, frames[0], self.surface, out),
             "crater" => {
                 let options = CraterOptions { uplift: self.uplift, source };
-                drawn::crater(folder, frames[0], options, out)
+                drawn::crater(run, frames[0], options, out)
             }
-            "heave" => drawn::heave(folder, &given, source, blocks.normal, out),
+            "heave" => drawn::heave(run, &given, source, blocks.normal, out),
             "cavity" => drawn::cavity(folder, out),
-            "stereonet" => drawn::stereonet(folder, frames[0], projection, out),
-            "rose" => drawn::rose(folder, frames[0], out),
-            "fragments" => drawn::fragments(folder, self.of.as_deref(), out),
+            "stereonet" => drawn::stereonet(run, frames[0], projection, out),
+            "rose" => drawn::rose(run, frames[0], out),
+            "fragments" => drawn::fragments(run, out),
             "spectrum" => match self.names.first() {
                 Some(name) => drawn::spectrum(folder, name, out),
                 None => Err(PlotError::NothingToDraw {

@@ -4,7 +4,7 @@
 //! a run of numbers is one entry.
 
 use super::disk::{OutputError, write_whole};
-use riprap_core::condition::Condition;
+use riprap_core::condition::{Condition, Word};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -42,6 +42,13 @@ pub struct Group {
     pub name: String,
     /// First and last numbers of its blocks, ascending.
     pub blocks: Vec<[u32; 2]>,
+}
+
+impl Group {
+    fn has(&self, block: u32) -> bool {
+        let after = self.blocks.partition_point(|r| r[0] <= block);
+        after > 0 && self.blocks[after - 1][1] >= block
+    }
 }
 
 /// All names of a model.
@@ -117,6 +124,12 @@ impl Names {
         })
     }
 
+    /// Whether a block was split from another one.
+    fn is_part(&self, number: u32) -> bool {
+        let after = self.blocks.partition_point(|r| r.first <= number);
+        after > 0 && self.blocks[after - 1].name.contains('/')
+    }
+
     /// A block and those that it was split from: `rock.17/3` comes of `rock.17`.
     pub fn stem(&self, number: u32) -> impl Iterator<Item = u32> + '_ {
         let mut name = self.block(number);
@@ -132,11 +145,7 @@ impl Names {
     /// Groups a block is in.
     #[must_use]
     pub fn groups_of(&self, number: u32) -> Vec<&str> {
-        let holds = |g: &&Group| {
-            let after = g.blocks.partition_point(|r| r[0] <= number);
-            after > 0 && g.blocks[after - 1][1] >= number
-        };
-        let found = self.groups.iter().filter(holds);
+        let found = self.groups.iter().filter(|g| g.has(number));
         found.map(|g| g.name.as_str()).collect()
     }
 
@@ -155,8 +164,15 @@ impl Names {
         } else {
             Condition::name(text)
         };
+        let of = |name: &Word| {
+            let group = self.groups.iter().find(|g| g.name == name.text);
+            (self.number(&name.text), group)
+        };
         match condition.names.iter().find(|name| !known(&name.text)) {
-            None => Ok(Chosen { names: self, condition }),
+            None => {
+                let of = condition.names.iter().map(of).collect();
+                Ok(Chosen { names: self, condition, of })
+            }
             Some(name) => {
                 let all: Vec<&str> = self.groups.iter().map(|g| g.name.as_str()).collect();
                 let known = match all.is_empty() {
@@ -211,15 +227,23 @@ impl Names {
 pub struct Chosen<'a> {
     names: &'a Names,
     condition: Condition,
+    /// The block or the group of each name of the condition.
+    of: Vec<(Option<u32>, Option<&'a Group>)>,
 }
 
 impl Chosen<'_> {
-    /// Whether a block is one of them.
+    /// Whether a block is one of them: a name holds for what it was split from too.
     #[must_use]
     pub fn has(&self, block: u32) -> bool {
-        let groups = self.names.groups_of(block);
-        self.condition
-            .holds(&|name| groups.contains(&name) || self.names.number(name) == Some(block))
+        let is = |k: usize, block: u32| {
+            let (number, group) = self.of[k];
+            number == Some(block) || group.is_some_and(|g| g.has(block))
+        };
+        if !self.names.is_part(block) {
+            return self.condition.holds_by(&|k| is(k, block));
+        }
+        let stem: Vec<u32> = self.names.stem(block).collect();
+        self.condition.holds_by(&|k| stem.iter().any(|b| is(k, *b)))
     }
 }
 
@@ -290,8 +314,9 @@ mod tests {
             let chosen = names.chosen(text).expect(text);
             (0..9).filter(|b| chosen.has(*b)).collect()
         };
-        assert_eq!(of("rock.2"), [2]);
-        assert_eq!(of("all"), [0, 1, 2]);
+        // With what was split from it.
+        assert_eq!(of("rock.2"), [2, 5, 6]);
+        assert_eq!(of("all"), [0, 1, 2, 5, 6]);
         assert_eq!(of("rock and not (all or rock.9)"), [3, 4]);
         let wrong = |text: &str| names.chosen(text).expect_err(text);
         assert!(

@@ -40,6 +40,7 @@ Examples:
   riprap plot blast.run section --by displacement.z --vectors velocity
   riprap plot hill.run blocks --by sigma1_compressive --stress
   riprap plot hill.run blocks --by displacement --isolines 8
+  riprap plot hill.run blocks --of 'rock and not (wall or crest)'
   riprap plot hill.run blocks --window '2 m' '0 m' '6 m' '3 m'
   riprap plot blast.run section --normal z --at '-0.5 m' --by peak_speed --log
   riprap plot blast.run section --time '5 ms' --time '20 ms' --exaggerate 20
@@ -141,7 +142,7 @@ pub struct Plot {
     /// Uplift that defines the crater rim [default: 0.02 of the depth of the charge]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub uplift: Option<String>,
-    /// Only fragments that contain a block of this group, or of this condition, for example 'rock and not ore'
+    /// Only blocks of this group, block or condition, and what lies between them; fragments that contain one
     #[arg(long, value_name = "GROUP")]
     pub of: Option<String>,
     /// Charge for crater and heave [default: the first]

@@ -35,6 +35,7 @@ Examples:
   riprap shot wedge.run                               writes wedge.run/plots/shot.png
   riprap shot wedge.run --view 180 0 --by block       from the south
   riprap shot wedge.run --view 225 90                 from above, the south-west at the foot of the picture
+  riprap shot wedge.run --of 'rock and not wedge'      only these blocks
   riprap shot blast.run --cut y --at '0 m' --by peak_speed --log
   riprap shot wall.run --chains --vectors velocity    contact forces as tubes, velocities as arrows
   riprap shot rockfall.run --trails                   the ways of what moved, by speed
@@ -81,6 +82,9 @@ pub struct Shot {
     /// Pictures of a film in a second [default: 10]
     #[arg(long, value_name = "NUMBER", allow_negative_numbers = true)]
     pub fps: Option<f64>,
+    /// Only blocks of this group, block or condition, and the bolts and contacts between them
+    #[arg(long, value_name = "GROUP")]
+    pub of: Option<String>,
     /// Leave out bolts
     #[arg(long)]
     pub no_bolts: bool,

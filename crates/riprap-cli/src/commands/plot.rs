@@ -25,6 +25,10 @@ const OF_ANY: [&str; 3] = ["stereonet", "rose", "fragments"];
 /// Pictures whose blocks have the colours of a field.
 const FLAT: &[&str] = &["blocks", "section"];
 
+/// Pictures of blocks, of which some can be chosen.
+const OF_SOME: [&str; 9] =
+    ["blocks", "section", "line", "ppv", "crater", "heave", "stereonet", "rose", "fragments"];
+
 /// All pictures but those of histories.
 const PICTURES: [&[&str]; 3] = [&OF_BLOCKS, &OF_BLASTS, &OF_ANY];
 
@@ -67,6 +71,14 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
             "--against applies to histories, and `{what}` shows none; write riprap plot RUN HISTORY --against OTHER"
         )));
     }
+    if let Some(what) =
+        args.what.as_deref().filter(|what| args.of.is_some() && !OF_SOME.contains(what))
+    {
+        return Err(Failure::Input(format!(
+            "--of chooses blocks, and `{what}` is of the whole run; pictures of some blocks: {}",
+            OF_SOME.join(", ")
+        )));
+    }
     for option in unsuited(args) {
         let what = args.what.as_deref().unwrap_or("these pictures");
         diagnostics::print_line("note", &format!("--{option} has no effect on `{what}`"));
@@ -101,7 +113,7 @@ fn draw(args: &Plot) -> Result<Vec<PathBuf>, Failure> {
 
 /// Options that were given and that the picture does not read. Values that are the default ones may not have been given.
 fn unsuited(args: &Plot) -> Vec<&'static str> {
-    let given: [(&str, bool, &[&str]); 19] = [
+    let given: [(&str, bool, &[&str]); 18] = [
         (
             "time",
             !args.time.is_empty(),
@@ -124,7 +136,6 @@ fn unsuited(args: &Plot) -> Vec<&'static str> {
         ("surface", args.surface, &["ppv"]),
         ("uplift", args.uplift.is_some(), &["crater"]),
         ("source", args.source.is_some(), &["crater", "heave"]),
-        ("of", args.of.is_some(), &["fragments"]),
     ];
     let reads = |pictures: &[&str]| match args.what.as_deref() {
         Some(what) => pictures.contains(&what),
@@ -167,13 +178,14 @@ pub(super) fn range(
 
 /// All pictures that suit the run.
 fn everything(folder: &Path, asked: &Asked) -> Result<Vec<PathBuf>, Failure> {
-    let mut all = asked.picture("energy")?;
+    let some = asked.args.of.is_some();
+    let mut all = if some { Vec::new() } else { asked.picture("energy")? };
     all.extend(asked.picture("blocks")?);
-    if folder.join("histories.csv").exists() {
+    if !some && folder.join("histories.csv").exists() {
         all.extend(asked.picture("histories")?);
     }
     let blast = riprap::record::Manifest::read(folder).is_ok_and(|m| !m.sources.is_empty());
-    let of_blasts = OF_BLASTS.into_iter().filter(|_| blast);
+    let of_blasts = OF_BLASTS.into_iter().filter(|what| blast && (!some || OF_SOME.contains(what)));
     for what in of_blasts.chain(OF_ANY) {
         match asked.drawn(what) {
             Ok(files) => all.extend(files),
@@ -298,7 +310,9 @@ impl<'a> Asked<'a> {
             _ => "svg",
         };
         let plots = self.args.run.join("plots");
-        self.args.output.clone().unwrap_or_else(|| plots.join(format!("{name}.{ending}")))
+        let of =
+            self.args.of.as_deref().map_or_else(String::new, |of| format!("_{}", file_name(of)));
+        self.args.output.clone().unwrap_or_else(|| plots.join(format!("{name}{of}.{ending}")))
     }
 
     fn target<'p>(&self, path: &'p Path) -> Target<'p> {
@@ -346,6 +360,7 @@ impl<'a> Asked<'a> {
 
     fn drawn(&self, what: &str) -> Result<Vec<PathBuf>, PlotError> {
         let (folder, by) = (&self.args.run, &self.args.by);
+        let run = plot::Run { folder, of: self.args.of.as_deref() };
         let last = [Which::Last];
         let frames = if self.frames.is_empty() { &last } else { &self.frames[..] };
         let source = self.args.source.as_deref();
@@ -355,40 +370,35 @@ impl<'a> Asked<'a> {
             "energy" => plot::energy(folder, self.target(&self.out(what))),
             "blocks" => {
                 let out = self.out(&format!("blocks_{by}"));
-                plot::strip(folder, frames, by, self.options, self.target(&out))
+                plot::strip(run, frames, by, self.options, self.target(&out))
             }
             "section" => {
                 let out = self.out(&format!("section_{by}"));
-                plot::section(folder, frames, by, self.options, self.target(&out))
+                plot::section(run, frames, by, self.options, self.target(&out))
             }
             "line" => match &self.line {
                 Some(line) => {
                     let out = self.out(&format!("line_{by}"));
-                    plot::along(folder, frames, by, line, self.target(&out))
+                    plot::along(run, frames, by, line, self.target(&out))
                 }
                 None => Ok(Vec::new()),
             },
-            "ppv" => plot::ppv(folder, frames[0], self.args.surface, self.target(&self.out(what))),
+            "ppv" => plot::ppv(run, frames[0], self.args.surface, self.target(&self.out(what))),
             "crater" => {
                 let options = CraterOptions { uplift: self.uplift, source };
-                plot::crater(folder, frames[0], options, self.target(&self.out(what)))
+                plot::crater(run, frames[0], options, self.target(&self.out(what)))
             }
             "heave" => {
                 let normal = self.options.normal;
-                plot::heave(folder, &self.frames, source, normal, self.target(&self.out(what)))
+                plot::heave(run, &self.frames, source, normal, self.target(&self.out(what)))
             }
             "cavity" => plot::cavity(folder, self.target(&self.out(what))),
             "stereonet" => {
                 let projection = self.args.projection;
-                plot::stereonet(folder, frames[0], projection, self.target(&self.out(what)))
+                plot::stereonet(run, frames[0], projection, self.target(&self.out(what)))
             }
-            "fragments" => {
-                let of = self.args.of.as_deref();
-                let name =
-                    of.map_or_else(|| what.to_owned(), |of| format!("{what}_{}", file_name(of)));
-                plot::fragments(folder, of, self.target(&self.out(&name)))
-            }
-            "rose" => plot::rose(folder, frames[0], self.target(&self.out(what))),
+            "fragments" => plot::fragments(run, self.target(&self.out(what))),
+            "rose" => plot::rose(run, frames[0], self.target(&self.out(what))),
             name => {
                 let out = self.over(&file_name(name));
                 plot::histories(folder, &[name.to_owned()], against, self.target(&out))

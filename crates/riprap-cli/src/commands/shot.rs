@@ -28,7 +28,8 @@ pub fn run(args: &Shot) -> Result<(), Failure> {
         std::fs::create_dir_all(folder)
             .map_err(|e| Failure::Output(format!("could not create {}: {e}", folder.display())))?;
     }
-    for path in plot::shots(&args.run, &frames, &shot, args.fps, &out)? {
+    let run = plot::Run { folder: &args.run, of: args.of.as_deref() };
+    for path in plot::shots(run, &frames, &shot, args.fps, &out)? {
         screen::line(&path.display().to_string());
     }
     Ok(())

@@ -118,7 +118,7 @@ fn fragment_sizes_of_a_known_law() {
     let (_run, folder) = folder(dir.path(), &[]);
     let out = dir.path().join("f");
     let text = |e: Result<Vec<PathBuf>, PlotError>| e.unwrap_err().to_string();
-    assert!(text(fragments(&folder, None, &out)).contains("no fragments.csv"));
+    assert!(text(fragments(&folder, &out)).contains("no fragments.csv"));
     let write = |rows: &[f64]| {
         let mut table = String::from("fragment,blocks,volume_m3,x_m,y_m,z_m\n");
         for (k, v) in rows.iter().enumerate() {
@@ -136,7 +136,7 @@ fn fragment_sizes_of_a_known_law() {
         below = passing(size);
     }
     write(&volumes);
-    let files = fragments(&folder, None, &out).unwrap();
+    let files = fragments(&folder, &out).unwrap();
     assert_eq!(files.len(), 4);
     let fit = Table::read(&files[3]).unwrap();
     let of = |name: &str| fit.column(name).unwrap().values[0];
@@ -146,7 +146,7 @@ fn fragment_sizes_of_a_known_law() {
     assert!(of("Rosin-Rammler R2") > 0.99 && of("Swebrec R2") > 0.98);
     assert!(svg(&files[0]).contains("Swebrec"));
     write(&[1.0, 1.0]);
-    let files = fragments(&folder, None, &out).unwrap();
+    let files = fragments(&folder, &out).unwrap();
     assert!(svg(&files[0]).contains("too few sizes"));
     // What is held does not count; of a group what has a block of it.
     std::fs::write(
@@ -155,13 +155,16 @@ fn fragment_sizes_of_a_known_law() {
     )
     .unwrap();
     let largest = |group: Option<&str>| {
-        let files = fragments(&folder, group, &out).unwrap();
+        let files = fragments(Run { folder: &folder, of: group }, &out).unwrap();
         let fit = files.iter().find(|f| f.to_string_lossy().ends_with("_fit.csv"));
         let table = Table::read(fit.unwrap()).unwrap();
         table.column("largest").unwrap().values[0]
     };
     assert!((largest(None) - 2.0).abs() < 1e-12);
-    assert!(text(fragments(&folder, Some("rock"), &out)).contains("fragment_blocks.csv"));
+    assert!(
+        text(fragments(Run { folder: &folder, of: Some("rock") }, &out))
+            .contains("fragment_blocks.csv")
+    );
     let members = "block,fragment\n0,3\n1,1\n2,1\n3,2\n4,2\n";
     std::fs::write(folder.join("fragment_blocks.csv"), members).unwrap();
     let blocks = ["ground", "rock.1", "rock.2", "wall", "wall/1"].map(str::to_owned);
@@ -169,12 +172,18 @@ fn fragment_sizes_of_a_known_law() {
     riprap_record::names::Names::pack(blocks, groups).write(&folder).unwrap();
     assert!((largest(Some("rock")) - 2.0).abs() < 1e-12);
     assert!((largest(Some("wall")) - 1.0).abs() < 1e-12);
-    assert!(text(fragments(&folder, Some("ground"), &out)).contains("with a block of"));
-    assert!(text(fragments(&folder, Some("rocks"), &out)).contains("valid groups: rock, ground"));
+    assert!(
+        text(fragments(Run { folder: &folder, of: Some("ground") }, &out))
+            .contains("with a block of")
+    );
+    assert!(
+        text(fragments(Run { folder: &folder, of: Some("rocks") }, &out))
+            .contains("valid groups: rock, ground")
+    );
     write(&[]);
-    assert!(text(fragments(&folder, None, &out)).contains("lists no free fragments"));
+    assert!(text(fragments(&folder, &out)).contains("lists no free fragments"));
     std::fs::write(folder.join("fragments.csv"), "fragment,blocks\n1,2\n").unwrap();
-    assert!(text(fragments(&folder, None, &out)).contains("volume_m3"));
+    assert!(text(fragments(&folder, &out)).contains("volume_m3"));
 }
 
 #[test]

@@ -90,7 +90,7 @@ def plot(
         surface: only peak velocities on the surface (``ppv``).
         uplift: least uplift that counts as crater, ``"40 mm"`` or a number [m].
         source: name of the charge (``crater``, ``heave``).
-        of: group of blocks: only ``fragments`` with a block of it.
+        of: only blocks of this group, block or condition (``"rock and not ore"``); fragments that contain one.
         projection: of the stereonet, ``equal_area`` or ``equal_angle``.
         against: history along the x axis of histories, instead of time.
         range: values of the first and the last colour, with units or in SI: ``("0 mm", "5 mm")``.
@@ -172,6 +172,7 @@ def shot(
     contacts: "bool | str" = False,
     trails: "bool | str" = False,
     vectors: str | None = None,
+    of: str | None = None,
     fps: float | None = None,
 ) -> Picture:
     """Draws the blocks of a run in space as they stand: PNG pictures, numbered if there are several, or a film.
@@ -199,6 +200,7 @@ def shot(
         contacts: contacts as points coloured by state: ``True`` those that slide, have broken or are open, ``"all"`` all.
         trails: the ways of all blocks that moved by a quarter of a block, up to the frame: ``True`` or ``"speed"`` by mean speed, ``"block"`` by block.
         vectors: field of vectors, drawn as arrows: ``displacement``, ``velocity`` or ``force``.
+        of: only blocks of this group, block or condition, and the bolts and contacts between them.
         fps: pictures of a film in a second; 10 by default.
 
     Raises:
@@ -236,6 +238,7 @@ def shot(
         "contacts": _chosen(contacts, "changed"),
         "trails": _chosen(trails, "speed"),
         "vectors": vectors,
+        "of": of,
         "fps": fps,
     }
     target = Path(out) if out is not None else folder / "plots" / "shot.png"

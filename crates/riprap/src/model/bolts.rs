@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use riprap_core::numbers::counted;
 use riprap_geom::{Vec2, Vec3};
 
 use crate::laws::bolt::Design;
@@ -43,7 +44,10 @@ impl Builder<'_> {
     /// Reads all bolts; phases install them.
     pub(in crate::model) fn bolts(&mut self) {
         for (k, said) in self.parsed.scenario.bolts.iter().enumerate() {
-            let Some(lines) = self.bolt_lines(said) else {
+            let Some(lines) = self.bolt_lines(said).and_then(|all| self.with_collars(said, all))
+            else {
+                // What names them is no second error.
+                self.directory.bolts.push(said.name.text.clone());
                 continue;
             };
             let (design, spacing) = self.design(k, said);
@@ -306,33 +310,8 @@ impl Builder<'_> {
 
     /// Whether a bolt is in the rock of the blocks as they are given, without those that are removed by then.
     fn bolt_in_rock(&mut self, said: &language::Bolt, name: &str, line: &Line, design: &Design) {
-        let [head, toe] = [line.head, line.toe].map(|end| self.near(end));
-        let length = head.distance(toe);
-        let axis = (toe - head) / length;
-        let mut gone = vec![false; self.spatial.blocks.len().max(self.setup.blocks.len())];
-        for (k, phase) in self.parsed.scenario.phases.iter().enumerate() {
-            let names = self.directory.all(&phase.remove);
-            for b in names.unwrap_or_default() {
-                gone[b as usize] = true;
-            }
-            let here = said.phase.as_ref().map_or(k == 0, |p| p.as_str() == phase.name.as_str());
-            // After the blocks of this phase: it takes them out before it installs.
-            if here {
-                break;
-            }
-        }
-        let range = place::range(length);
-        let solids = (0u32..).zip(&self.spatial.blocks).filter_map(|(b, block)| {
-            let span = spatial::bolts::place::span(&block.shape, head, axis, range)?;
-            Some((span, b))
-        });
-        let polygons = (0u32..).zip(&self.setup.blocks).flat_map(|(b, block)| {
-            let (from, along) = (flat(head), flat(axis));
-            let spans = planar::bolts::place::spans(&block.vertices, from, along, range);
-            spans.into_iter().map(move |span| (span, b))
-        });
-        let here = |(_, b): &([f64; 2], u32)| !gone[*b as usize];
-        let spans = solids.chain(polygons).filter(here).collect();
+        let length = line.head.distance(line.toe);
+        let spans = self.spans(line, &self.gone_before(said));
         let plate = design.plate.is_some();
         let Err(reason) = place::order(spans, length, design.grouted, plate) else {
             return;
@@ -346,6 +325,70 @@ impl Builder<'_> {
         };
         let message = format!("bolt `{name}`: {reason}");
         self.error_at("bolt.place", line.span.clone(), message, help);
+    }
+
+    /// The bolts whose collar lies in a block of the condition of their table; `None` after an error.
+    fn with_collars(&mut self, said: &language::Bolt, lines: Vec<Line>) -> Option<Vec<Line>> {
+        let Some(condition) = &said.condition else { return Some(lines) };
+        let chosen = match self.directory.blocks(condition) {
+            Ok(chosen) => chosen,
+            Err(wrong) => {
+                self.found.push(*wrong);
+                return None;
+            }
+        };
+        let gone = self.gone_before(said);
+        let collar =
+            |line: &Line| place::collar(&self.spans(line, &gone), line.head.distance(line.toe));
+        let all = lines.len();
+        let holds = |line: &Line| collar(line).is_some_and(|b| chosen.binary_search(&b).is_ok());
+        let kept: Vec<Line> = lines.into_iter().filter(holds).collect();
+        if kept.is_empty() {
+            let message = format!("no bolt of `{}` has its collar in `{condition}`", said.name);
+            let help = format!(
+                "it has {}; none of the {all} bolts begins there",
+                counted(chosen.len(), "block")
+            );
+            self.error_at("bolt.place", condition, message, &help);
+            return None;
+        }
+        Some(kept)
+    }
+
+    /// Blocks that are removed before a bolt is installed, or with it.
+    fn gone_before(&self, said: &language::Bolt) -> Vec<bool> {
+        let mut gone = vec![false; self.spatial.blocks.len().max(self.setup.blocks.len())];
+        for (k, phase) in self.parsed.scenario.phases.iter().enumerate() {
+            let names = self.directory.all(&phase.remove);
+            for b in names.unwrap_or_default() {
+                gone[b as usize] = true;
+            }
+            let here = said.phase.as_ref().map_or(k == 0, |p| p.as_str() == phase.name.as_str());
+            // After the blocks of this phase: it takes them out before it installs.
+            if here {
+                break;
+            }
+        }
+        gone
+    }
+
+    /// Where a bolt is in blocks that are there: from and to along it, m.
+    fn spans(&self, line: &Line, gone: &[bool]) -> Vec<([f64; 2], u32)> {
+        let [head, toe] = [line.head, line.toe].map(|end| self.near(end));
+        let length = head.distance(toe);
+        let axis = (toe - head) / length;
+        let range = place::range(length);
+        let solids = (0u32..).zip(&self.spatial.blocks).filter_map(|(b, block)| {
+            let span = spatial::bolts::place::span(&block.shape, head, axis, range)?;
+            Some((span, b))
+        });
+        let polygons = (0u32..).zip(&self.setup.blocks).flat_map(|(b, block)| {
+            let (from, along) = (flat(head), flat(axis));
+            let spans = planar::bolts::place::spans(&block.vertices, from, along, range);
+            spans.into_iter().map(move |span| (span, b))
+        });
+        let here = |(_, b): &([f64; 2], u32)| !gone[*b as usize];
+        solids.chain(polygons).filter(here).collect()
     }
 }
 

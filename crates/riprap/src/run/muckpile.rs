@@ -243,8 +243,7 @@ pub fn muckpile(folder: &Path, rules: &Rules) -> Result<Answer, MuckpileError> {
     let names = Names::read(folder)?;
     let chosen = rules.of.as_deref().map(|of| names.chosen(of)).transpose();
     let chosen = chosen.map_err(|what| MuckpileError::Of(folder.clone(), what))?;
-    let counts =
-        |b: u32| chosen.as_ref().is_none_or(|of| names.stem(b).any(|ancestor| of.has(ancestor)));
+    let counts = |b: u32| chosen.as_ref().is_none_or(|of| of.has(b));
     let pieces = pieces(&after, &names, &track::densities(folder, &manifest), rules, &counts);
     let charges: Vec<Vec3> = manifest.sources.iter().map(|s| Vec3::from(s.centre())).collect();
     let throw = throw(&pieces, &charges, rules, left(folder));

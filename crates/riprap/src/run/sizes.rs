@@ -56,7 +56,7 @@ pub fn sizes(view: &View<'_>, of: Option<&str>) -> Result<Sizes, String> {
     // What is held is the ground, where nobody asks for it.
     let held = rock.iter().filter(|b| of.is_none() && is_held(**b)).count() % rock.len().max(1);
     let wanted = |b: &usize| match &chosen {
-        Some(chosen) => names.stem(*b as u32).any(|b| chosen.has(b)),
+        Some(chosen) => chosen.has(*b as u32),
         None => held == 0 || !is_held(*b),
     };
     let those = rock.iter().copied().filter(wanted);

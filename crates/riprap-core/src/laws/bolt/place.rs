@@ -31,6 +31,14 @@ const LOOSE: f64 = 1e-3;
 /// Spans that are shorter, as a share of the length, are none.
 const TOUCH: f64 = 1e-9;
 
+/// The block in which a bolt of this length begins, of spans along it.
+#[must_use]
+pub fn collar(spans: &[([f64; 2], u32)], length: f64) -> Option<u32> {
+    let here = |[from, to]: [f64; 2]| to.min(length) - from.max(0.0) > TOUCH * length;
+    let inside = spans.iter().filter(|(span, _)| here(*span));
+    inside.min_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.1.cmp(&b.1))).map(|(_, block)| *block)
+}
+
 /// Puts spans of blocks (m from the head of a bolt of this length) in order and checks that the bolt can be there. Spans reach as far as `range`
 /// allows.
 ///

@@ -325,6 +325,35 @@ fn faults_of_excavations_are_told() {
 }
 
 #[test]
+fn bolts_are_chosen_by_the_block_of_their_collar() {
+    let with = |condition: &str| {
+        try_space(&format!(
+            "[groups.it]\nbox = {{ min = [\"0 m\", \"0 m\", \"0 m\"], max = [\"1 m\", \"1 m\", \"3 m\"] }}\n\
+             [[bolts]]\nname = \"b\"\nhead = [\"0 m\", \"0.5 m\", \"0.5 m\"]\ntoe = [\"1.8 m\", \"0.5 m\", \"0.5 m\"]\n\
+             repeat = [{{ step = [\"0 m\", \"1 m\", \"0 m\"], count = 4 }}, {{ step = [\"0 m\", \"0 m\", \"1 m\"], count = 3 }}]\n\
+             where = \"{condition}\"\nsteel = {{ diameter = \"25 mm\" }}\ngrout = {{ stiffness = \"1 GN/m2\" }}\n"
+        ))
+    };
+    let names = |condition: &str| -> Vec<String> {
+        let model = with(condition).unwrap_or_else(|error| panic!("{error}"));
+        let Setup::Spatial(setup) = &model.setup else { panic!("a scene in space") };
+        setup.bolts.iter().map(|bolt| bolt.name.clone()).collect()
+    };
+    // Three rows of four; the first column begins in `it`, all go on behind it.
+    assert_eq!(names("it"), ["b.1", "b.2", "b.3"]);
+    assert_eq!((names("low and not it").len(), names("not ore").len()), (9, 12));
+    for (condition, words) in [
+        ("high", "no bolt of `b` has its collar in `high`"),
+        ("low and lower", "`lower`"),
+        ("low and and it", "a name is missing"),
+        ("it and high", "no block fulfils"),
+    ] {
+        let told = with(condition).unwrap_err().render();
+        assert!(told.contains(words) && told.contains("where ="), "{condition}: {told}");
+    }
+}
+
+#[test]
 fn faults_of_walls_and_vaults_are_told() {
     let made = |shape: &str| {
         let block = format!(
