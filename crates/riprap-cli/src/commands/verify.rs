@@ -1,13 +1,14 @@
 //! `riprap verify`.
 
 use riprap::run::scene::Scene;
-use riprap::run::study::trust::Question;
+use riprap::run::study::trust::{Question, has_results};
 use riprap::run::study::{Executor, verify};
 
 use super::self_test::Shipped;
 use crate::args::Verify;
 use crate::commands::trust::{self, Told};
 use crate::commands::{check_line, cores};
+use crate::diagnostics::print_line;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::{scenes, screen};
@@ -55,12 +56,24 @@ pub fn run(args: &Verify) -> Result<(), Failure> {
         let Some((scene, rules)) = Scene::load(path, &args.set).ok().zip(errors.as_ref()) else {
             continue;
         };
-        if !args.json {
-            screen::line(&format!("{}:", path.display()));
+        for case in &scene.cases {
+            // Nor a model that cannot be built.
+            let Ok(prepared) = scene.prepare(case) else { continue };
+            let name = match scene.cases.len() {
+                1 => path.display().to_string(),
+                _ => format!("{}, case {}", path.display(), case.name),
+            };
+            if has_results(&scene, prepared).is_err() {
+                print_line("note", &format!("{name}: no named results"));
+                continue;
+            }
+            if !args.json {
+                screen::line(&format!("{name}:"));
+            }
+            let told = Told { quiet: true, json: args.json };
+            let of = (&scene, case);
+            trust::errors(of, Question::Results, rules, &executor, (None, told))?;
         }
-        let told = Told { quiet: true, json: args.json };
-        let of = (&scene, &scene.plain());
-        trust::errors(of, Question::Results, rules, &executor, (None, told))?;
     }
     if interrupt.asked() {
         return Err(Failure::Interrupted("not all scenes were run".to_owned()));

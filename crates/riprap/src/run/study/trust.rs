@@ -230,7 +230,7 @@ pub fn trust_in(
         return Err(StudyError::Ended(base.note));
     }
     report(&base);
-    let (variants, mut left_out) = causes::variants(&prepared, rules);
+    let (variants, mut left_out) = causes::variants(&prepared, question, rules);
     let mut cost = base.seconds;
     let (here, there): (Vec<Variant>, Vec<Variant>) = variants.into_iter().partition(|one| {
         let fits = cost + one.cost * base.seconds <= rules.budget;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use toml::Value;
 
-use super::Rules;
+use super::{Question, Rules};
 use crate::plan::{Phase, PhaseKind, Plan, TimeStep};
 use crate::run::job::Job;
 use crate::run::scene::Prepared;
@@ -117,7 +117,11 @@ impl Variant {
 }
 
 /// The variants of a scene, the most useful ones first, and the causes that it has not.
-pub(super) fn variants(prepared: &Prepared, rules: &Rules) -> (Vec<Variant>, Vec<(Cause, String)>) {
+pub(super) fn variants(
+    prepared: &Prepared,
+    question: Question<'_>,
+    rules: &Rules,
+) -> (Vec<Variant>, Vec<(Cause, String)>) {
     let mut all = vec![
         Variant::new(Cause::Step, 0.5, 2.0),
         Variant::new(Cause::Stiffness, 2.0, 1.5),
@@ -136,6 +140,11 @@ pub(super) fn variants(prepared: &Prepared, rules: &Rules) -> (Vec<Variant>, Vec
         let mut job = prepared.clone().job();
         let why = match cause {
             _ if rules.without.contains(&cause) => Some("it was left out".to_owned()),
+            // Each trial would be made again.
+            Cause::Step if question.is_of_rest() && !has_steps(&job.plan) => Some(
+                "trials seek equilibrium, and all phases are static: no time step counts"
+                    .to_owned(),
+            ),
             Cause::Step if shorten(&mut job.plan, 0.5) == 0 => {
                 Some("no phase has steps".to_owned())
             }
@@ -182,6 +191,12 @@ pub(super) fn variants(prepared: &Prepared, rules: &Rules) -> (Vec<Variant>, Vec
 /// More runs whose step is a little shorter: samples of what is chaotic.
 pub(super) fn samples() -> Vec<Variant> {
     (2..8).map(|k| Variant::new(Cause::Step, libm::pow(JITTER, f64::from(k)), 1.0)).collect()
+}
+
+/// Whether a phase goes on in time, or applies its loads step by step.
+fn has_steps(plan: &Plan) -> bool {
+    let loads = |phase: &Phase| phase.deform.is_some_and(|deform| deform.relax.is_some());
+    plan.phases.iter().any(|phase| phase.kind != PhaseKind::Static || loads(phase))
 }
 
 /// Shortens the steps of all phases. Returns how many numbers changed, as the others here do.

@@ -96,6 +96,15 @@ impl Question<'_> {
         })
     }
 
+    /// Whether each trial asks if blocks stand or fail, from one equilibrium to the next.
+    pub(super) fn is_of_rest(&self) -> bool {
+        match self {
+            Self::Results => false,
+            Self::Safety { .. } => true,
+            Self::Find { wanted, .. } => wanted.result == find::SAFETY,
+        }
+    }
+
     /// What is known of the scene as it stands.
     pub(super) fn known(&self) -> Option<Searched> {
         match self {

@@ -210,8 +210,11 @@ fn the_answer_of_a_search_has_its_error() {
     let (factor, answer) = ask(Question::Safety { rules: &search, over: None, known: None });
     assert!((factor.value - exact).abs() <= factor.error, "{factor:?}");
     assert!(factor.error < 0.05 && factor.share(Cause::Search).unwrap() > 0.0, "{factor:?}");
-    let of_step = answer.trials.iter().filter(|one| one.cause == Some(Cause::Step));
-    assert!(of_step.count() >= 3, "{:?}", answer.trials);
+    // Its trials relax: with another step they would be the same ones.
+    let of_step = |one: &&Trial| one.cause == Some(Cause::Step);
+    assert_eq!(answer.trials.iter().filter(of_step).count(), 0, "{:?}", answer.trials);
+    let left = answer.left_out.iter().find(|(cause, _)| *cause == Cause::Step);
+    assert!(left.is_some_and(|(_, why)| why.contains("all phases are static")), "{left:?}");
     // The limit of a key, and the key for a factor: tan(phi) = 1.2 tan 30.
     let range =
         Quantity::read("interfaces.default.friction_angle", "20 deg..50 deg", Some("0.1 deg"));
