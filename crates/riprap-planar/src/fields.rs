@@ -247,9 +247,9 @@ riprap_core::fields! {
     "block.contacts" "-" Block Scalar true "Number of contacts of the block." |v, of| one(blocks(v, &of[..of.len().min(1)]));
     "block.removed" "-" Block Scalar false "1 once the block has been removed." |v, of| one(f64::from(u8::from(!v.world.alive[first(of)])));
     "pair.force" "N/m" Pair Vector true "Sum of all contact and joint forces of the second block on the first." |v, of| { let (a, b) = pair(of); v.pair_wrench(a, b).force.into() };
-    "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
-    "pair.convergence" "m" Pair Scalar false "By how much the centroids of the two have come nearer to each other since the start or the last reset; negative when they have parted." |v, of| one(convergence(v, of));
-    "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid relative to the second's." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
+    "pair.displacement" "m" Pair Vector false "Displacement of the first block's centroid relative to the second's (or of two `pins`)." |v, of| { let (a, b) = pair(of); (v.displacement(a as usize) - v.displacement(b as usize)).into() };
+    "pair.convergence" "m" Pair Scalar false "By how much the centroids of the two (or two `pins`) have come nearer to each other since the start or the last reset; negative when they have parted." |v, of| one(convergence(v, of));
+    "pair.velocity" "m/s" Pair Vector false "Velocity of the first block's centroid relative to the second's (or of two `pins`)." |v, of| { let (a, b) = pair(of); (v.velocity(a as usize) - v.velocity(b as usize)).into() };
     "pair.moment" "N" Pair Scalar true "Moment of this force about the first block's centroid." |v, of| { let (a, b) = pair(of); one(v.pair_wrench(a, b).moment_i) };
     "pair.normal_force" "N/m" Pair Scalar true "Normal force of joints and contacts between the two, dashpots included, compression positive (negative for a joint in tension)." |v, of| one(borne(v, of).normal);
     "pair.shear_force" "N/m" Pair Scalar true "Shear force of joints and contacts between the two on the first block, dashpots included." |v, of| one(borne(v, of).shear);

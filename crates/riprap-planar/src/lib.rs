@@ -82,6 +82,7 @@ mod initial_overlap;
 mod loads;
 pub mod picture;
 mod pieces;
+mod pins;
 mod potential;
 pub mod removal;
 mod scratch;

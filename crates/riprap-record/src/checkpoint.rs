@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 const MAGIC: &[u8; 8] = b"RIPRAPCK";
 /// Version of the container and of the layout of what the engines put into it; raised whenever a state gains, loses or moves a
 /// number. Another version is refused: states have no names in them, and would be read as something else.
-pub const FORMAT_VERSION: u32 = 25;
+pub const FORMAT_VERSION: u32 = 26;
 const KIND_BYTES: usize = 16;
 const SUM_AT: usize = 8 + 4 + KIND_BYTES + 8 + 8;
 const HEAD: usize = SUM_AT + 32;

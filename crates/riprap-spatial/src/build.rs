@@ -62,6 +62,7 @@ impl World {
             bodies: Bodies::at_rest(n),
             reference: Vec::with_capacity(n),
             datum: Vec::new(),
+            node_datum: Vec::new(),
             solid: Vec::with_capacity(n),
             solids: Vec::new(),
             turned: vec![None; n],

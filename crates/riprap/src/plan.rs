@@ -350,6 +350,22 @@ pub struct Gauge {
     pub along: Option<[f64; 3]>,
     /// What it is relative to.
     pub against: Option<Against>,
+    /// Two points instead of two blocks.
+    pub pins: Option<[Pin; 2]>,
+}
+
+/// A point that moves with a block.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pin {
+    /// The block.
+    pub block: u32,
+    /// Where it is at the start, local coordinates, m; in the plane z is 0.
+    pub at: [f64; 3],
+}
+
+impl Pin {
+    /// Fields that are read between two pins.
+    pub const FIELDS: [&str; 3] = ["pair.convergence", "pair.displacement", "pair.velocity"];
 }
 
 /// Blocks whose mean is taken off a displacement or a velocity.

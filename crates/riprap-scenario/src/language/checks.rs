@@ -30,7 +30,7 @@ pub struct Bisect {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 #[keys(one_of("above", "below"))]
-#[keys(at_most_one("of", "at_point"))]
+#[keys(at_most_one("of", "at_point", "pins"))]
 pub struct Criterion {
     /// Field, for example `model.max_displacement`.
     pub field: Name,
@@ -38,6 +38,9 @@ pub struct Criterion {
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
+    /// Instead of two blocks: two points, m, on the rock at the start, each of which moves with the block that it lies on or nearest to
+    /// (of those that no phase removes). For `pair.convergence`, `pair.displacement`, `pair.velocity`.
+    pub pins: Option<[Vector<Length>; 2]>,
     /// Blocks and groups whose mean displacement or velocity is taken off: for `displacement` and `velocity` of blocks,
     /// groups and nodes.
     pub relative_to: Option<Names>,
@@ -56,7 +59,7 @@ pub struct Criterion {
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 #[keys(one_of("value", "formula", "csv", "between"))]
-#[keys(at_most_one("of", "at_point"))]
+#[keys(at_most_one("of", "at_point", "pins"))]
 #[keys(at_most_one("at", "over"))]
 #[keys(any_of(
     "relative",
@@ -73,6 +76,9 @@ pub struct Check {
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
+    /// Instead of two blocks: two points, m, on the rock at the start, each of which moves with the block that it lies on or nearest to
+    /// (of those that no phase removes). For `pair.convergence`, `pair.displacement`, `pair.velocity`.
+    pub pins: Option<[Vector<Length>; 2]>,
     /// Blocks and groups whose mean displacement or velocity is taken off: for `displacement` and `velocity` of blocks,
     /// groups and nodes.
     pub relative_to: Option<Names>,

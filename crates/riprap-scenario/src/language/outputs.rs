@@ -23,7 +23,7 @@ pub enum Output {
 /// A column of `histories.csv`.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
-#[keys(at_most_one("of", "at_point"))]
+#[keys(at_most_one("of", "at_point", "pins"))]
 pub struct History {
     /// Name of the column, once in the file.
     pub name: Name,
@@ -33,6 +33,9 @@ pub struct History {
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
+    /// Instead of two blocks: two points, m, on the rock at the start, each of which moves with the block that it lies on or nearest to
+    /// (of those that no phase removes). For `pair.convergence`, `pair.displacement`, `pair.velocity`.
+    pub pins: Option<[Vector<Length>; 2]>,
     /// Blocks and groups whose mean displacement or velocity is taken off: for `displacement` and `velocity` of blocks,
     /// groups and nodes.
     pub relative_to: Option<Names>,

@@ -22,7 +22,7 @@ pub struct Group {
     /// The blocks in a ball; in the plane a circle.
     pub sphere: Option<Sphere>,
     /// The blocks in a cylinder with flat ends.
-    #[key(space = "spatial", instead = "use `near` or `box`")]
+    #[key(space = "spatial", instead = "use `sphere`, in the plane a circle, or `near`")]
     pub cylinder: Option<Cylinder>,
     /// The blocks over a polygon in plan; in the plane in it.
     pub prism: Option<Prism>,

@@ -17,6 +17,7 @@ mod heap;
 pub mod outlook;
 pub mod peaks;
 pub mod picture;
+mod pins;
 mod removed;
 pub mod seams;
 mod states;

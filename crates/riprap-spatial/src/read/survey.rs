@@ -96,6 +96,8 @@ impl World {
     /// Measures displacements (m) and rotations (rad) from these on; [`View::present_poses`] gives the present ones.
     pub fn zero_displacements(&mut self, poses: Vec<[Vec3; 2]>) {
         self.datum = poses;
+        let nodes = self.deform.as_deref().map(|deform| deform.nodes.displacement.clone());
+        self.node_datum = nodes.unwrap_or_default();
     }
 
     /// Displacement (m) and rotation vector (rad) at which those of outputs are zero.

@@ -57,6 +57,8 @@ pub struct World {
     /// Displacement (m) and rotation vector (rad) of each block at which outputs begin to measure; shorter or
     /// empty where they measure from the start.
     pub datum: Vec<[Vec3; 2]>,
+    /// Displacement (m) of each node at which pins begin to measure; shorter or empty as `datum`.
+    pub node_datum: Vec<[f64; 3]>,
     /// Index into `solids`, per block.
     pub solid: Vec<u32>,
     /// Mass properties, shared by equal blocks.

@@ -85,6 +85,7 @@ impl Builder<'_> {
         };
         if said.of.is_some()
             || said.at_point.is_some()
+            || said.pins.is_some()
             || said.along.is_some()
             || said.at.is_some()
             || said.reduce.is_some()
@@ -102,6 +103,7 @@ impl Builder<'_> {
             at: None,
             along: None,
             against: None,
+            pins: None,
             suffixes: &[""],
         };
         Some((used, if unit.is_empty() { "-".to_owned() } else { unit }))
@@ -114,6 +116,7 @@ impl Builder<'_> {
             let place = Place {
                 of: said.of.as_ref(),
                 point: said.at_point.as_ref(),
+                pins: said.pins.as_ref(),
                 along: said.along.as_ref(),
                 relative_to: said.relative_to.as_ref(),
             };
@@ -331,6 +334,7 @@ impl Builder<'_> {
         let place = Place {
             of: criterion.of.as_ref(),
             point: criterion.at_point.as_ref(),
+            pins: criterion.pins.as_ref(),
             along: criterion.along.as_ref(),
             relative_to: criterion.relative_to.as_ref(),
         };

@@ -135,6 +135,7 @@ impl Builder<'_> {
         let place = Said {
             of: said.of.as_ref(),
             point: None,
+            pins: None,
             along: said.along.as_ref(),
             relative_to: None,
         };

@@ -3,7 +3,7 @@
 use riprap_geom::{Vec2, polygon};
 
 use super::builder::Builder;
-use crate::plan::{Against, Gauge};
+use crate::plan::{Against, Gauge, Pin};
 use crate::record::field::{FieldError, Part, Shape, Site, find};
 use crate::scenario::diagnostic::suggest;
 use crate::scenario::quantity::{Any, Direction, Length, Vector};
@@ -21,6 +21,7 @@ pub(super) struct FieldUse {
     pub(super) at: Option<[f64; 3]>,
     pub(super) along: Option<[f64; 3]>,
     pub(super) against: Option<Against>,
+    pub(super) pins: Option<[Pin; 2]>,
     /// Suffixes of what it still is made of; one empty one for a number.
     pub(super) suffixes: &'static [&'static str],
 }
@@ -30,6 +31,7 @@ pub(super) struct FieldUse {
 pub(super) struct Said<'a> {
     pub(super) of: Option<&'a Names>,
     pub(super) point: Option<&'a Vector<Length>>,
+    pub(super) pins: Option<&'a [Vector<Length>; 2]>,
     pub(super) along: Option<&'a Direction>,
     pub(super) relative_to: Option<&'a Names>,
 }
@@ -49,6 +51,7 @@ impl FieldUse {
             at: self.at,
             along: self.along,
             against: self.against,
+            pins: self.pins,
         }
     }
 }
@@ -96,8 +99,13 @@ impl Builder<'_> {
             Some((unit, _)) => unit,
             None => None,
         };
+        let pins = match said.pins {
+            Some(pins) => Some(self.pins(name, info.name, pins)?),
+            None => None,
+        };
         let (of, at) = match said.point {
             Some(point) => self.field_point(name, info.site, point)?,
+            None if pins.is_some() => (Vec::new(), None),
             None => (self.field_blocks(name, info.site, said.of)?, None),
         };
         let against = match said.relative_to {
@@ -115,6 +123,7 @@ impl Builder<'_> {
             at,
             along,
             against,
+            pins,
             suffixes: if whole { info.shape.suffixes() } else { &[""] },
         })
     }

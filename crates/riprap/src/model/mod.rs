@@ -32,6 +32,7 @@ pub(crate) mod memory;
 mod motion;
 mod names;
 mod phases;
+mod pins;
 mod regions;
 mod solid;
 mod start;

@@ -390,6 +390,7 @@ impl Builder<'_> {
         let place = Place {
             of: said.of.as_ref(),
             point: said.at_point.as_ref(),
+            pins: said.pins.as_ref(),
             along: said.along.as_ref(),
             relative_to: said.relative_to.as_ref(),
         };

@@ -51,7 +51,7 @@ pub fn gauge<S: AsRef<str>>(view: &View<'_>, field: &str, of: &[S]) -> Result<Ga
         Site::Group if !of.is_empty() => members(view, of)?,
         _ => (subjects(view, info, of)?, Vec::new()),
     };
-    Ok(Gauge { field: field.to_owned(), of, groups, at: None, along: None, against: None })
+    Ok(Gauge { field: field.to_owned(), of, groups, ..Gauge::default() })
 }
 
 /// Blocks of the blocks and groups of these names, ascending, and which of the names are groups.

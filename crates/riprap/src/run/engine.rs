@@ -7,6 +7,7 @@ mod leave;
 mod nodes;
 mod notes;
 mod own;
+mod pins;
 mod reading;
 pub mod steer;
 mod step_error;

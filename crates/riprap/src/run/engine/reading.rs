@@ -1,5 +1,6 @@
 //! One number of a model, read again and again.
 
+use super::pins::PinReading;
 use super::{Kind, View};
 use crate::plan::{Against, Gauge};
 use crate::record::field::{FieldError, FieldInfo, Part, Shape, find};
@@ -9,6 +10,8 @@ use crate::{Vec3, planar, spatial};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     own: One,
+    /// Of a number between two pins.
+    pins: Option<PinReading>,
     /// Of a number that is relative to other blocks: its components, and those of the mean that is taken off them.
     relative: Vec<[One; 2]>,
 }
@@ -88,7 +91,8 @@ impl Reading {
     /// # Errors
     /// Unknown names and parts of scalars.
     pub fn new(kind: Kind, gauge: &Gauge) -> Result<Self, FieldError> {
-        Ok(Self { own: One::new(kind, gauge)?, relative: relative(kind, gauge)? })
+        let pins = PinReading::new(kind, gauge)?;
+        Ok(Self { own: One::new(kind, gauge)?, pins, relative: relative(kind, gauge)? })
     }
 
     /// Table entry.
@@ -112,6 +116,9 @@ impl Reading {
     /// The number; NaN from a view of another engine.
     #[must_use]
     pub fn value(&self, view: &View<'_>) -> f64 {
+        if let Some(pins) = &self.pins {
+            return pins.value(view);
+        }
         let difference = |[own, mean]: &[One; 2]| own.value(view) - mean.value(view);
         let square = |pair: &[One; 2]| {
             let part = difference(pair);
