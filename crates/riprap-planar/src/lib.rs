@@ -71,6 +71,7 @@ pub mod classify;
 pub mod conditions;
 mod contact;
 mod convex;
+pub mod density;
 mod depths;
 mod energy;
 pub mod fields;

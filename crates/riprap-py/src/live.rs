@@ -172,6 +172,11 @@ impl Simulation {
         self.edited(py, |live| live.set_material(name, keys))
     }
 
+    /// Installs a bolt, given as the TOML text of its keys.
+    fn install_bolt(&self, py: Python<'_>, keys: &str) -> PyResult<()> {
+        self.edited(py, |live| live.install_bolt(keys))
+    }
+
     /// Goes on by a number of steps or a span of model time, or to the end; the state it is in then.
     #[pyo3(signature = (steps, time, callback))]
     fn advance(

@@ -35,6 +35,8 @@ pub struct Parsed {
     pub folder: PathBuf,
     /// Remarks that do not stop it.
     pub warnings: Vec<Diagnostic>,
+    /// Whether blocks have moved since the start: bolts are then looked at when they are installed.
+    pub has_moved: bool,
 }
 
 /// Reads a file, changes keys and parses the result.
@@ -178,7 +180,13 @@ pub fn parse(mut source: Source) -> Result<Parsed, Diagnostics> {
             if diagnostics.errors() > 0 {
                 return Err(diagnostics);
             }
-            Ok(Parsed { scenario, source, folder: PathBuf::new(), warnings: diagnostics.list })
+            Ok(Parsed {
+                scenario,
+                source,
+                folder: PathBuf::new(),
+                warnings: diagnostics.list,
+                has_moved: false,
+            })
         }
         Err(error) => {
             // The validation should have found it; if not, the parser's own words must do.

@@ -83,6 +83,33 @@ fn poles_of_a_leaning_joint_and_of_a_crack() {
 }
 
 #[test]
+fn pictures_of_some_blocks_leave_out_the_others() {
+    let dir = tempfile::tempdir().unwrap();
+    let sample = || Frame { time: 0.25, ..riprap_testkit::sample() };
+    let (mut run, folder) = folder(dir.path(), &[sample()]);
+    let names = ["left", "right"].map(str::to_owned);
+    run.write_names(&Names::pack(names, [("rock", &[0_u32, 1][..])])).unwrap();
+    let out = dir.path().join("some.svg");
+    let drawn = |of: &str| {
+        let run = Run { folder: &folder, of: Some(of) };
+        strip(run, &[Which::Last], "displacement", BlockOptions::default(), &out)
+    };
+    let blocks = |of: &str| {
+        let files = drawn(of).unwrap();
+        assert!(svg(&files[0]).contains(&format!("only {of}")));
+        Table::read(files.last().unwrap()).unwrap().column("block").unwrap().values.clone()
+    };
+    assert_eq!(blocks("rock").len(), 2);
+    assert_eq!(blocks("rock and not left"), [1.0]);
+    let text = |of: &str| drawn(of).unwrap_err().to_string();
+    assert!(text("rock and not (left or right)").contains("there is no block of"));
+    assert!(text("rocks").contains("valid groups: rock"));
+    // The joint of a block has its neighbour.
+    let run = Run { folder: &folder, of: Some("left") };
+    assert!(rose(run, Which::Last, &out).unwrap_err().to_string().contains("nothing to plot"));
+}
+
+#[test]
 fn a_rose_in_the_plane_knows_which_joints_broke() {
     let dir = tempfile::tempdir().unwrap();
     let sample = || Frame { time: 0.25, ..riprap_testkit::sample() };

@@ -171,15 +171,16 @@ class Simulation:
         self.change({"interfaces": {name: keys}})
 
     def set_material(self, name: str, **keys: Any) -> None:
-        """Changes moduli of a material at this instant: ``young``, ``poisson``. Tetrahedra, bonds, joints and contacts whose stiffness comes of them
-        follow; displacements stay, and what is stored more or less is booked (``energy.edit_defect``)::
+        """Changes a material at this instant: ``density``, in space also ``young``, ``poisson``. Weight and inertia of blocks follow (but of those whose mass
+        the scene gives), tetrahedra, bonds, joints and contacts whose stiffness comes of the moduli; displacements and velocities stay, and the energy that this
+        adds is booked (``energy.edit_defect``)::
 
             sim.set_material("rock", young="5 GPa")
+            sim.set_material("fill", density="2100 kg/m3")
 
         Raises:
             ScenarioError: a value that is wrong, at its place.
-            ValueError: a material or key that cannot change: masses stay, and in the plane moduli only set the stiffness of interfaces that
-                give none.
+            ValueError: a material or key that cannot change: in the plane moduli only set the stiffness of interfaces that give none.
         """
         self._sim.set_material(name, _riprap.to_toml(dict(keys)))
 
@@ -333,6 +334,40 @@ class Simulation:
         """
         si = [_riprap.si(x, unit) if isinstance(x, str) else float(x) for x, unit in ((mass, "kg"), (delay, "s"))]
         self._sim.charge(of, *si)
+
+    def install_bolt(
+        self,
+        head: "Iterable[str | float]",
+        toe: "Iterable[str | float]",
+        *,
+        like: str | None = None,
+        name: str | None = None,
+        **keys: Any,
+    ) -> None:
+        """Installs a bolt that the scenario does not have, in the rock as it is at this instant.
+
+        Steel, grout, plate and the rest are those of ``like``, a bolt of the scenario, or of its own keys as in ``[[bolts]]``, which have the say. It has no
+        force but for its ``pretension``; ``events.jsonl`` says what was installed, and a checkpoint holds it::
+
+            sim.install_bolt((2.0, 0.0, 3.1), (2.0, 0.0, 6.1), like="roof")
+            sim.install_bolt((4.0, 3.1), (4.0, 6.1), name="late", steel={"diameter": "25 mm"}, grout={"stiffness": "1 GN/m2"})
+
+        Args:
+            head: where it enters the rock, in the coordinates of the scenario, with units or [m].
+            toe: its end in the rock.
+            like: a bolt of the scenario; of a pattern its name will do.
+            name: a name that no bolt has; ``bolt by code 1``, ... without.
+            keys: keys of a bolt, such as ``pretension="50 kN"``.
+
+        Raises:
+            ScenarioError: a key that is missing or wrong, at its place.
+            ValueError: a name that is taken, no such bolt, a key that is none of a bolt by code.
+            SimulationError: a bolt that is not in rock.
+        """
+        ends = {"head": head, "toe": toe}
+        said = {end: [x if isinstance(x, str) else f"{float(x)!r} m" for x in at] for end, at in ends.items()}
+        said |= {key: value for key, value in (("like", like), ("name", name)) if value is not None}
+        self._sim.install_bolt(_riprap.to_toml(said | keys))
 
     def add_block(
         self,

@@ -1,17 +1,30 @@
-//! Moduli of a material that change in the midst of a run: the stiffness of all that is made of them follows, displacements stay.
+//! Moduli and density of a material that change in the midst of a run: the stiffness and the mass of all that is made of it follow, displacements and
+//! velocities stay.
 //!
-//! Forces jump with the stiffness, and what is stored changes: that is the work of who changes the material, an edit. Masses do not change.
+//! Forces jump with the stiffness, and what is stored changes, as momentum and kinetic energy do with the mass: that is the work of who changes the material, an edit.
+
+use std::collections::BTreeMap;
 
 use crate::contact::change_laws;
 use crate::deform::build::stiffness;
 use crate::setup::Material;
+use crate::state::bodies::SolidClass;
 use crate::state::scratch::Scratch;
 use crate::state::world::World;
 use crate::topology::renew_laws;
 
-/// What keeps moduli of a material from being changed, in words.
+/// What keeps a material from being changed to another one, in words.
 #[must_use]
-pub fn obstacle(world: &World, row: u16) -> Option<String> {
+pub fn obstacle(world: &World, row: u16, to: &Material) -> Option<String> {
+    let now = &world.setup.materials[usize::from(row)];
+    if world.deform.as_deref().is_some_and(|deform| deform.relax.is_some()) {
+        return Some(
+            "the phase relaxes deformable blocks; change it in a dynamic phase".to_owned(),
+        );
+    }
+    if (now.young, now.poisson) == (to.young, to.poisson) {
+        return None;
+    }
     let made_of =
         |b: u32| world.alive[b as usize] && world.setup.blocks[b as usize].material == row;
     let behind = world.faces.iter().find(|face| {
@@ -24,11 +37,6 @@ pub fn obstacle(world: &World, row: u16) -> Option<String> {
         ));
     }
     let deform = world.deform.as_deref()?;
-    if deform.relax.is_some() {
-        return Some(
-            "the phase relaxes deformable blocks; change it in a dynamic phase".to_owned(),
-        );
-    }
     let history = deform.facets.iter().zip(&deform.has_history).find(|(facet, has_history)| {
         **has_history && !facet.parted && facet.blocks.into_iter().any(made_of)
     });
@@ -40,7 +48,7 @@ pub fn obstacle(world: &World, row: u16) -> Option<String> {
     })
 }
 
-/// Gives a material other moduli. Forces must be known, and evaluated anew afterwards with a workspace that is laid out anew; what the ledger is
+/// Gives a material other moduli and another density; blocks whose mass the scene gives keep it. Forces must be known, and evaluated anew afterwards with a workspace that is laid out anew; what the ledger is
 /// left with between the two is the energy of the edit.
 ///
 /// # Errors
@@ -51,6 +59,10 @@ pub fn change(
     row: u16,
     material: Material,
 ) -> Result<(), String> {
+    let by = material.density / world.setup.materials[usize::from(row)].density;
+    if by != 1.0 {
+        change_masses(world, row, by);
+    }
     change_laws(world, scratch, |world| world.setup.materials[usize::from(row)] = material);
     renew_laws(world);
     let World { deform, setup, reference, .. } = world;
@@ -71,4 +83,30 @@ pub fn change(
         }
     }
     Ok(())
+}
+
+/// Multiplies the masses of the living blocks of a material. Equal blocks share a class: each class has its heavier twin.
+fn change_masses(world: &mut World, row: u16, by: f64) {
+    let mut given = vec![false; world.alive.len()];
+    for body in &world.setup.bodies {
+        given[body.block as usize] = true;
+    }
+    let mut twins = BTreeMap::new();
+    for b in 0..world.alive.len() {
+        if given[b] || !world.alive[b] || world.setup.blocks[b].material != row {
+            continue;
+        }
+        let class = world.solid[b];
+        let solids = &mut world.solids;
+        world.solid[b] = *twins.entry(class).or_insert_with(|| {
+            let of = solids[class as usize];
+            let (mass, inertia, inverse) = (by * of.mass, by * of.inertia, (1.0 / by) * of.inverse);
+            solids.push(SolidClass { mass, inertia, inverse, ..of });
+            solids.len() as u32 - 1
+        });
+        if let Some(turned) = &mut world.turned[b] {
+            // The spin stays.
+            turned.momentum *= by;
+        }
+    }
 }

@@ -65,7 +65,9 @@ impl Builder<'_> {
             }
             for (number, line) in (1..).zip(lines) {
                 let name = name(number);
-                self.bolt_in_rock(said, &name, &line, &design);
+                if !self.parsed.has_moved {
+                    self.bolt_in_rock(said, &name, &line, &design);
+                }
                 let [head, toe] = [line.head, line.toe].map(|end| self.near(end));
                 match self.space {
                     InSpace::Planar => self.setup.bolts.push(planar::setup::Bolt {

@@ -4,6 +4,8 @@
 //! messages are those of a scene, and phases to come keep what they change beside what the change has changed. Only what that phase
 //! edits, and the rules that may change, are taken from it.
 
+mod bolt;
+
 use std::path::PathBuf;
 
 use riprap_core::condition::Condition;
@@ -13,9 +15,10 @@ use super::engine::Kind;
 use super::job::Job;
 use super::scene::build;
 use super::simulation::{Change, ChangeError, Simulation};
+use crate::model::Model;
 use crate::plan::Phase;
 use crate::record::field::nearest;
-use crate::scenario::{self, Diagnostics, Source};
+use crate::scenario::{self, Diagnostics, Parsed, Source};
 use crate::setup::Setup;
 use crate::spatial::setup::Material;
 
@@ -38,8 +41,8 @@ const RULES: [&str; 5] = ["until", "time_step", "safety", "damping", "max_residu
 /// Keys that list blocks.
 const LISTS: [&str; 3] = ["remove", "fix", "release"];
 
-/// Keys of a material that can change.
-const MODULI: [&str; 2] = ["young", "poisson"];
+/// Keys of a material that can change; the moduli in space.
+const OF_MATERIALS: [&str; 3] = ["density", "young", "poisson"];
 
 /// Why materials of the plane do not change.
 const IN_PLANE: &str = "in the plane its moduli only set the stiffness of interfaces that give none; change `interfaces.NAME.normal_stiffness`";
@@ -92,10 +95,7 @@ impl SceneText {
         // Each change before stands behind a phase before this place.
         let at = now + self.count + 1;
         let text = self.with(keys, at, &present.name)?;
-        let source = Source::new(format!("{} (with a change)", self.name), text.clone());
-        let mut parsed = scenario::parse_with(source, Vec::new()).map_err(ChangeError::Keys)?;
-        parsed.folder.clone_from(&self.folder);
-        let model = build(&parsed, &self.variant).map_err(ChangeError::Keys)?;
+        let (parsed, model) = self.built(&text)?;
         without_effect(&parsed, &model.warnings, self.count + 1)?;
         let mut phases = model.plan.phases.into_iter().skip(at);
         let said = phases.next().ok_or(ChangeError::NoScene)?;
@@ -127,7 +127,7 @@ impl SceneText {
         Ok((change, Self { text, count: self.count + 1, ..self.clone() }))
     }
 
-    /// A material with other moduli: its number, and the text with it.
+    /// A material with another density or other moduli: its number, and the text with it.
     pub(super) fn read_material(
         &self,
         name: &str,
@@ -139,14 +139,15 @@ impl SceneText {
         if simulation.phase().is_none() {
             return Err(ChangeError::Ended);
         }
-        if let Some(key) = keys.keys().find(|key| !MODULI.contains(&key.as_str())) {
+        if let Some(key) = keys.keys().find(|key| !OF_MATERIALS.contains(&key.as_str())) {
             let key = format!("materials.{name}.{key}");
-            return Err(ChangeError::Forbidden { key, known: MODULI.join(", ") });
+            return Err(ChangeError::Forbidden { key, known: OF_MATERIALS.join(", ") });
         }
         if keys.is_empty() {
-            return Err(wrong("no key is given; valid keys: young, poisson"));
+            return Err(wrong("no key is given; valid keys: density, young, poisson"));
         }
-        if simulation.kind() != Kind::Spatial {
+        let in_plane = simulation.kind() != Kind::Spatial;
+        if in_plane && keys.keys().any(|key| key != "density") {
             return Err(wrong(IN_PLANE));
         }
         let mut root = self.root()?;
@@ -159,17 +160,28 @@ impl SceneText {
         };
         material.extend(keys.clone());
         let text = root.to_string();
-        let source = Source::new(format!("{} (with a change)", self.name), text.clone());
-        let mut parsed = scenario::parse_with(source, Vec::new()).map_err(ChangeError::Keys)?;
-        parsed.folder.clone_from(&self.folder);
-        let model = build(&parsed, &self.variant).map_err(ChangeError::Keys)?;
-        let Setup::Spatial(setup) = model.setup else {
-            return Err(wrong(IN_PLANE));
+        let (_, model) = self.built(&text)?;
+        let materials: Vec<Material> = match model.setup {
+            Setup::Spatial(setup) => setup.materials,
+            Setup::Planar(setup) => {
+                let one = |(name, density)| Material { name, density, young: None, poisson: None };
+                setup.materials.into_iter().zip(setup.densities).map(one).collect()
+            }
         };
-        let mut numbered = (0..).zip(setup.materials);
+        let mut numbered = (0..).zip(materials);
         let found = numbered.find(|(_, material)| material.name == name);
         let (row, material) = found.ok_or_else(|| wrong("no block is made of it"))?;
         Ok((row, material, Self { text, ..self.clone() }))
+    }
+
+    /// The model of a text.
+    fn built(&self, text: &str) -> Result<(Parsed, Model), ChangeError> {
+        let source = Source::new(format!("{} (with a change)", self.name), text.to_owned());
+        let mut parsed = scenario::parse_with(source, Vec::new()).map_err(ChangeError::Keys)?;
+        parsed.folder.clone_from(&self.folder);
+        parsed.has_moved = true;
+        let model = build(&parsed, &self.variant).map_err(ChangeError::Keys)?;
+        Ok((parsed, model))
     }
 
     fn root(&self) -> Result<Table, ChangeError> {

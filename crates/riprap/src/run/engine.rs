@@ -16,8 +16,8 @@ mod view;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-pub(in crate::run) use add::Addition;
 pub use add::NewBlock;
+pub(in crate::run) use add::{Addition, NewBolt};
 pub use leave::Departed;
 pub use nodes::Nodes;
 pub(in crate::run) use own::{Met, Wrenches, wrench};

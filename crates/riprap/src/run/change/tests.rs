@@ -1,6 +1,7 @@
 //! Scripts that change a run.
 
 mod adding;
+mod bolts;
 mod laws;
 mod nodes;
 mod own;

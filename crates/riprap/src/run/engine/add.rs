@@ -41,6 +41,15 @@ impl Addition {
     }
 }
 
+/// A bolt that code installs, in local coordinates.
+#[derive(Clone, Debug)]
+pub(in crate::run) enum NewBolt {
+    /// In the plane.
+    Planar(planar::setup::Bolt),
+    /// In space.
+    Spatial(spatial::setup::Bolt),
+}
+
 /// Number of a name among others.
 fn number<'a>(
     what: &str,
@@ -145,6 +154,17 @@ impl Engine {
             }
             (Self::Planar(_), Addition::Spatial(_)) | (Self::Spatial(_), Addition::Planar(_)) => {
                 unreachable!("a block is added to the engine that has looked at it")
+            }
+        }
+    }
+
+    /// Enters a bolt, which is installed later; the next number is its own.
+    pub(in crate::run) fn add_bolt(&mut self, bolt: NewBolt) {
+        match (self, bolt) {
+            (Self::Planar(e), NewBolt::Planar(bolt)) => e.world.setup.bolts.push(bolt),
+            (Self::Spatial(e), NewBolt::Spatial(bolt)) => e.world.setup.bolts.push(bolt),
+            (Self::Planar(_), NewBolt::Spatial(_)) | (Self::Spatial(_), NewBolt::Planar(_)) => {
+                unreachable!("a bolt is read for the engine that takes it")
             }
         }
     }

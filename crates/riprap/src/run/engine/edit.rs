@@ -104,19 +104,21 @@ pub(super) fn spatial(
 impl Engine {
     /// What keeps moduli of a material from being changed, in words.
     #[must_use]
-    pub fn material_obstacle(&self, row: u16) -> Option<String> {
+    pub fn material_obstacle(
+        &self,
+        row: u16,
+        material: &spatial::setup::Material,
+    ) -> Option<String> {
         match self {
-            Self::Planar(_) => {
-                Some("in the plane it sets the stiffness of interfaces that give none".to_owned())
-            }
+            Self::Planar(_) => None,
             Self::Spatial(_) if self.exec().peers().is_some() => {
                 Some("the model is shared out among ranks; run it on one".to_owned())
             }
-            Self::Spatial(e) => spatial::topology::material::obstacle(&e.world, row),
+            Self::Spatial(e) => spatial::topology::material::obstacle(&e.world, row, material),
         }
     }
 
-    /// Gives a material other moduli. Forces must be known, and re-evaluated afterwards.
+    /// Gives a material other moduli and another density, in the plane a density. Forces must be known, and re-evaluated afterwards.
     ///
     /// # Errors
     /// A law that lacks moduli, in words.
@@ -125,8 +127,16 @@ impl Engine {
         row: u16,
         material: spatial::setup::Material,
     ) -> Result<(), String> {
-        let Self::Spatial(e) = self else {
-            return Ok(());
+        let e = match self {
+            Self::Planar(e) => {
+                planar::density::change(&mut e.world, row, material.density);
+                let exec = std::mem::replace(&mut e.scratch.exec, Exec::serial());
+                let mut scratch = planar::step::Scratch::new(&mut e.world, exec);
+                std::mem::swap(&mut scratch.profile, &mut e.scratch.profile);
+                e.scratch = scratch;
+                return Ok(());
+            }
+            Self::Spatial(e) => e,
         };
         spatial::topology::material::change(&mut e.world, &e.scratch, row, material)?;
         // Elements and what hangs on them are laid out by the moduli.

@@ -81,8 +81,8 @@ impl Live {
         Ok(())
     }
 
-    /// Changes moduli of a material at the present instant, written as its keys in TOML (`young`, `poisson`): of tetrahedra, bonds, joints and contacts
-    /// whose stiffness comes of them. What it adds to the energy is booked as an edit, and an event of the run says what was changed.
+    /// Changes a material at the present instant, written as its keys in TOML (`density`; in space also `young`, `poisson`): masses, tetrahedra, bonds, joints and
+    /// contacts whose stiffness comes of them; velocities stay. What it adds to the energy is booked as an edit, and an event of the run says what was changed.
     ///
     /// # Errors
     /// Keys that are wrong or that cannot change; as [`Simulation::set_material`]. The run stays as it was then.
@@ -96,6 +96,27 @@ impl Live {
         let event = serde_json::json!({ "event": "material changed", "of": name, "keys": keys });
         self.edit(event, |simulation| simulation.set_material(row, material.clone()))?;
         self.scene = Some(scene);
+        Ok(())
+    }
+
+    /// Installs a bolt that the scene does not have, in the rock as it is now: keys of a table of `[[bolts]]` in TOML, `head` and `toe` in the coordinates of the
+    /// scene, and either `like = "BOLT"`, a bolt of the scene whose steel, grout and plate it takes over where it does not say its own, or all of them.
+    /// Without a `name` it is called `bolt by code 1`, ... It has no force but for its `pretension`; an event of the run says what was installed.
+    ///
+    /// # Errors
+    /// Keys that are wrong, a name that is taken, a bolt that is not in rock. The run stays as it was then.
+    #[cfg(feature = "scenario")]
+    pub fn install_bolt(&mut self, keys: &str) -> Result<(), JobError> {
+        self.not_ended()?;
+        let scene = self.scene.as_ref().ok_or(ChangeError::NoScene).map_err(DriveError::from)?;
+        let keys = crate::run::change::parse(keys).map_err(DriveError::from)?;
+        let read = scene.read_bolt(&keys, self.drive.simulation()).map_err(DriveError::from)?;
+        let event =
+            serde_json::json!({ "event": "bolt installed", "name": read.name, "keys": keys });
+        self.edit(event, |simulation| {
+            simulation.install_bolt(read.bolt.clone(), read.change.clone())
+        })?;
+        self.scene = Some(read.scene);
         Ok(())
     }
 

@@ -10,7 +10,7 @@ use thiserror::Error;
 use super::{RunError, Simulation, damping_of};
 use crate::plan::Phase;
 use crate::record::field::nearest;
-use crate::run::engine::{Engine, Kind, Nodes};
+use crate::run::engine::{Engine, Kind, NewBolt, Nodes};
 use crate::spatial::setup::Material;
 
 /// A change in numbers.
@@ -166,6 +166,16 @@ impl Simulation {
         Ok(())
     }
 
+    /// Enters a bolt and makes the change that installs it.
+    pub(in crate::run) fn install_bolt(
+        &mut self,
+        bolt: NewBolt,
+        change: Change,
+    ) -> Result<(), ChangeError> {
+        self.engine.add_bolt(bolt);
+        self.change(change)
+    }
+
     /// Sets the force (N) and the moment (N m; in the plane about z, per metre of thickness) that code puts on each block of a name, from now on until it is set again:
     /// beside the loads of the scene. Their work is that of the load `force on NAME`.
     ///
@@ -306,16 +316,16 @@ impl Simulation {
         self.booked(|engine| engine.set_velocity(&blocks, velocity, spin))
     }
 
-    /// Gives a material (by its number) other moduli at the present instant: of tetrahedra, bonds, joints and contacts whose stiffness comes of
-    /// them. Displacements stay; what is stored changes with the stiffness and is booked as an edit.
+    /// Gives a material (by its number) another density and in space other moduli at the present instant: of tetrahedra, bonds, joints and contacts whose
+    /// stiffness comes of them. Displacements and velocities stay; what is stored changes with the stiffness, kinetic energy and weight with the mass, which is booked as an edit.
     ///
     /// # Errors
-    /// The plane, ranks, a phase that relaxes deformable blocks, boundaries and bonds that keep the stiffness they had.
+    /// Ranks, a phase that relaxes deformable blocks, boundaries and bonds that keep the stiffness they had.
     pub fn set_material(&mut self, row: u16, material: Material) -> Result<(), ChangeError> {
         self.begin_present()?;
         let name = material.name.clone();
         let wrong = |why: String| ChangeError::Material { name: name.clone(), why };
-        if let Some(why) = self.engine.material_obstacle(row) {
+        if let Some(why) = self.engine.material_obstacle(row, &material) {
             return Err(wrong(why));
         }
         let mut done = Ok(());

@@ -148,14 +148,16 @@ fn what_cannot_change_is_refused_by_name() {
     for (name, keys, why) in [
         (
             "rock",
-            "density = \"1 kg/m3\"",
-            "`materials.rock.density` cannot change within a phase; valid keys: young, poisson",
+            "name = \"ore\"",
+            "`materials.rock.name` cannot change within a phase; valid keys: density, young, poisson",
         ),
         ("rok", "young = \"1 GPa\"", "there is none of this name; did you mean \"rock\"?"),
         ("rock", "young = \"nan GPa\"", "nan GPa"),
         ("rock", "poisson = 0.7", "poisson"),
         ("rock", "", "no key is given"),
+        ("rock", "density = \"-1 kg/m3\"", "density"),
         ("rock", "young = \"1 GPa\"", "the phase relaxes deformable blocks"),
+        ("rock", "density = \"1000 kg/m3\"", "the phase relaxes deformable blocks"),
     ] {
         let said = told(bar.set_material(name, keys));
         assert!(said.contains(why), "{said}");
@@ -173,4 +175,107 @@ fn what_cannot_change_is_refused_by_name() {
         flat.change("interfaces.default.shear_stiffness = \"2 GPa/m\"\nremoval_ramp = \"1 s\""),
     );
     assert!(said.contains("removal_ramp"), "{said}");
+}
+
+/// Two stones in the void, one of which spins, and a third one of another material.
+fn void(space: &str) -> String {
+    let (head, spin, shape) = match space {
+        "planar" => {
+            ("gravity = [\"0 m/s2\", \"0 m/s2\"]", "3", "rectangle = { size = [\"1 m\", \"1 m\"]")
+        }
+        _ => ("gravity = \"0 m/s2\"", "[0, 0, 3]", "brick = { size = [\"1 m\", \"1 m\", \"1 m\"]"),
+    };
+    let (spin, corner) = match space {
+        "planar" => (format!("\"{spin} rad/s\""), ["\"0 m\", \"0 m\"", "\"9 m\", \"0 m\""]),
+        _ => (
+            "[\"0 rad/s\", \"0 rad/s\", \"3 rad/s\"]".to_owned(),
+            ["\"0 m\", \"0 m\", \"0 m\"", "\"9 m\", \"0 m\", \"0 m\""],
+        ),
+    };
+    let [first, second] = corner;
+    format!(
+        r#"
+riprap = 1
+title = "stones in the void"
+[space.{space}]
+{head}
+[materials.rock]
+density = "2000 kg/m3"
+[materials.ore]
+density = "2000 kg/m3"
+[interfaces.default]
+normal_stiffness = "1 GPa/m"
+friction_angle = "30 deg"
+[[blocks]]
+name = "stone"
+material = "rock"
+{shape}, corner = [{first}] }}
+spin = {spin}
+[[blocks]]
+name = "other"
+material = "ore"
+{shape}, corner = [{second}] }}
+[[phases]]
+name = "go"
+until.time = "1 s"
+time_step = "1 ms"
+"#
+    )
+}
+
+#[test]
+fn a_density_changed_by_code_keeps_velocities_and_books_the_energy() {
+    for space in ["planar", "spatial"] {
+        let folder = tempfile::tempdir().unwrap();
+        let read =
+            |live: &Live, field: &str, of: &[&str]| live.simulation().field(field, of).unwrap();
+        let script = |live: &mut Live| {
+            live.set_force("stone", [4000.0, 0.0, 0.0], [0.0; 3]).unwrap();
+            on(live, 0.5);
+            // Of the whole run: at 1 m/s, and 3 rad/s with an inertia of m/6.
+            let before = read(live, "energy.edit_defect", &[]);
+            live.set_material("rock", "density = \"5000 kg/m3\"").unwrap();
+            let booked = read(live, "energy.edit_defect", &[]) - before;
+            let closed = 0.5 * 3000.0 * (1.0 + 9.0 / 6.0);
+            assert!((booked - closed).abs() < 1e-6 * closed, "{space}: {booked} {closed}");
+            assert!((speed(live, "stone") - 1.0).abs() < 1e-9, "{space}: {}", speed(live, "stone"));
+            assert_eq!(read(live, "block.mass", &["other"]), 2000.0, "{space}");
+            assert!((read(live, "block.mass", &["stone"]) - 5000.0).abs() < 1e-9, "{space}");
+        };
+        let mut first = live(&void(space), None);
+        script(&mut first);
+        first.advance(Pause::NEVER, &mut |_| Control::Continue).unwrap();
+        // 2 m/s2 for half of a second, then 0.8 m/s2.
+        assert!((speed(&first, "stone") - 1.4).abs() < 1e-9, "{space}: {}", speed(&first, "stone"));
+        let spin = if space == "planar" { "block.spin" } else { "block.spin.z" };
+        assert!((read(&first, spin, &["stone"]) - 3.0).abs() < 1e-9, "{space}");
+        let share = read(&first, "energy.residual_relative", &[]);
+        assert!(share.abs() < 1e-9, "{space}: {share:e}");
+        let path = folder.path().join(space);
+        let mut second = live(&void(space), Some(&path));
+        script(&mut second);
+        second.close().unwrap();
+        let again = job::resume(&path, 1, &mut |_| Control::Continue).unwrap();
+        assert_eq!(again.manifest.state_hash, first.simulation().engine().hash(), "{space}");
+    }
+}
+
+#[test]
+fn heavier_blocks_press_harder_at_rest() {
+    for space in ["planar", "spatial"] {
+        let mut live = live(
+            &text(space).replace("tilt = \"20 deg\"", "").replace("3.42 m/s2", "0 m/s2"),
+            None,
+        );
+        on(&mut live, 0.2);
+        let pressing =
+            |live: &Live| live.simulation().field("pair.normal_force", &["low", "table"]).unwrap();
+        let before = pressing(&live);
+        live.set_material("rock", "density = \"3750 kg/m3\"").unwrap();
+        on(&mut live, 0.39);
+        let after = pressing(&live);
+        assert!((after / before - 1.5).abs() < 1e-4, "{space}: {before} {after}");
+        let share = live.simulation().field::<&str>("energy.residual_relative", &[]).unwrap();
+        assert!(share.abs() < 1e-6, "{space}: {share:e}");
+    }
 }
