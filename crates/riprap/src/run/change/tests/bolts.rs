@@ -56,7 +56,7 @@ time_step = "10 us"
 [[phases]]
 name = "hang"
 kind = "static"
-until = {{ unbalanced = 1e-9, steps = 200000 }}
+until = {{ unbalanced = 1e-6, steps = 200000 }}
 "#
     )
 }
@@ -94,7 +94,7 @@ fn a_bolt_by_code_carries_the_block_and_is_kept_by_a_restart() {
         let force =
             |name: &str| -> f64 { first.simulation().field("bolt.axial_force", &[name]).unwrap() };
         let carried = force("late") + force("bolt by code 1");
-        assert!((carried - 20_000.0).abs() < 20.0, "{space}: {carried}");
+        assert!((carried - 20_000.0).abs() < 200.0, "{space}: {carried}");
         assert!(
             force("late") > 5_000.0 && force("anchor").abs() < 1.0,
             "{space}: {}",

@@ -177,44 +177,49 @@ fn what_cannot_change_is_refused_by_name() {
     assert!(said.contains("removal_ramp"), "{said}");
 }
 
-/// Two stones in the void, one of which spins, and a third one of another material.
+/// Two stones in the void, one of which spins, of two materials.
 fn void(space: &str) -> String {
-    let (head, spin, shape) = match space {
-        "planar" => {
-            ("gravity = [\"0 m/s2\", \"0 m/s2\"]", "3", "rectangle = { size = [\"1 m\", \"1 m\"]")
-        }
-        _ => ("gravity = \"0 m/s2\"", "[0, 0, 3]", "brick = { size = [\"1 m\", \"1 m\", \"1 m\"]"),
-    };
-    let (spin, corner) = match space {
-        "planar" => (format!("\"{spin} rad/s\""), ["\"0 m\", \"0 m\"", "\"9 m\", \"0 m\""]),
-        _ => (
-            "[\"0 rad/s\", \"0 rad/s\", \"3 rad/s\"]".to_owned(),
-            ["\"0 m\", \"0 m\", \"0 m\"", "\"9 m\", \"0 m\", \"0 m\""],
+    let planar = space == "planar";
+    let (gravity, spin, more) = match planar {
+        true => ("[\"0 m/s2\", \"0 m/s2\"]", "\"3 rad/s\"", ""),
+        false => (
+            "\"0 m/s2\"",
+            "[\"0 rad/s\", \"0 rad/s\", \"3 rad/s\"]",
+            "shear_stiffness = \"0.5 GPa/m\"",
         ),
     };
-    let [first, second] = corner;
+    let shape = |x: f64| match planar {
+        true => {
+            format!("rectangle = {{ size = [\"1 m\", \"1 m\"], corner = [\"{x} m\", \"0 m\"] }}")
+        }
+        false => format!(
+            "brick = {{ size = [\"1 m\", \"1 m\", \"1 m\"], corner = [\"{x} m\", \"0 m\", \"0 m\"] }}"
+        ),
+    };
+    let (first, second) = (shape(0.0), shape(9.0));
     format!(
         r#"
 riprap = 1
 title = "stones in the void"
 [space.{space}]
-{head}
+gravity = {gravity}
 [materials.rock]
 density = "2000 kg/m3"
 [materials.ore]
 density = "2000 kg/m3"
 [interfaces.default]
 normal_stiffness = "1 GPa/m"
+{more}
 friction_angle = "30 deg"
 [[blocks]]
 name = "stone"
 material = "rock"
-{shape}, corner = [{first}] }}
+{first}
 spin = {spin}
 [[blocks]]
 name = "other"
 material = "ore"
-{shape}, corner = [{second}] }}
+{second}
 [[phases]]
 name = "go"
 until.time = "1 s"
