@@ -86,7 +86,7 @@ fn poles_of_a_leaning_joint_and_of_a_crack() {
 fn pictures_of_some_blocks_leave_out_the_others() {
     let dir = tempfile::tempdir().unwrap();
     let sample = || Frame { time: 0.25, ..riprap_testkit::sample() };
-    let (mut run, folder) = folder(dir.path(), &[sample()]);
+    let (run, folder) = folder(dir.path(), &[sample()]);
     let names = ["left", "right"].map(str::to_owned);
     run.write_names(&Names::pack(names, [("rock", &[0_u32, 1][..])])).unwrap();
     let out = dir.path().join("some.svg");
