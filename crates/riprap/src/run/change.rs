@@ -9,6 +9,7 @@ mod bolt;
 use std::path::PathBuf;
 
 use riprap_core::condition::Condition;
+use toml::de::DeTable;
 use toml::{Table, Value};
 
 use super::engine::Kind;
@@ -159,7 +160,7 @@ impl SceneText {
             return Err(wrong(&format!("there is none of this name{}", near.unwrap_or_default())));
         };
         material.extend(keys.clone());
-        let text = root.to_string();
+        let text = self.written(root);
         let (_, model) = self.built(&text)?;
         let materials: Vec<Material> = match model.setup {
             Setup::Spatial(setup) => setup.materials,
@@ -172,6 +173,39 @@ impl SceneText {
         let found = numbered.find(|(_, material)| material.name == name);
         let (row, material) = found.ok_or_else(|| wrong("no block is made of it"))?;
         Ok((row, material, Self { text, ..self.clone() }))
+    }
+
+    /// The text of a table, in which named tables keep their order: interfaces, materials and water tables are numbered by it.
+    fn written(&self, mut root: Table) -> String {
+        let Ok(before) = DeTable::parse(&self.text) else { return root.to_string() };
+        let named: Vec<String> = root.keys().cloned().collect();
+        let mut behind = String::new();
+        for key in named {
+            let Some((_, of)) = before.get_ref().iter().find(|(one, _)| *one.get_ref() == key)
+            else {
+                continue;
+            };
+            let is_named = |value: &Value| {
+                value.as_table().is_some_and(|all| all.values().all(Value::is_table))
+            };
+            let Some(order) = of.get_ref().as_table() else { continue };
+            if !root.get(&key).is_some_and(is_named) {
+                continue;
+            }
+            let Some(Value::Table(all)) = root.remove(&key) else { continue };
+            let place = |name: &str| {
+                let found = order.iter().find(|(one, _)| *one.get_ref() == name);
+                found.map_or(usize::MAX, |(one, _)| one.span().start)
+            };
+            let mut all: Vec<(String, Value)> = all.into_iter().collect();
+            all.sort_by_key(|(name, _)| place(name));
+            for one in all {
+                let table =
+                    Table::from_iter([(key.clone(), Value::Table(Table::from_iter([one])))]);
+                behind.push_str(&format!("\n{table}"));
+            }
+        }
+        format!("{root}{behind}")
     }
 
     /// The model of a text.
@@ -227,7 +261,7 @@ impl SceneText {
             }
         }
         phases.insert(at.min(phases.len()), Value::Table(phase));
-        Ok(root.to_string())
+        Ok(self.written(root))
     }
 }
 

@@ -59,7 +59,7 @@ impl SceneText {
         let bolts = root.entry("bolts").or_insert_with(|| Value::Array(Vec::new()));
         bolts.as_array_mut().ok_or(ChangeError::NoScene)?.push(Value::Table(table));
         let at = now + self.count + 1;
-        let with_bolt = Self { text: root.to_string(), ..self.clone() };
+        let with_bolt = Self { text: self.written(root), ..self.clone() };
         let text = with_bolt.with(&Table::new(), at, &present.name)?;
         let (_, model) = self.built(&text)?;
         let wrong = || bolt(&name, "its number is not the next one".to_owned());

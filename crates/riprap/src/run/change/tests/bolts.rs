@@ -61,10 +61,13 @@ until = {{ unbalanced = 1e-6, steps = 200000 }}
     )
 }
 
-fn ends(space: &str) -> &'static str {
+/// Both ends of a bolt through two blocks.
+fn ends(space: &str, x: f64) -> String {
     match space {
-        "planar" => "head = [\"0.5 m\", \"0.01 m\"]\ntoe = [\"0.5 m\", \"1.9 m\"]\n",
-        _ => "head = [\"0.5 m\", \"0.5 m\", \"0.01 m\"]\ntoe = [\"0.5 m\", \"0.5 m\", \"1.9 m\"]\n",
+        "planar" => format!("head = [\"{x} m\", \"0.01 m\"]\ntoe = [\"{x} m\", \"1.9 m\"]\n"),
+        _ => format!(
+            "head = [\"{x} m\", \"0.5 m\", \"0.01 m\"]\ntoe = [\"{x} m\", \"0.5 m\", \"1.9 m\"]\n"
+        ),
     }
 }
 
@@ -74,17 +77,11 @@ fn a_bolt_by_code_carries_the_block_and_is_kept_by_a_restart() {
         let folder = tempfile::tempdir().unwrap();
         let script = |live: &mut Live| {
             on(live, 0.01);
-            let keys = format!("name = \"late\"\nlike = \"anchor\"\n{}", ends(space));
+            let keys = format!("name = \"late\"\nlike = \"anchor\"\n{}", ends(space, 0.5));
             live.install_bolt(&keys).unwrap();
             on(live, 0.015);
-            // A second one by its own keys, and a change after both.
-            let own = format!(
-                "{}{KEYS}dowel.stiffness = \"100 MN/m\"",
-                ends(space).replace("0.5 m\", \"0.", "0.7 m\", \"0.")
-            );
-            let own = own
-                .replace("[\"0.5 m\", \"1.9", "[\"0.7 m\", \"1.9")
-                .replace("[\"0.5 m\", \"0.5 m\", \"1.9", "[\"0.7 m\", \"0.5 m\", \"1.9");
+            // A second one by its own keys, between blocks that are held, and a change after both.
+            let own = format!("{}{KEYS}dowel.stiffness = \"100 MN/m\"", ends(space, 9.2));
             live.install_bolt(&own).unwrap();
             live.set_interface("default", "friction_angle = \"20 deg\"").unwrap();
         };
@@ -93,13 +90,9 @@ fn a_bolt_by_code_carries_the_block_and_is_kept_by_a_restart() {
         first.advance(Pause::NEVER, &mut |_| Control::Continue).unwrap();
         let force =
             |name: &str| -> f64 { first.simulation().field("bolt.axial_force", &[name]).unwrap() };
-        let carried = force("late") + force("bolt by code 1");
-        assert!((carried - 20_000.0).abs() < 200.0, "{space}: {carried}");
-        assert!(
-            force("late") > 5_000.0 && force("anchor").abs() < 1.0,
-            "{space}: {}",
-            force("late")
-        );
+        let weight = 20_000.0;
+        assert!((force("late") - weight).abs() < 1e-3 * weight, "{space}: {}", force("late"));
+        assert!(force("anchor").abs() < 1.0 && force("bolt by code 1").abs() < 1.0, "{space}");
         let path = folder.path().join(space);
         let mut second = live(&hanging(space), Some(&path));
         script(&mut second);
@@ -119,12 +112,12 @@ fn a_bolt_that_cannot_be_is_refused_and_nothing_has_changed() {
         let mut live = live(&hanging(space), None);
         on(&mut live, 0.01);
         let before = live.simulation().engine().hash();
-        let here = ends(space);
+        let here = ends(space, 0.5);
         for (keys, why) in [
             (format!("like = \"anker\"\n{here}"), "did you mean \"anchor\"?"),
             (format!("name = \"anchor\"\nlike = \"anchor\"\n{here}"), "a bolt has this name"),
             (format!("like = \"anchor\"\nphase = \"hang\"\n{here}"), "`bolts.phase` cannot change"),
-            (here.to_owned(), "steel"),
+            (here.clone(), "steel"),
             (format!("like = \"anchor\"\npiece = \"-1 m\"\n{here}"), "piece"),
             (
                 format!("like = \"anchor\"\n{}", here.replace("1.9 m", "9 m")),
