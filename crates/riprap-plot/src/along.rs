@@ -2,7 +2,8 @@
 
 use super::chart::{self, Curve, Mark, Panel};
 use super::drawing::{choose, middle, short};
-use super::frames::{Which, moment};
+use super::frames::moment;
+use super::load::Which;
 use super::run::Run;
 use super::solid::{self, Body};
 use super::{PlotError, Target, column, table_csv, write};

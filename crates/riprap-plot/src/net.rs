@@ -1,6 +1,7 @@
 //! Stereonets: poles of joints and cracks on the lower hemisphere.
 
-use super::frames::{Which, crack_surfaces, moment};
+use super::frames::moment;
+use super::load::{Which, crack_surfaces};
 use super::planes::{self, Crack};
 use super::run::Run;
 use super::section::need_space;

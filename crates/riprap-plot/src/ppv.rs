@@ -2,7 +2,7 @@
 
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::drawing::{choose, short};
-use super::frames::Which;
+use super::load::Which;
 use super::run::Run;
 use super::section::need_space;
 use super::{PlotError, Target, column, digits, solid, sources, table_csv, write};

@@ -1,7 +1,8 @@
 //! Rose diagrams: strikes of joints and cracks; in the plane the angles of their traces.
 
 use super::drawing::short;
-use super::frames::{Which, crack_surfaces, moment};
+use super::frames::moment;
+use super::load::{Which, crack_surfaces};
 use super::planes;
 use super::run::Run;
 use super::svg::{Anchor, Page};

@@ -1,7 +1,7 @@
 //! A run folder, or some of the blocks in it.
 
-use super::frames::load_frame;
-use super::{PlotError, Which, drawing::short, suffix};
+use super::load::{Which, load_frame};
+use super::{PlotError, drawing::short, suffix};
 use riprap_record::frame::{Column, Frame, Solids, Surfaces};
 use riprap_record::manifest::Manifest;
 use riprap_record::names::Names;

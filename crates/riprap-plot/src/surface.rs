@@ -2,7 +2,8 @@
 
 use super::chart::{self, Abscissa, Curve, Mark, Panel};
 use super::drawing::{Normal, choose, short};
-use super::frames::{Which, listed};
+use super::load::Which;
+use super::load::listed;
 use super::run::Run;
 use super::section::need_space;
 use super::{PlotError, Target, column, digits, solid, source, table_csv, write};

@@ -5,7 +5,8 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::super::PlotError;
-use super::super::frames::{Which, unit_of};
+use super::super::frames::unit_of;
+use super::super::load::Which;
 use super::kinds::Kinds;
 use super::wanted::{CHANGED, Cut, Eye, Note, Shot, Trails};
 
