@@ -81,8 +81,11 @@ pub(super) fn notes(shot: &Shot, [strongest, longest]: [f64; 2], unit: &str) -> 
     out
 }
 
+/// Middle and size of blocks, m, by their numbers.
+type Middles = BTreeMap<u32, (Vec3, f64)>;
+
 /// Middles of the blocks as drawn and the diagonals of the boxes around them, m, by their numbers; those of held ones are infinite.
-fn middles(frame: &Frame, shot: &Shot) -> BTreeMap<u32, (Vec3, f64)> {
+fn middles(frame: &Frame, shot: &Shot) -> Middles {
     let numbers = frame.column("block").map(|c| &c.data);
     let corners = super::drawing::corners(frame, shot);
     let middle = |all: &[Vec3]| {
@@ -144,7 +147,7 @@ fn chains(
     seen: (&Camera, &Window),
     places: &[Vec3],
     (strongest, reach): (f64, f64),
-    (middles, away): (&BTreeMap<u32, (Vec3, f64)>, &dyn Fn(Vec3) -> bool),
+    (middles, away): (&Middles, &dyn Fn(Vec3) -> bool),
     out: &mut Vec<Rod>,
 ) {
     let column = |name: &str| super::contacts::column(frame, name);
