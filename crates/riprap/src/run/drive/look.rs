@@ -96,8 +96,8 @@ impl Look<'_> {
 struct Meter {
     last: Option<(Instant, Duration)>,
     value: Measured,
-    /// Whether this look may measure, and what it took to make that possible.
-    open: (bool, Duration),
+    /// Of several ranks: whether the present look may measure, and what it has taken to know the whole state for that.
+    permit: Option<Option<Duration>>,
 }
 
 impl Meter {
@@ -107,8 +107,11 @@ impl Meter {
     }
 
     fn read(&mut self, simulation: &Simulation) -> &Measured {
-        let (open, before) = self.open;
-        if open && self.may_read() {
+        let before = match self.permit {
+            Some(permit) => permit,
+            None => self.may_read().then_some(Duration::ZERO),
+        };
+        if let Some(before) = before {
             let begun = Instant::now();
             self.value = Measured::of(simulation);
             let end = Instant::now();
@@ -189,9 +192,13 @@ impl Clock {
         self.meter.may_read()
     }
 
-    /// Lets the next look measure or not; making it possible has taken so long.
-    pub(super) fn measure(&mut self, may: bool, cost: Duration) {
-        self.meter.open = (may, cost);
+    /// Of several ranks: lets the next look measure, where knowing the whole state has taken so long, or not.
+    pub(super) fn permit(&mut self, cost: Option<Duration>) {
+        self.meter.permit = Some(cost);
+        if let Some(cost) = cost {
+            // Also where the look measures nothing.
+            self.meter.last = Some((Instant::now(), cost));
+        }
     }
 
     /// Whether it is time for a look.

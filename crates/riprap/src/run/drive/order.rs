@@ -54,7 +54,10 @@ impl Drive {
     /// A look of the caller at the end of the run.
     pub(super) fn show(&mut self, look: &mut dyn FnMut(&mut Look<'_>) -> Control) {
         if self.writes() {
-            self.clock.measure(true, Duration::ZERO);
+            if self.simulation.is_shared() {
+                // All know the end of a phase.
+                self.clock.permit(Some(Duration::ZERO));
+            }
             self.clock.look(&self.simulation, look);
         }
     }
@@ -91,12 +94,14 @@ impl Drive {
             self.clock.set_next(due.map_or(step, |(_, _, next)| next));
             return Ok(Order::GoOn);
         };
-        // Measuring needs the whole state, which ranks must help each other to know.
-        let begun = Instant::now();
-        if measures {
-            self.simulation.settle();
+        if self.simulation.is_shared() {
+            // Measuring needs the whole state, which ranks must help each other to know.
+            let begun = Instant::now();
+            if measures {
+                self.simulation.settle();
+            }
+            self.clock.permit(measures.then(|| begun.elapsed()));
         }
-        self.clock.measure(measures, begun.elapsed());
         let own = self.writes().then(|| (self.decide(look), self.clock.next()));
         let Some(peers) = self.peers() else {
             return Ok(own.map_or(Order::GoOn, |(order, _)| order));
