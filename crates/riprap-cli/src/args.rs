@@ -509,7 +509,7 @@ mod tests {
     }
 
     /// Values that are words or files; all others may be negative, and are then answered by what reads them.
-    const WORDS: [&str; 22] = [
+    const WORDS: [&str; 24] = [
         "WHEN",
         "KEY=VALUE",
         "NAME",
@@ -532,6 +532,8 @@ mod tests {
         "VECTOR",
         "AXIS",
         "PROJECTION",
+        "WHICH",
+        "BY",
     ];
 
     #[test]

@@ -61,8 +61,14 @@ pub(super) fn numbers(frame: &Frame) -> Vec<u32> {
 
 /// The blocks of a frame of which `has` holds, and what lies between two of them; bars of bolts with an end in one.
 fn only(mut frame: Frame, has: &dyn Fn(u32) -> bool) -> Frame {
+    let all = numbers(&frame);
     let kept: Vec<usize> =
-        numbers(&frame).iter().enumerate().filter(|(_, n)| has(**n)).map(|(i, _)| i).collect();
+        all.iter().enumerate().filter(|(_, n)| has(**n)).map(|(i, _)| i).collect();
+    if kept.len() < all.len() && frame.column("block").is_none() {
+        // What is left must not take the numbers of others.
+        let numbers = all.iter().map(|n| f64::from(*n)).collect();
+        frame.block_columns.push(Column::scalar("block", "-", numbers));
+    }
     let (mut points, mut offsets) = (Vec::new(), vec![0]);
     for &i in &kept {
         points.extend_from_slice(frame.outline(i));

@@ -31,7 +31,7 @@ pub struct Bolt {
     #[key(space = "spatial", instead = "use `repeat`")]
     #[key(excludes("repeat", help = "a pattern has rows of its own"))]
     pub pattern: Option<BoltPattern>,
-    /// Only those whose collar, the first block from the head on, is a block of this group or condition: `roof and not portal`. They are counted after.
+    /// Only those whose collar lies in a block of this group or condition: `roof and not portal`.
     #[serde(rename = "where")]
     pub condition: Option<Name>,
     /// Distance of such bolts out of the plane, m; all numbers are those of one bolt.

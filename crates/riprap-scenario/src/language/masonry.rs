@@ -81,16 +81,16 @@ pub struct WallOpening {
     pub arch: Option<OpeningArch>,
 }
 
-/// An arch over an opening, as thick as the wall, of stones between joints that point to the centre of its underside. It springs from the upper corners of the opening.
+/// An arch over an opening, as thick as the wall, of stones between joints that point to the centre of its underside.
 #[derive(Debug, Clone, PartialEq, Deserialize, Keys)]
 #[serde(deny_unknown_fields)]
 pub struct OpeningArch {
-    /// Height of its underside over the springing in the middle, m. Up to 0.38 of the width: a segmental arch with a level top; bricks beside it are cut to its
-    /// skewbacks. Half of the width: a round arch. More: a pointed one. Upper sides of the last two go in steps of whole rows, and no brick is cut.
+    /// Height of its underside over the springing, m. Up to 0.38 of the width: segmental with a level top, bricks cut to its skewbacks. Half of the width: round;
+    /// more: pointed; both stepped by whole rows, no brick is cut.
     pub rise: Quantity<PositiveLength>,
     /// Height from the springing to its top, m: whole rows, more than the rise.
     pub height: Quantity<PositiveLength>,
-    /// Number of stones; an odd one has a keystone, a pointed arch an even one, with a joint at its crown.
+    /// Number of stones: odd with a keystone; even in a pointed arch.
     #[key(min = 1, max = 1_000)]
     pub voussoirs: u32,
 }

@@ -33,8 +33,7 @@ pub struct History {
     pub of: Option<Names>,
     /// Instead of a block: the point, m, that lies in it at the start.
     pub at_point: Option<Vector<Length>>,
-    /// Instead of two blocks: two points, m, on the rock at the start, each of which moves with the block that it lies on or nearest to
-    /// (of those that no phase removes). For `pair.convergence`, `pair.displacement`, `pair.velocity`.
+    /// Two points of the rock, m, in place of two blocks: for `pair.convergence`, `displacement`, `velocity`.
     pub pins: Option<[Vector<Length>; 2]>,
     /// Blocks and groups whose mean displacement or velocity is taken off: for `displacement` and `velocity` of blocks,
     /// groups and nodes.

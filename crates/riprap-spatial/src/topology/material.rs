@@ -92,8 +92,8 @@ fn change_masses(world: &mut World, row: u16, by: f64) {
         given[body.block as usize] = true;
     }
     let mut twins = BTreeMap::new();
-    for b in 0..world.alive.len() {
-        if given[b] || !world.alive[b] || world.setup.blocks[b].material != row {
+    for (b, given) in given.into_iter().enumerate() {
+        if given || !world.alive[b] || world.setup.blocks[b].material != row {
             continue;
         }
         let class = world.solid[b];
