@@ -167,7 +167,7 @@ impl Simulation {
         })
     }
 
-    /// Changes moduli of a material, given as the TOML text of its keys.
+    /// Changes density and moduli of a material, given as the TOML text of its keys.
     fn set_material(&self, py: Python<'_>, name: &str, keys: &str) -> PyResult<()> {
         self.edited(py, |live| live.set_material(name, keys))
     }

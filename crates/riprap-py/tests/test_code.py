@@ -167,11 +167,16 @@ def test_parameters_change_by_name():
         sim.advance(time=0.05)
         sim.set_interface("default", friction_angle="10 deg", cohesion="1 kPa")
         sim.set_material("rock", young="5 GPa")
-        with pytest.raises(ValueError, match=r"`materials.rock.density` cannot change"):
-            sim.set_material("rock", density="1 kg/m3")
+        assert sim.value("block.mass", of="stone").value == pytest.approx(2500.0)
+        sim.set_material("rock", density="5000 kg/m3")
+        assert sim.value("block.mass", of="stone").value == pytest.approx(5000.0)
         with pytest.raises(riprap.ScenarioError, match="did you mean"):
             sim.set_interface("default", friction_angel="10 deg")
         assert sim.advance(time=0.05)
+    with riprap.Simulation(stone("planar"), threads=1) as sim:
+        with pytest.raises(ValueError, match=r"change `interfaces.NAME.normal_stiffness`"):
+            sim.set_material("rock", young="5 GPa")
+        sim.set_interface("default", normal_stiffness="2 GPa/m")
 
 
 @pytest.mark.parametrize("space", ["planar", "spatial"])
