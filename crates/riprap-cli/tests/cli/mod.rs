@@ -8,6 +8,7 @@ mod faults;
 mod guards;
 mod many;
 mod runs;
+mod searches;
 mod templates;
 mod told;
 mod verbs;
