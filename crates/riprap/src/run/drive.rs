@@ -408,10 +408,10 @@ impl Drive {
                     self.simulation.settle();
                 }
                 self.paused = may_fail.then(|| self.pause());
-                if !may_fail && self.passes_unread() {
-                    self.simulation.pass_unread();
-                }
-                let prepared = self.simulation.prepare();
+                let prepared = match !may_fail && self.passes_unread() {
+                    true => self.simulation.prepare_unread(),
+                    false => self.simulation.prepare(),
+                };
                 if prepared.is_err() {
                     self.simulation.settle();
                 }

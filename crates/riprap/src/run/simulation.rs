@@ -11,6 +11,7 @@ mod cause;
 mod change;
 mod control;
 mod cursor;
+mod damping;
 mod ends;
 mod error;
 mod law;
@@ -31,6 +32,7 @@ pub use change::{Change, ChangeError};
 pub use cursor::{
     Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stage, Thrown, Unconverged,
 };
+pub use damping::damping_of;
 pub use error::RunError;
 pub use law::{ContactLaw, Contacts, LawCost};
 pub use spent::Spent;
@@ -46,9 +48,6 @@ use crate::plan::{
     Until,
 };
 use crate::setup::Setup;
-
-/// Share of the unbalanced force that local damping takes in static phases, unless one is given.
-pub const STATIC_DAMPING: f64 = 0.7;
 
 /// A model being advanced through its plan.
 #[derive(Debug)]
@@ -353,17 +352,6 @@ impl Simulation {
         phase.kind == PhaseKind::Static && self.engine.is_implicit()
     }
 
-    /// Damping in the coming step.
-    fn damping(&self, phase: &Rules) -> Damping {
-        if phase.settles { self.forgetting(self.dt) } else { phase.damping }
-    }
-
-    /// Damping that makes blocks forget their velocities in the coming step of `dt` (s): what is solved is the equilibrium of what they
-    /// reach, with masses against too long a way.
-    fn forgetting(&self, dt: f64) -> Damping {
-        Damping { mass: 4.0 / (self.view().last_dt() + dt), ..Damping::default() }
-    }
-
     /// Applies what the phase changes; the energy this adds is booked as an edit.
     fn enter_phase(&mut self) -> Result<(), RunError> {
         self.cursor.entered = true;
@@ -586,17 +574,4 @@ impl Rules {
             step_error: phase.step_error.filter(|_| implicit && phase.kind != PhaseKind::Static),
         }
     }
-}
-
-/// Damping of a phase; static phases of explicit steps have local damping unless another is given. `implicit`: whether its steps are.
-#[must_use]
-pub fn damping_of(phase: &Phase, implicit: bool) -> Damping {
-    let mut damping = phase.damping;
-    if implicit {
-        return damping;
-    }
-    if phase.kind == PhaseKind::Static && damping.local == 0.0 && damping.mass == 0.0 {
-        damping.local = STATIC_DAMPING;
-    }
-    damping
 }

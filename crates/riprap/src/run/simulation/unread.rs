@@ -1,6 +1,6 @@
 //! States that nobody reads. Several ranks keep to themselves in them ([`crate::run::engine::Engine::set_unread`]).
 
-use super::{Rules, RunError, Simulation};
+use super::{Rules, RunError, Simulation, Stage};
 
 impl Simulation {
     /// Whether several ranks compute this run.
@@ -9,9 +9,12 @@ impl Simulation {
         self.engine.exec().peers().is_some()
     }
 
-    /// Says that nobody is going to read the state that the next [`Simulation::prepare`] finds.
-    pub(in crate::run) fn pass_unread(&mut self) {
+    /// As [`Simulation::prepare`], for a state that nobody outside is going to read.
+    pub(in crate::run) fn prepare_unread(&mut self) -> Result<Stage, RunError> {
         self.unread = true;
+        let stage = self.prepare();
+        self.unread = false;
+        stage
     }
 
     /// Lets this rank know the whole state, after one that nobody was to read. All ranks must call it.
@@ -19,10 +22,9 @@ impl Simulation {
         self.engine.settle();
     }
 
-    /// Finds the forces of the coming step, for nobody to read where that was said and nothing between two steps reads them either.
+    /// Finds the forces of the coming step, for nobody to read where nobody outside does and nothing between two steps does either.
     pub(super) fn evaluate_unread(&mut self, phase: &Rules) -> Result<(), RunError> {
-        let unread = std::mem::take(&mut self.unread) && self.reads_nothing(phase);
-        self.engine.set_unread(unread);
+        self.engine.set_unread(self.unread && self.reads_nothing(phase));
         let found = self.evaluate_step(phase);
         self.engine.set_unread(false);
         found
