@@ -185,7 +185,20 @@ pub struct Relaxing {
     pub relaxation: Relaxation,
 }
 
+/// Share of the unbalanced force that local damping takes in static phases, unless one is given.
+const STATIC_DAMPING: f64 = 0.7;
+
 impl Phase {
+    /// Damping in its steps, `implicit` or explicit; static phases of explicit steps have local damping unless another is given.
+    #[must_use]
+    pub fn damping_in(&self, implicit: bool) -> Damping {
+        let given = self.damping.local != 0.0 || self.damping.mass != 0.0;
+        if implicit || given || self.kind != PhaseKind::Static {
+            return self.damping;
+        }
+        Damping { local: STATIC_DAMPING, ..self.damping }
+    }
+
     /// A phase of true dynamics that lasts `time` (s), with the automatic time step and nothing changed at its start.
     #[must_use]
     pub fn dynamic(name: &str, time: f64) -> Self {

@@ -32,7 +32,6 @@ pub use change::{Change, ChangeError};
 pub use cursor::{
     Cursor, PhaseEnd, Reason, Residual, Snapshot, SnapshotRef, Stage, Thrown, Unconverged,
 };
-pub use damping::damping_of;
 pub use error::RunError;
 pub use law::{ContactLaw, Contacts, LawCost};
 pub use spent::Spent;
@@ -386,7 +385,7 @@ impl Simulation {
         if !phase.edits() {
             return Ok(());
         }
-        let damping = damping_of(&phase, self.engine.is_implicit());
+        let damping = phase.damping_in(self.engine.is_implicit());
         self.evaluate(&damping, 0.0)?;
         // Nothing moves until `after`: the residual changes by what the edit adds
         // to stored and kinetic energy, and by nothing else.
@@ -423,7 +422,7 @@ impl Simulation {
             return Ok(());
         }
         let implicit = self.engine.is_implicit();
-        let damping = if settled { self.forgetting(0.0) } else { damping_of(&before, implicit) };
+        let damping = if settled { self.forgetting(0.0) } else { before.damping_in(implicit) };
         self.meet_laws(&damping)?;
         let ended = self.engine.end_motion(&damping);
         ended.map_err(|block| self.no_force(block))
@@ -434,7 +433,7 @@ impl Simulation {
         let gravity = phase.gravity_ramp.is_none_or(|span| span <= 0.0)
             && self.engine.gravity() != self.cursor.gravity_after;
         let strain = |phase: &Phase| phase.deform.and_then(|d| d.strain);
-        let damping = |phase: &Phase| damping_of(phase, phase.integration == Integration::Implicit);
+        let damping = |phase: &Phase| phase.damping_in(phase.integration == Integration::Implicit);
         gravity
             || before.integration != phase.integration
             || before.levels != phase.levels
@@ -566,7 +565,7 @@ impl Rules {
         Self {
             until: phase.until,
             time_step: phase.time_step,
-            damping: damping_of(phase, implicit),
+            damping: phase.damping_in(implicit),
             gravity_ramp: phase.gravity_ramp,
             ramp: longest(phase.gravity_ramp, phase.removal_ramp),
             relax: phase.deform.and_then(|d| d.relax),

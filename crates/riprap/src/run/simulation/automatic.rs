@@ -1,6 +1,6 @@
 //! The choice between explicit and implicit steps, and in static phases between relaxation and Newton's method.
 
-use super::{RunError, Simulation, damping_of};
+use super::{RunError, Simulation};
 use crate::dynamics::damping::Damping;
 use crate::plan::{IMPLICIT_STEP, Integration, Phase, PhaseKind, TimeStep};
 use crate::spatial::Obstacle;
@@ -17,7 +17,7 @@ impl Simulation {
             Integration::Explicit => false,
             Integration::Implicit => true,
             Integration::Automatic => {
-                let damping = damping_of(phase, false);
+                let damping = phase.damping_in(false);
                 // Who can meet whom is known after a look.
                 self.evaluate(&damping, 0.0)?;
                 let against = self.against_implicit(phase, &damping);

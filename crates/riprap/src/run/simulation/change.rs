@@ -7,7 +7,7 @@
 use riprap_core::condition::Condition;
 use thiserror::Error;
 
-use super::{RunError, Simulation, damping_of};
+use super::{RunError, Simulation};
 use crate::plan::Phase;
 use crate::record::field::nearest;
 use crate::run::engine::{Engine, Kind, NewBolt, Nodes};
@@ -336,7 +336,7 @@ impl Simulation {
     /// Ends the motion at the present instant and makes an edit, whose energy is booked.
     pub(super) fn booked(&mut self, edit: impl FnOnce(&mut Engine)) -> Result<(), ChangeError> {
         let phase = self.plan.phases[self.cursor.phase].clone();
-        let damping = damping_of(&phase, self.engine.is_implicit());
+        let damping = phase.damping_in(self.engine.is_implicit());
         if self.view().last_dt() > 0.0 {
             self.meet_laws(&damping)?;
             let ended = self.engine.end_motion(&damping);

@@ -1,6 +1,6 @@
 //! Blocks that leave the model in the course of a phase.
 
-use super::{RunError, Simulation, damping_of};
+use super::{RunError, Simulation};
 
 impl Simulation {
     /// Takes out the blocks that have left the model at the present, prepared state. What they take along is booked; the others go on
@@ -12,7 +12,7 @@ impl Simulation {
         let Some(bounds) = phase.leavers else {
             return Ok(());
         };
-        let damping = damping_of(phase, self.engine.is_implicit());
+        let damping = phase.damping_in(self.engine.is_implicit());
         let gone = self.engine.leaving(&bounds);
         if gone.is_empty() {
             return Ok(());
