@@ -91,7 +91,7 @@ pub(crate) fn gather(world: &mut World, scratch: &mut Scratch) -> Result<(), Non
         width: scratch.width,
     };
     scratch.face_entries.clear();
-    if !world.accounts.is_empty() {
+    if !world.accounts.is_empty() && !scratch.tiles.conditioned(0..world.faces.len()).is_empty() {
         let none = FaceEntry::default();
         scratch.face_entries.resize(world.faces.len(), none);
     }
@@ -182,24 +182,20 @@ impl Gathering<'_> {
                 }
             }
         }
-        let first_face = tile.faces.start;
-        let mut face = 0;
+        let conditioned = self.tiles.conditioned(tile.faces.clone()).iter();
+        let mut conditioned = conditioned.map(|f| *f as usize - tile.faces.start).peekable();
         for &b in &self.tiles.special[tile.special.clone()] {
-            // Faces of other blocks have no condition.
-            while face < work.faces.len() && work.faces[face].block < b {
-                face += 1;
+            while conditioned.next_if(|f| work.faces[*f].block < b).is_some() {}
+            // From its first face with a condition to its last one: what lies between adds nothing.
+            let mut of = 0..0;
+            while let Some(face) = conditioned.next_if(|f| work.faces[*f].block == b) {
+                of = if of.is_empty() { face } else { of.start }..face + 1;
             }
-            let mut end = face;
-            while end < work.faces.len() && work.faces[end].block == b {
-                end += 1;
-            }
-            debug_assert!(first_face + end <= tile.faces.end);
-            let faces = &mut work.faces[face..end];
-            let entries = work.entries.get_mut(face..end).unwrap_or_default();
+            let faces = &mut work.faces[of.clone()];
+            let entries = work.entries.get_mut(of).unwrap_or_default();
             let partial = &mut work.partial[tile.group(b as usize)];
             let faces = (faces, entries);
             self.block(b as usize, base, faces, &mut work.net, partial);
-            face = end;
         }
     }
 

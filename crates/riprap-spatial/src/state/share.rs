@@ -240,7 +240,8 @@ impl Share {
         self.groups.add_own(rank, own, Partial::add);
         let tops = self.groups.tops(rank);
         let tops: Vec<[Works; 2]> = tops.map(|k| [own[k].arrival, own[k].departure]).collect();
-        let (faces, entries) = of.own_faces(self.items(tiles, rank, |tile| &tile.faces));
+        let faces_of = |rank: usize| tiles.conditioned(self.items(tiles, rank, |tile| &tile.faces));
+        let (faces, entries) = of.own_faces(faces_of(rank));
         let all = self.apart.is_none();
         let patches = if all { self.changed(tiles, of.patches) } else { Vec::new() };
         let told = Told { bad, tops, patches, faces, entries };
@@ -265,7 +266,7 @@ impl Share {
             for memory in told.patches {
                 memory.put(of.patches);
             }
-            of.put_faces(self.items(tiles, from, |tile| &tile.faces), &told.faces, &told.entries);
+            of.put_faces(faces_of(from), &told.faces, &told.entries);
             let blocks = self.items(tiles, from, |tile| &tile.blocks);
             let sums = of.sums.iter_mut().filter(|s| all && !s.is_empty());
             for list in sums.flat_map(|s| &mut s.lists) {
@@ -488,18 +489,18 @@ pub(crate) struct Gathered<'a> {
 }
 
 impl Gathered<'_> {
-    /// What the conditions on faces remember and have done, of the faces that have any.
-    fn own_faces(&self, own: Range<usize>) -> (Vec<[Vec3; 4]>, Vec<[Account; 2]>) {
-        let with = own.filter(|f| self.faces[*f].boundary.is_some());
+    /// What the conditions on these faces remember and have done.
+    fn own_faces(&self, own: &[u32]) -> (Vec<[Vec3; 4]>, Vec<[Account; 2]>) {
+        let own = own.iter().map(|f| *f as usize);
         let (faces, entries) = (&self.faces, &self.entries);
-        let anchors = with.clone().filter_map(|f| faces[f].half_block.as_ref()).map(|h| h.anchor);
+        let anchors = own.clone().filter_map(|f| faces[f].half_block.as_ref()).map(|h| h.anchor);
         let anchors = anchors.collect();
-        (anchors, with.filter_map(|f| entries.get(f)).map(|entry| entry.halves).collect())
+        (anchors, own.filter_map(|f| entries.get(f)).map(|entry| entry.halves).collect())
     }
 
-    fn put_faces(&mut self, of: Range<usize>, anchors: &[[Vec3; 4]], entries: &[[Account; 2]]) {
+    fn put_faces(&mut self, of: &[u32], anchors: &[[Vec3; 4]], entries: &[[Account; 2]]) {
         let (mut anchors, mut entries) = (anchors.iter(), entries.iter());
-        for f in of.filter(|f| self.faces[*f].boundary.is_some()).collect::<Vec<_>>() {
+        for f in of.iter().map(|f| *f as usize) {
             if let Some(half) = &mut self.faces[f].half_block
                 && let Some(anchor) = anchors.next()
             {

@@ -174,6 +174,8 @@ pub struct Tiles {
     pub rows: Vec<Row>,
     /// Living blocks that are done one by one, ascending.
     pub special: Vec<u32>,
+    /// Faces with a condition, ascending: few of all.
+    conditioned: Vec<u32>,
 }
 
 impl Tiles {
@@ -187,7 +189,8 @@ impl Tiles {
         assert!(piece > 0 && piece.is_multiple_of(GROUP) && (1..=LANES).contains(&cut.packet));
         let blocks = world.alive.len();
         let ends = &world.patches.ends;
-        let mut tiles = Self::default();
+        let with = (0..).zip(&world.faces).filter(|(_, face)| face.boundary.is_some());
+        let mut tiles = Self { conditioned: with.map(|(f, _)| f).collect(), ..Self::default() };
         let (mut patch, mut face) = (0, 0);
         for first in (0..blocks).step_by(piece) {
             let end = (first + piece).min(blocks);
@@ -209,6 +212,14 @@ impl Tiles {
         tiles.make_incoming(ends, piece);
         tiles.make_rows(world);
         tiles
+    }
+
+    /// Those of a run of faces that have a condition.
+    #[must_use]
+    pub fn conditioned(&self, of: Range<usize>) -> &[u32] {
+        let [first, end] =
+            [of.start, of.end].map(|at| self.conditioned.partition_point(|f| (*f as usize) < at));
+        &self.conditioned[first..end]
     }
 
     /// Number of groups of the model.
@@ -312,7 +323,7 @@ impl Tiles {
         if world.has_terrain() {
             pushed.fill(true);
         }
-        let mut faces = world.faces.iter().filter(|f| f.boundary.is_some()).peekable();
+        let mut faces = self.conditioned.iter().map(|f| &world.faces[*f as usize]).peekable();
         for tile in &mut self.list {
             let (rows, special) = (self.rows.len(), self.special.len());
             for b in tile.blocks.clone() {

@@ -54,9 +54,10 @@ struct Booking<'a> {
 impl Booking<'_> {
     /// Faces of rigid blocks.
     fn faces(&self, entries: &mut Entries) {
-        for (face, entry) in self.world.faces.iter().zip(&self.scratch.face_entries) {
-            let account = face.boundary.and_then(|k| self.boundaries[usize::from(k)]);
-            if let Some(account) = account {
+        let faces = &self.world.faces;
+        for f in self.scratch.tiles.conditioned(0..faces.len()).iter().map(|f| *f as usize) {
+            let account = faces[f].boundary.and_then(|k| self.boundaries[usize::from(k)]);
+            if let Some((account, entry)) = account.zip(self.scratch.face_entries.get(f)) {
                 entries.add(account, &entry.halves);
             }
         }
