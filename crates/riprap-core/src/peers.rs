@@ -226,7 +226,7 @@ impl Peers {
 
     /// A value in a message of a rank; `None` and trouble where it cannot be read.
     pub fn read<T: DeserializeOwned>(&self, from: usize, message: &[u8]) -> Option<T> {
-        let value = postcard::from_bytes(message).ok();
+        let value = value_of(message);
         if value.is_none() {
             self.note(Trouble::Unreadable { rank: from });
         }
@@ -261,6 +261,12 @@ impl Peers {
 pub fn bytes_of<T: Serialize>(value: &T) -> Vec<u8> {
     // What is sent are numbers and lists, which always can be written.
     postcard::to_stdvec(value).unwrap_or_default()
+}
+
+/// The value in a message of [`bytes_of`], if there is one.
+#[must_use]
+pub fn value_of<T: DeserializeOwned>(message: &[u8]) -> Option<T> {
+    postcard::from_bytes(message).ok()
 }
 
 /// Appends numbers to a message.

@@ -4,6 +4,7 @@
 //! law ([`contact_force`]), and what all of them exert is added to the group of the pair. Each block adds that of its pairs in their order: the same bits for
 //! any number of threads.
 
+use std::ops::Range;
 use std::time::Instant;
 
 use riprap_core::sums::{GROUP, tree};
@@ -34,9 +35,11 @@ const SEATED: f64 = 0.02;
 
 /// Finds what all pairs exert, and the sums on each block.
 pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
-    place(world, &mut scratch.desk, &scratch.exec);
+    let own = own_pairs(world, scratch);
+    place(world, &mut scratch.desk, &scratch.exec, own.clone());
     let mut pairs = std::mem::take(&mut world.found.pairs);
-    let sums = evaluate(world, scratch, &mut pairs);
+    let own = own.unwrap_or(0..pairs.len());
+    let sums = evaluate(world, scratch, &mut pairs, own);
     world.found.pairs = pairs;
     let desk = &mut scratch.desk;
     note_left(world, &mut desk.workspaces);
@@ -56,16 +59,21 @@ pub(crate) fn act(world: &mut World, scratch: &mut Scratch) {
     world.found.longest_step = world.found.longest_step.map(|reach| reach.min(stable));
 }
 
-/// Evaluates all pairs; their sums.
-fn evaluate(world: &World, scratch: &mut Scratch, pairs: &mut [FoundPair]) -> PairSums {
-    let whole = 0..pairs.len();
-    let own = match scratch.sharing(world) {
-        Some(share) => {
-            share.pairs.fit(pairs.len().div_ceil(GROUP));
-            shared::part(share, share.peers.rank(), pairs.len())
-        }
-        None => whole,
-    };
+/// The pairs of this rank, of several.
+fn own_pairs(world: &World, scratch: &mut Scratch) -> Option<Range<usize>> {
+    let count = world.found.pairs.len();
+    let share = scratch.sharing(world)?;
+    share.pairs.fit(count.div_ceil(GROUP));
+    Some(shared::part(share, share.peers.rank(), count))
+}
+
+/// Evaluates the pairs `own` and learns of all others; their sums.
+fn evaluate(
+    world: &World,
+    scratch: &mut Scratch,
+    pairs: &mut [FoundPair],
+    own: Range<usize>,
+) -> PairSums {
     let begun = Instant::now();
     let desk = &mut scratch.desk;
     let evaluation = Evaluation {
@@ -140,9 +148,24 @@ pub(crate) fn note_left(world: &mut World, workspaces: &mut [Workspace]) {
     }
 }
 
-/// Turns the blocks that are in a pair to where they are now.
-pub(crate) fn place(world: &World, desk: &mut ContactScratch, exec: &Exec) {
+/// Turns the blocks that are in a pair to where they are now, with the normals of those that are in one of the pairs `own` alone where it is
+/// given: an evaluation reads no others.
+pub(crate) fn place(
+    world: &World,
+    desk: &mut ContactScratch,
+    exec: &Exec,
+    own: Option<Range<usize>>,
+) {
     let ContactScratch { blocks, shapes, poses, turns, normals, first_normal, turning, .. } = desk;
+    let of_own = own.map(|own| {
+        let mut of_own = vec![false; blocks.len()];
+        for b in world.found.pairs[own].iter().flat_map(|pair| pair.ends) {
+            if let Some(of_own) = of_own.get_mut(desk.place[b as usize] as usize) {
+                *of_own = true;
+            }
+        }
+        of_own
+    });
     if poses.len() != blocks.len() || normals.len() != first_normal[blocks.len()] as usize {
         *poses = vec![Pose::at(Vec3::ZERO); blocks.len()];
         *turns = vec![Mat3::IDENTITY; blocks.len()];
@@ -168,13 +191,16 @@ pub(crate) fn place(world: &World, desk: &mut ContactScratch, exec: &Exec) {
     exec.ragged(turns, normals, first_normal, nothing, |first, turns, normals, ()| {
         let mut left = normals;
         let chunk = (first..).zip(&blocks[first..]).zip(turns);
-        for ((_, b), turn) in chunk.filter(|((k, _), _)| placed(*k)) {
+        for ((k, b), turn) in chunk.filter(|((k, _), _)| placed(*k)) {
             let of = &shapes[world.solid[*b as usize] as usize].normals;
             let (own, rest) = left.split_at_mut(of.len());
+            left = rest;
+            if of_own.as_ref().is_some_and(|of_own| !of_own[k]) {
+                continue;
+            }
             for (to, n) in own.iter_mut().zip(of) {
                 *to = *turn * *n;
             }
-            left = rest;
         }
     });
 }

@@ -40,7 +40,7 @@ const MARGIN: f64 = 0.4;
 
 /// Finds the pairs within reach of a step of `dt` (s).
 pub(super) fn find(world: &mut World, scratch: &mut Scratch, dt: f64) {
-    contact::place(world, &mut scratch.desk, &scratch.exec);
+    contact::place(world, &mut scratch.desk, &scratch.exec, None);
     let mut pairs = std::mem::take(&mut world.found.pairs);
     let mut workspaces = std::mem::take(&mut scratch.desk.workspaces);
     let desk = &mut scratch.implicit;
