@@ -155,6 +155,154 @@ fn steps_that_nobody_reads_have_the_bits_of_one_rank() {
     assert!(quiet < 0.5 * read, "{quiet} of {read} bytes a step");
 }
 
+/// What several scenes of bricks begin with.
+const BRICKS: &str = r#"
+riprap = 1
+title = "Bricks"
+[space.spatial]
+gravity = "9.81 m/s2"
+[materials.rock]
+density = "2500 kg/m3"
+young = "1 GPa"
+poisson = 0.25
+[[boundaries]]
+on.plane = "z-min"
+held = {}
+"#;
+
+/// Compares runs of bricks with this end of their scene.
+fn same_bricks(scene: &str, ranks: &[usize]) {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("bricks.toml");
+    std::fs::write(&file, format!("{BRICKS}{scene}")).unwrap();
+    same_for_any_ranks(file.to_str().unwrap(), &[], ranks);
+}
+
+/// The last state of a phase that waits for rest is read, at whatever step it ends: here at none that is looked at in any case.
+#[test]
+fn a_phase_that_ends_at_rest_is_read_at_its_end() {
+    let scene = r#"
+[interfaces.default]
+cohesion = "300 kPa"
+tension = "150 kPa"
+friction_angle = "30 deg"
+damping_ratio = 0.2
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = { size = ["4 m", "4 m", "24 m"], cell = "1 m" }
+[[phases]]
+name = "stand"
+until.steps = 33
+[[phases]]
+name = "rest"
+until.rest = { share = 0.9, speed = "10 m/s", hold = "20 ms" }
+damping.local = 0.3
+[[outputs]]
+history = { name = "far", field = "block.displacement.z", of = "rock.384", every = "500 ms" }
+[[outputs]]
+history = { name = "moving", field = "model.kinetic", every = "500 ms" }
+"#;
+    same_bricks(scene, &[2, 3]);
+}
+
+/// Softening joints wear in tension without a bit that says so, in steps that are read.
+#[test]
+fn worn_joints_have_the_bits_of_one_rank() {
+    let scene = r#"
+[interfaces.default]
+cohesion = "30 kPa"
+tension = "20 kPa"
+friction_angle = "30 deg"
+residual_cohesion = "10 kPa"
+residual_friction_angle = "25 deg"
+damping_ratio = 0.05
+softening = { slip = "20 mm", opening = "20 mm" }
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = { size = ["4 m", "4 m", "12 m"], cell = "1 m" }
+[[phases]]
+name = "stand"
+until.steps = 150
+[[phases]]
+name = "tear"
+gravity = ["0 m/s2", "0 m/s2", "0.5 m/s2"]
+until.steps = 80
+[[phases]]
+name = "back"
+gravity = ["0 m/s2", "0 m/s2", "-9.81 m/s2"]
+until.steps = 33
+[[outputs]]
+history = { name = "top", field = "block.displacement.z", of = "rock.100", every = "0.001 ms" }
+"#;
+    same_bricks(scene, &[2, 3]);
+}
+
+/// They slip and stick again between two states that are read.
+#[test]
+fn joints_that_slip_unread_have_the_bits_of_one_rank() {
+    let scene = r#"
+[interfaces.default]
+cohesion = "1 kPa"
+tension = "1 kPa"
+friction_angle = "30 deg"
+residual_cohesion = "0 kPa"
+residual_friction_angle = "25 deg"
+damping_ratio = 0.1
+softening = { slip = "20 mm", opening = "20 mm" }
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = { size = ["8 m", "8 m", "4 m"], cell = ["8 m", "8 m", "0.02 m"] }
+[[phases]]
+name = "stand"
+until.unbalanced = 1e-3
+kind = "static"
+[[phases]]
+name = "tear"
+gravity = ["6.8 m/s2", "0 m/s2", "-9.81 m/s2"]
+until.steps = 400
+damping.local = 0.5
+[[phases]]
+name = "back"
+gravity = ["0 m/s2", "0 m/s2", "-9.81 m/s2"]
+until.steps = 433
+damping.local = 0.5
+[[outputs]]
+history = { name = "top", field = "block.displacement.x", of = "rock.100", every = "500 ms" }
+"#;
+    same_bricks(scene, &[2, 3]);
+}
+
+/// A joint fails, all are told of it as a row is written, and the next look at joints falls into a step that nobody reads.
+#[test]
+fn joints_that_failed_before_a_row_are_seen_at_the_next_look() {
+    let scene = r#"
+[interfaces.default]
+cohesion = "60 kPa"
+tension = "20 kPa"
+friction_angle = "30 deg"
+damping_ratio = 0.05
+[[blocks]]
+name = "rock"
+material = "rock"
+grid.box = { size = ["4 m", "4 m", "12 m"], cell = "1 m" }
+[[phases]]
+name = "stand"
+until.steps = 3
+[[phases]]
+name = "tear"
+gravity = ["2 m/s2", "0 m/s2", "-9.81 m/s2"]
+until.steps = 142
+[[outputs]]
+history = { name = "top", field = "block.displacement.z", of = "rock.100", every = "58.0 ms" }
+[[outputs]]
+history = { name = "broken", field = "model.broken_points", every = "58.0 ms" }
+"#;
+    same_bricks(scene, &[2, 3]);
+}
+
 /// A look that measures in every step, a run that is stopped in the middle of steps that nobody reads, and goes on.
 #[test]
 fn looks_at_steps_that_nobody_reads_see_what_one_rank_sees() {

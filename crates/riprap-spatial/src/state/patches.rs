@@ -43,6 +43,17 @@ impl Patches {
         self.ends.len()
     }
 
+    /// Whether patch `p` is not as it was built: a softening joint wears and slips before any of its bits says so.
+    #[must_use]
+    pub(crate) fn remembers(&self, p: usize) -> bool {
+        let any = |list: Option<&[f64]>| list.is_some_and(|l| l.iter().any(|x| x.to_bits() != 0));
+        self.flags[p] != 0
+            || any(self.slip.get(p).map(|slip| slip.as_flattened()))
+            || any(self.wear.get(p).map(|wear| wear.as_flattened()))
+            || any(self.accumulated_slip.get(p).map(|slip| &slip[..]))
+            || any(self.normal_offset.get(p).map(|offset| &offset[..]))
+    }
+
     /// Whether there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {

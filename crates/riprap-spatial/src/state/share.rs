@@ -55,8 +55,8 @@ pub(crate) struct Share {
     apart: Option<f64>,
     /// Whether this rank knows of the others' blocks only those at the cut as they are now.
     behind: bool,
-    /// State bits of its patches before the laws were applied.
-    before: Vec<u16>,
+    /// Whether its patches remembered anything before the laws were applied.
+    before: Vec<bool>,
     /// Time that its pieces have taken in this step.
     spent: Duration,
 }
@@ -189,7 +189,7 @@ impl Share {
         }
         let own = self.items(tiles, self.peers.rank(), |tile| &tile.patches);
         self.before.clear();
-        self.before.extend_from_slice(&patches.flags[own]);
+        self.before.extend(own.map(|p| patches.remembers(p)));
     }
 
     /// Exchanges slots and losses; the losses of all are in the first of the list then.
@@ -286,7 +286,7 @@ impl Share {
     /// What the patches of this rank remember that do or did.
     fn changed(&self, tiles: &Tiles, patches: &Patches) -> Vec<Remembered> {
         let own = self.items(tiles, self.peers.rank(), |tile| &tile.patches);
-        let remembers = |(p, before): &(usize, &u16)| patches.flags[*p] != 0 || **before != 0;
+        let remembers = |(p, before): &(usize, &bool)| **before || patches.remembers(*p);
         let list = own.zip(&self.before).filter(remembers);
         list.map(|(p, _)| Remembered::of(patches, p)).collect()
     }

@@ -45,7 +45,7 @@ pub(crate) fn begin(
         let own =
             |of: fn(&Tile) -> &Range<usize>| share.items(&scratch.tiles, share.peers.rank(), of);
         let own = Own { blocks: own(|tile| &tile.blocks), patches: own(|tile| &tile.patches) };
-        let broke = looks && share.some_broke(own.patches.clone(), &world.patches);
+        let broke = looks && some_broke(world, own.patches.clone(), &scratch.desk.who.whole);
         longest = share.smallest(if broke { 0.0 } else { quiet(world, scratch, own, looks) });
     }
     let apart = longest > 0.0;
@@ -105,14 +105,18 @@ pub(super) fn merge(list: &mut Vec<Range<usize>>) {
     });
 }
 
-impl Share {
-    /// Whether joints of these patches, all of this rank, have failed or given way since the others last knew of them.
-    fn some_broke(&self, own: Range<usize>, patches: &Patches) -> bool {
-        let known = |flags: &u16| flags & (flag::BROKEN | flag::DISPLACED);
-        let flags = patches.flags[own].iter();
-        flags.len() != self.before.len() || !flags.map(known).eq(self.before.iter().map(known))
-    }
+/// Whether a joint of these patches has failed or given way since the last look at joints, after which all joints of the blocks that are `whole`
+/// were in place. What the others know of it does not matter: they may have learnt it between two looks.
+fn some_broke(world: &World, own: Range<usize>, whole: &[bool]) -> bool {
+    let fails = |p: usize| {
+        let of_whole = || world.patches.ends[p].iter().any(|b| whole[*b as usize]);
+        world.patches.flags[p] & (flag::BROKEN | flag::DISPLACED) != 0 && of_whole()
+    };
+    // Nobody has looked yet.
+    whole.len() != world.alive.len() || own.into_iter().any(fails)
+}
 
+impl Share {
     /// Gives what the others do not know of the blocks and patches of this rank to all.
     pub(super) fn settle(&mut self, tiles: &Tiles, world: &mut World, mut sums: [&mut Sums; 2]) {
         if !std::mem::take(&mut self.behind) {

@@ -96,7 +96,7 @@ impl Simulation {
         let steps = step - self.cursor.start_step;
         let ends = until.steps.is_some_and(|n| steps >= n)
             || until.time.is_some_and(|t| self.elapsed() >= t - 1e-9 * self.dt);
-        let waits = until.unbalanced.is_some() || until.kinetic.is_some();
+        let waits = until.unbalanced.is_some() || until.kinetic.is_some() || until.rest.is_some();
         let judged = waits && steps.is_multiple_of(CHECK_INTERVAL);
         // A phase begins with a state that is written.
         steps == 0 || ends || judged || due(step, CHECK_INTERVAL, 2) || due(step, LEDGER, 8)
