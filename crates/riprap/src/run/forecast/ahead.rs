@@ -53,9 +53,10 @@ pub(super) fn ahead(
     if steps == 0.0 || cpu <= 0.0 {
         return None;
     }
-    let times = match known.rest_of(phase).and_then(|rest| until_rest(rest, marks, &from, last)) {
-        Some(times) => (times, false),
-        None => repeats(phase, &from, last)?,
+    let by_rest = known.rest_of(phase).and_then(|rest| until_rest(rest, marks, &from, last));
+    let times = match (by_rest, repeats(phase, &from, last)) {
+        (Some(rest), others) => (others.map_or(rest, |(times, _)| rest.min(times)), false),
+        (None, others) => others?,
     };
     let falling = known.falling;
     let dearer = if is_explicit(phase) { resting(marks, &from, last, falling) } else { 1.0 };

@@ -173,8 +173,11 @@ fn the_rest_is_reckoned_from_the_later_half_of_the_trial() {
     assert!(!reckon(phases(still), &falls, 0).unwrap().at_most);
     // What goes on until it rests is taken to rest after 0.5 s: 0.45 s of steps of 0.1 ms, and a phase to come after 500 steps of 1 ms.
     let throw = "until = { rest = {}, time = \"3 s\" }\n";
-    close(reckon(phases(throw), &marks, 0), 4500.0, 4500.0 / 400.0);
-    assert!(!reckon(phases(throw), &marks, 0).unwrap().at_most);
+    let early = marks.map(|mark| Mark { share: Some(mark.time / 3.0), ..mark });
+    close(reckon(phases(throw), &early, 0), 4500.0, 4500.0 / 400.0);
+    assert!(!reckon(phases(throw), &early, 0).unwrap().at_most);
+    // Where its time ends before, that is the end.
+    close(reckon(phases(throw), &marks, 0), 3200.0, 8.0);
     let two = "until.time = \"3 s\"\n[[phases]]\nname = \"more\"\nuntil = { rest = {}, time = \"3 s\" }\n";
     close(reckon(phases(two), &marks, 0), 3200.0 + 5000.0, 8.0 + 5000.0 / 400.0);
     // A trial without time says nothing.
