@@ -92,6 +92,14 @@ fn change_masses(world: &mut World, row: u16, by: f64) {
         given[body.block as usize] = true;
     }
     let mut twins = BTreeMap::new();
+    // What a viscous face stands for beyond it is rock as heavy as before it.
+    for face in
+        world.faces.iter_mut().filter(|f| world.setup.blocks[f.block as usize].material == row)
+    {
+        if let Some(half) = &mut face.half_block {
+            half.impedance = half.impedance.map(|impedance| by.sqrt() * impedance);
+        }
+    }
     for (b, given) in given.into_iter().enumerate() {
         if given || !world.alive[b] || world.setup.blocks[b].material != row {
             continue;

@@ -285,3 +285,55 @@ fn heavier_blocks_press_harder_at_rest() {
         assert!(share.abs() < 1e-4, "{space}: {share:e}");
     }
 }
+
+/// A brick of 1 m that is pushed against rock that carries its wave away moves at F/(sqrt(rho M) A).
+#[test]
+fn what_carries_waves_away_is_as_heavy_as_the_rock() {
+    let scene = r#"
+riprap = 1
+title = "A brick that sends a wave"
+[space.spatial]
+gravity = "0 m/s2"
+[materials.rock]
+density = "2000 kg/m3"
+young = "2 MPa"
+poisson = 0
+[interfaces.default]
+cohesion = "1 MPa"
+tension = "1 MPa"
+friction_angle = "30 deg"
+[[blocks]]
+name = "stone"
+material = "rock"
+brick = { size = ["1 m", "1 m", "1 m"], corner = ["0 m", "0 m", "0 m"] }
+[[boundaries]]
+on.plane = "x-max"
+viscous = {}
+[[phases]]
+name = "go"
+until.time = "1 s"
+time_step = "100 us"
+"#;
+    let folder = tempfile::tempdir().unwrap();
+    let script = |live: &mut Live| {
+        // Against sqrt(2000 * 2e6) Pa s/m.
+        let slowness = 2000_f64 * 1e3_f64.sqrt();
+        live.set_force("stone", [slowness, 0.0, 0.0], [0.0; 3]).unwrap();
+        on(live, 0.4);
+        let before = speed(live, "stone");
+        assert!((before - 1.0).abs() < 1e-4, "{before}");
+        live.set_material("rock", "density = \"8000 kg/m3\"").unwrap();
+        on(live, 0.9);
+    };
+    let mut first = live(scene, None);
+    script(&mut first);
+    let after = speed(&first, "stone");
+    assert!((after - 0.5).abs() < 1e-3, "{after}");
+    first.advance(Pause::NEVER, &mut |_| Control::Continue).unwrap();
+    let path = folder.path().join("wave");
+    let mut second = live(scene, Some(&path));
+    script(&mut second);
+    second.close().unwrap();
+    let again = job::resume(&path, 1, &mut |_| Control::Continue).unwrap();
+    assert_eq!(again.manifest.state_hash, first.simulation().engine().hash());
+}
