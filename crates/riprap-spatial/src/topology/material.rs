@@ -85,7 +85,7 @@ pub fn change(
     Ok(())
 }
 
-/// Multiplies the masses of the living blocks of a material. Equal blocks share a class: each class has its heavier twin.
+/// Multiplies the masses of the living blocks of a material, and what their viscous faces stand for. Equal blocks share a class: each class has its heavier twin.
 fn change_masses(world: &mut World, row: u16, by: f64) {
     let mut given = vec![false; world.alive.len()];
     for body in &world.setup.bodies {
